@@ -34,14 +34,11 @@ pub struct BraidSummary {
 /// A sleeve, its source and terms, and what it is on tubes.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct BraidDetails {
+    /// What the library has of it.
+    #[serde(flatten)]
+    pub entry: SleeveEntry,
     /// Its name.
     pub name: String,
-    /// What it is.
-    pub title: String,
-    /// What its strands are.
-    pub material: String,
-    /// Nominal diameter, mm.
-    pub nominal_diameter_mm: Option<f64>,
     /// Least diameter it closes to, mm.
     pub least_diameter_mm: f64,
     /// Largest diameter it opens to, mm.
@@ -56,34 +53,16 @@ pub struct BraidDetails {
     pub strands: Option<u32>,
     /// Whether that number is stated; otherwise it and the stiffness are upper bounds.
     pub strands_stated: bool,
-    /// Filaments of a strand.
-    pub filaments: u32,
-    /// Diameter of one filament, mm.
-    pub strand_diameter_mm: Option<f64>,
-    /// Its Young's modulus, MPa.
-    pub strand_modulus_mpa: Option<f64>,
     /// Where that comes from, where not from the sleeve's own source.
     pub modulus_source: Option<String>,
-    /// Force at which a strand breaks, N.
-    pub strand_strength_n: Option<f64>,
     /// What its source does not state and its stiffness needs: keys of a muscle file.
     pub missing: Vec<String>,
-    /// What is an estimate, because its source does not state it: keys of a muscle file.
-    pub estimated: Vec<String>,
     /// Factor within which its stiffness is known; 1 where all of its strands are stated.
     pub stiffness_factor: f64,
     /// What the estimates are from.
     pub estimate: Option<String>,
-    /// Price, where one was seen.
-    pub price: Option<String>,
     /// What it is on tubes.
     pub points: Vec<BraidPoint>,
-    /// Where the data come from.
-    pub source: String,
-    /// Terms under which the data may be used.
-    pub terms: String,
-    /// What else one should know.
-    pub note: Option<String>,
 }
 
 /// A sleeve on a tube.
@@ -132,10 +111,8 @@ pub(crate) fn sleeve_details(name: &str) -> Result<Option<BraidDetails>, Problem
     let diameters = round_diameters(sleeve.shape.tubes_mm());
     let (least_diameter_mm, largest_diameter_mm) = sleeve.diameters();
     Ok(Some(BraidDetails {
+        entry: entry.clone(),
         name: sleeve.name().into(),
-        title: entry.title.clone(),
-        material: entry.material.clone(),
-        nominal_diameter_mm: entry.nominal_mm,
         least_diameter_mm,
         largest_diameter_mm,
         neutral_diameter_mm: sleeve.shape.helix.diameter_mm(NEUTRAL_ANGLE_DEG),
@@ -143,23 +120,14 @@ pub(crate) fn sleeve_details(name: &str) -> Result<Option<BraidDetails>, Problem
         helix_from: entry.helix_from.to_string(),
         strands: sleeve.strand_count(),
         strands_stated: sleeve.strands.is_some(),
-        filaments: sleeve.filaments,
-        strand_diameter_mm: sleeve.strand_diameter_mm,
-        strand_modulus_mpa: sleeve.strand_modulus_mpa,
         modulus_source: entry.modulus_of.map(|m| match &m.note {
             Some(note) => format!("{}: {}. {note}", m.title, m.source),
             None => format!("{}: {}", m.title, m.source),
         }),
-        strand_strength_n: sleeve.strand_strength_n,
         missing: sleeve.missing().into_iter().map(str::to_string).collect(),
-        estimated: sleeve.estimated.iter().map(|key| (*key).to_owned()).collect(),
         stiffness_factor: sleeve.stiffness_factor(),
         estimate: entry.modulus_of.filter(|_| !sleeve.estimated.is_empty()).and_then(|m| m.estimate.clone()),
-        price: entry.price.clone(),
         points: diameters.iter().map(|d| point(sleeve, *d)).collect::<Result<_, Problem>>()?,
-        source: entry.source.clone(),
-        terms: entry.terms.clone(),
-        note: entry.note.clone(),
     }))
 }
 

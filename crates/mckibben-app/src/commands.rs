@@ -8,6 +8,7 @@ use mckibben::nearest::{meant, nearest};
 use mckibben::{cancel::Cancel, progress::Progress, units::NamedUnit};
 #[cfg(feature = "files")]
 use mckibben_campaign::campaign::{CampaignStatus, Merged, Outcome, Summary};
+use mckibben_campaign::fit::results::Results;
 #[cfg(feature = "schema")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
 use serde::{Serialize, de::DeserializeOwned};
@@ -149,7 +150,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!(long "compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
         command!(long "identify", IdentifyRequest => IdentifyAnswer, |r, progress| identify(&r, progress)),
         command!(long "fit", FitRequest => FitAnswer, |r, progress| fit(&r, progress)),
-        command!(long "fit-report", FitReportRequest => FitReportAnswer, |r, progress| fit_report(&r, progress)),
+        command!(long "fit-report", FitReportRequest => Results, |r, progress| fit_report(&r, progress)),
         command!(long "plan", PlanRequest => PlanAnswer, |r, progress| plan(&r, progress)),
         command!("check-formula", CheckFormulaRequest => CheckFormulaAnswer, |r, _progress| check_formula(&r)),
         command!("parts-show", PartShowRequest => PartShowAnswer, |r, _progress| part_show(&r)),

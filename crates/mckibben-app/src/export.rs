@@ -6,7 +6,7 @@ use crate::{
 };
 use mckibben::answer::{Options, check_range};
 use mckibben::progress::Progress;
-use mckibben_export::{ExportBox, ExportError, ExportedMuscle, Form, FormErrors, Target, Wanted};
+use mckibben_export::{ExportError, ExportedMuscle, Target, Wanted};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -36,31 +36,15 @@ pub struct ExportRequest {
 }
 
 /// A muscle as files for a target.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct ExportAnswer {
     /// The target.
     pub target: String,
-    /// Name of the muscle in the files.
-    pub name: String,
+    /// What was fitted, and how well.
+    #[serde(flatten)]
+    pub exported: ExportedMuscle,
     /// The muscle.
     pub muscle: MuscleSummary,
-    /// The model that the form was fitted to.
-    pub model: String,
-    /// The box over which the form was fitted.
-    #[serde(flatten)]
-    pub bounds: ExportBox,
-    /// Blocked force at the supply pressure, N.
-    pub blocked_force_n: f64,
-    /// Errors of the form against the model.
-    #[serde(flatten)]
-    pub errors: FormErrors,
-    /// 95 % half-width of the blocked force against a measured muscle, N, where it is known.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub uncertainty_n: Option<f64>,
-    /// The first 16 digits of the SHA-256 of muscle file, model, version and coefficients.
-    pub hash: String,
-    /// Pull and volume in closed form.
-    pub form: Form,
     /// What the target needs.
     pub needs: String,
     /// What of the muscle the target loses.
@@ -124,14 +108,7 @@ pub fn export(request: &ExportRequest, _progress: &dyn Progress) -> Result<Expor
         needs: target.needs.into(),
         loses: target.loses.into(),
         files: artefact.files.into_iter().map(BuiltFile::from).collect(),
-        name: exported.name,
-        model: exported.model,
-        bounds: exported.bounds,
-        blocked_force_n: exported.blocked_force_n,
-        errors: exported.errors,
-        uncertainty_n: exported.uncertainty_n,
-        hash: exported.hash,
-        form: exported.form,
+        exported,
         warnings,
     })
 }

@@ -434,7 +434,8 @@ pub fn with_error_bar(p: &Identified) -> (String, String) {
     (number(p.value, digits.max(3)), number(p.half_width, 2))
 }
 
-fn in_one_line(parameters: &[Identified]) -> String {
+/// Constants that were found, each with its ± and what is doubtful of it.
+pub fn in_one_line(parameters: &[Identified]) -> String {
     let one = |p: &Identified| {
         let (value, bar) = with_error_bar(p);
         let doubt = match p {

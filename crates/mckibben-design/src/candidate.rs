@@ -41,16 +41,20 @@ impl CandidatePoint {
 }
 
 /// A muscle that fits.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Candidate {
+    #[serde(skip)]
     pub muscle: Muscle,
     /// Name of the tube as sold or cast that it has, where tubes were searched.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub tube: Option<String>,
     /// Name of the model that all its numbers come from.
     pub model: String,
     /// What it is ranked by: smaller is better.
+    #[serde(skip)]
     pub(super) score: Score,
     /// The limit that keeps it from being better: the one that is met by least, where less than 1 % of it is left.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub binds: Option<Limit>,
     /// The operating points in the order of the specification.
     pub points: Vec<CandidatePoint>,
@@ -65,6 +69,7 @@ pub struct Candidate {
     /// Work in J from ε = 0 to the largest contraction wanted, at the maximum pressure.
     pub work_j: Option<f64>,
     /// The pressures at which it fails; `None` where no model answers for the blocked muscle.
+    #[serde(skip)]
     pub burst: Option<Burst>,
     /// Quantities that the design's model does not give and the thick-wall model gave instead.
     pub from_thick_wall: Vec<&'static str>,

@@ -22,23 +22,33 @@ pub struct ExportBox {
 }
 
 /// A muscle fitted for export.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize, schemars::JsonSchema)]
 pub struct ExportedMuscle {
+    /// Name of the muscle in the files.
     pub name: String,
+    #[serde(skip)]
     pub muscle_file: String,
+    /// Pull and volume in closed form.
     pub form: Form,
+    /// The box over which the form was fitted.
+    #[serde(flatten)]
     pub bounds: ExportBox,
     /// The model that answered.
     pub model: String,
     /// Version of the program.
+    #[serde(skip)]
     pub version: &'static str,
     /// The first 16 digits of the SHA-256 of muscle file, model, version and coefficients.
     pub hash: String,
+    /// Errors of the form against the model.
+    #[serde(flatten)]
     pub errors: FormErrors,
     /// Blocked force at the supply, N.
     pub blocked_force_n: f64,
     /// 95 % half-width of the blocked force against a measured muscle, N, where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty_n: Option<f64>,
+    #[serde(skip)]
     pub(crate) held_out: Vec<Sample>,
 }
 

@@ -11,8 +11,7 @@ use mckibben::analysis::{Burst, NoBurst};
 use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::{liquid::Liquid, muscle::file::to_toml, warning::Warning};
 use mckibben_design::{
-    BraidChoice, Candidate, CandidatePoint, Demand, Lift, Limit, Outcome, Rejected, Relaxation, Spec, Spread,
-    tubes::rubbers,
+    BraidChoice, Candidate, Demand, Lift, Limit, Outcome, Rejected, Relaxation, Spec, Spread, tubes::rubbers,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -135,20 +134,12 @@ pub struct CandidateAnswer {
     /// The muscle.
     #[serde(flatten)]
     pub muscle: MuscleSummary,
-    /// Name of its tube as sold or cast, where tubes were searched.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub tube: Option<String>,
+    /// What the search found of it.
+    #[serde(flatten)]
+    pub candidate: Candidate,
     /// Price of that tube, where one was seen.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tube_price: Option<String>,
-    /// Largest pressure any point needs, MPa.
-    pub pressure_mpa: f64,
-    /// Smallest margin over the points: pull at the maximum pressure over the required pull, minus 1.
-    pub margin: f64,
-    /// Blocked force at the maximum pressure, N.
-    pub blocked_force_n: f64,
-    /// Free contraction at the maximum pressure.
-    pub free_contraction: Option<f64>,
     /// Largest outer diameter over the points, mm.
     pub bulged_diameter_mm: Option<f64>,
     /// Stiffness k of one strand family, N/mm; none of strands that keep their length.
@@ -163,8 +154,6 @@ pub struct CandidateAnswer {
     /// Mass of the liquid in muscle and dead volume at that point, g.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub liquid_mass_g: Option<f64>,
-    /// Work from ε = 0 to the largest required contraction at the maximum pressure, J.
-    pub work_j: Option<f64>,
     /// Largest tension of one strand, N.
     pub strand_tension_n: Option<f64>,
     /// Largest tension of all strands together, N.
@@ -176,18 +165,9 @@ pub struct CandidateAnswer {
     pub limits: PressureLimits,
     /// Largest 95 % half-width of the pull, N.
     pub uncertainty_n: Option<f64>,
-    /// The operating points, in the order of the specification.
-    pub points: Vec<CandidatePoint>,
-    /// Quantities that the model does not give and the thick-wall model gave instead.
-    pub from_thick_wall: Vec<String>,
     /// Of a joint: its pulley, and how the muscle is put on it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub joint: Option<CandidateJoint>,
-    /// The model that all its numbers come from.
-    pub model: String,
-    /// The active limit: less than 1 % of it is left.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub binds: Option<Limit>,
 }
 
 /// The joint around a candidate.
@@ -243,10 +223,9 @@ pub struct Verified {
 /// The winner at one operating point by finite elements.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct VerifiedPoint {
-    /// Required pull, N.
-    pub force_n: f64,
-    /// At this contraction.
-    pub contraction: f64,
+    /// What is required.
+    #[serde(flatten)]
+    pub wanted: OperatingPoint,
     /// Pressure it takes, MPa, where there is one.
     pub pressure_mpa: Option<f64>,
     /// Pull at the maximum pressure, N.
@@ -331,16 +310,12 @@ impl CandidateAnswer {
                 _ => None,
             },
             muscle: (&c.muscle).into(),
-            tube: c.tube.clone(),
+            candidate: c.clone(),
             tube_price: spec
                 .tubes
                 .iter()
                 .find(|t| Some(&t.name) == c.tube.as_ref())
                 .and_then(|t| t.price.clone()),
-            pressure_mpa: c.pressure_mpa,
-            margin: c.margin,
-            blocked_force_n: c.blocked_force_n,
-            free_contraction: c.free_contraction,
             bulged_diameter_mm: c.bulged_diameter_mm(),
             family_stiffness_n_per_mm: c.muscle.family_stiffness_n_per_mm(),
             stiffness_n_per_mm: c.points.first().and_then(|q| q.response.stiffness_n_per_mm),
@@ -348,16 +323,11 @@ impl CandidateAnswer {
             liquid_volume_mm3: c.liquid_volume_mm3(),
             // It grows with the volume.
             liquid_mass_g: c.largest(|q| q.liquid_mass_g),
-            work_j: c.work_j,
             strand_tension_n: c.largest(|q| q.response.strand_tension_n),
             braid_tension_n: c.largest(|q| q.response.braid_tension_n),
             max_stretch: c.largest(|q| q.response.max_stretch),
             limits: c.burst.as_ref().map(Into::into).unwrap_or_default(),
             uncertainty_n: c.largest(|q| q.uncertainty_n),
-            points: c.points.clone(),
-            from_thick_wall: c.from_thick_wall.iter().map(|&name| name.into()).collect(),
-            model: c.model.clone(),
-            binds: c.binds,
         }
     }
 }

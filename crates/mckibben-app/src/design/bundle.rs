@@ -4,7 +4,7 @@ use super::request::DesignRequest;
 use crate::{Problem, ProblemKind, above_zero, percent};
 use mckibben::{model::Workspace, warning::Warning};
 use mckibben_design::bundle::{MOST, envelope_ratio, touches_at};
-use mckibben_design::{Build, Candidate, CandidatePoint, Demand, Spec};
+use mckibben_design::{Build, Candidate, CandidatePoint, Demand, OperatingPoint, Spec};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -35,10 +35,9 @@ pub struct BundleAnswer {
 /// An operating point of all muscles of a bundle together.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct BundlePoint {
-    /// Required pull, N.
-    pub force_n: f64,
-    /// At this contraction.
-    pub contraction: f64,
+    /// What is required.
+    #[serde(flatten)]
+    pub wanted: OperatingPoint,
     /// Pull at the pressure of the supply, N.
     pub force_at_max_pressure_n: f64,
     /// 95 % half-width of that pull, N. What is not known of one muscle is not known of all: so many times that of one.
@@ -93,7 +92,7 @@ impl BundleAnswer {
     /// That neighbours touch before the largest contraction that is wanted.
     pub(super) fn warning(&self) -> Option<Warning> {
         let touch = self.touch_contraction?;
-        let largest = self.points.iter().map(|q| q.contraction).fold(0.0, f64::max);
+        let largest = self.points.iter().map(|q| q.wanted.contraction).fold(0.0, f64::max);
         (touch < largest - 1e-6).then(|| {
             let (touch, largest) = (percent(touch), percent(largest));
             Warning::from(format!(
@@ -120,8 +119,7 @@ pub(super) fn of(
         .filter(|_| muscles > 1)
         .and_then(|(model, pitch)| touches_at(&*model, &mut Workspace::new(), spec.max_pressure_mpa, pitch));
     let point = |q: &CandidatePoint| BundlePoint {
-        force_n: count * q.wanted().force_n,
-        contraction: q.wanted().contraction,
+        wanted: OperatingPoint { force_n: count * q.wanted().force_n, ..q.wanted() },
         force_at_max_pressure_n: count * q.force_at_max_pressure_n,
         uncertainty_n: q.uncertainty_n.map(|n| count * n),
         air_normal_litres: q.air_normal_litres.map(|litres| count * litres),

@@ -144,13 +144,12 @@ fn verified(spec: &Spec, winner: &Candidate) -> Result<Verified, Problem> {
     let mut workspace = Workspace::new();
     let options = Options { extrapolate: true, ..spec.options() };
     let mut points = vec![];
-    for OperatingPoint { force_n, contraction } in winner.points.iter().map(CandidatePoint::wanted) {
+    for wanted in winner.points.iter().map(CandidatePoint::wanted) {
         let max = spec.max_pressure_mpa;
-        let available = force_on(&*fe, &mut workspace, max, contraction, options.direction);
-        let pressure = pressure_at(&*fe, &mut workspace, force_n, contraction, options);
+        let available = force_on(&*fe, &mut workspace, max, wanted.contraction, options.direction);
+        let pressure = pressure_at(&*fe, &mut workspace, wanted.force_n, wanted.contraction, options);
         points.push(VerifiedPoint {
-            force_n,
-            contraction,
+            wanted,
             pressure_mpa: pressure.ok(),
             force_at_max_pressure_n: available.as_ref().ok().copied(),
             cause: available.err().map(|e| e.to_string()),

@@ -23,14 +23,15 @@ pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figur
                 first.pressure_2_mpa.map_or_else(String::new, |p| format!(", {}", u.pressure.bare(p)));
             let label = format!("{}{second} {}", u.pressure.bare(first.pressure_1_mpa), u.pressure.name);
             let line = |of: &dyn Fn(&JointRow) -> Option<f64>| -> Vec<(f64, f64)> {
-                family.iter().filter_map(|q| Some((q.angle_deg, of(q)?))).collect()
+                family.iter().filter_map(|q| Some((q.point.angle_deg, of(q)?))).collect()
             };
-            panel = panel.series(Series::line("", line(&|q| Some(q.torque_nm))).colour(i).end_label(label));
+            panel =
+                panel.series(Series::line("", line(&|q| Some(q.point.torque_nm))).colour(i).end_label(label));
             let edges: Vec<(f64, f64, f64)> = family
                 .iter()
                 .filter_map(|q| {
-                    let half = q.uncertainty_nm?;
-                    Some((q.angle_deg, q.torque_nm - half, q.torque_nm + half))
+                    let half = q.point.uncertainty_nm?;
+                    Some((q.point.angle_deg, q.point.torque_nm - half, q.point.torque_nm + half))
                 })
                 .collect();
             bands.extend((edges.len() > 1).then(|| Series::band(&edges).colour(i)));

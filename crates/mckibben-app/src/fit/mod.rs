@@ -199,24 +199,9 @@ fn no_files() -> Problem {
 #[serde(default)]
 pub struct FitReportRequest {}
 
-/// How everything compares.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-pub struct FitReportAnswer {
-    /// Comparisons, constants, and models on random muscles.
-    #[serde(flatten)]
-    pub results: Results,
-}
-
-impl FitReportAnswer {
-    /// Whether every goal is met.
-    pub fn ok(&self) -> bool {
-        self.results.findings.iter().all(|f| f.ok)
-    }
-}
-
 /// Computes the paper's campaign, the formulas of it, and their errors.
-pub fn fit_report(_: &FitReportRequest, progress: &dyn Progress) -> Result<FitReportAnswer, Problem> {
-    Ok(FitReportAnswer { results: results(progress)? })
+pub fn fit_report(_: &FitReportRequest, progress: &dyn Progress) -> Result<Results, Problem> {
+    Ok(results(progress)?)
 }
 
 impl From<FitError> for Problem {

@@ -1,8 +1,8 @@
 //! What `joint` answers.
 
 use crate::{MuscleSummary, PressureLimits};
-use mckibben::joint::{JointMap, ShutStiffness};
-use mckibben::{uncertainty::UncertaintyParts, warning::Warning};
+use mckibben::joint::{JointMap, JointPoint};
+use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -11,29 +11,17 @@ use serde::Serialize;
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 pub struct JointRow {
-    /// φ from the neutral angle in degrees.
-    pub angle_deg: f64,
+    /// Angle, torque and stiffness.
+    #[serde(flatten)]
+    pub point: JointPoint,
     /// Pressure of the first muscle, MPa.
     pub pressure_1_mpa: f64,
     /// Pressure of the second muscle, MPa.
     pub pressure_2_mpa: Option<f64>,
-    /// Torque of muscles, spring and weight towards +, N m.
-    pub torque_nm: f64,
-    /// 95 % half-width of the torque against a measured joint, as far as the muscles' pulls make it, N m.
-    pub uncertainty_nm: Option<f64>,
-    /// Its parts, each a 95 % half-width in N m; they add as squares. Friction of two muscles adds fully; a rubber or braid that both share shifts both pulls at once.
-    pub uncertainty_parts_nm: Option<UncertaintyParts>,
     /// The torque while the joint turns to +, where the muscles' friction is known, N m.
     pub torque_turning_plus_nm: Option<f64>,
     /// The torque while it turns to −, likewise.
     pub torque_turning_minus_nm: Option<f64>,
-    /// −dτ/dφ at these pressures, N m/rad.
-    pub stiffness_nm_per_rad: f64,
-    /// −dτ/dφ with the valves shut.
-    #[serde(flatten)]
-    pub shut: ShutStiffness,
-    /// 95 % half-width of the stiffness, N m/rad.
-    pub stiffness_uncertainty_nm_per_rad: Option<f64>,
     /// Of a joint at rest: `stable`, `unstable`, at a `limit` of its range, or `loose`: it rests at any angle near this one.
     pub rest: Option<RestWord>,
     /// Pull of the first muscle, N.

@@ -272,17 +272,10 @@ impl Asked<'_> {
         let second = point.muscles.get(1);
         let response = |m: &mckibben::joint::MuscleState| m.answer.response;
         Ok(JointRow {
-            angle_deg: point.angle_deg,
             pressure_1_mpa: point.pressures_mpa.first().copied().unwrap_or(0.0),
             pressure_2_mpa: point.pressures_mpa.get(1).copied(),
-            torque_nm: point.torque_nm,
-            uncertainty_nm: point.uncertainty_nm,
-            uncertainty_parts_nm: point.uncertainty_parts_nm,
             torque_turning_plus_nm: plus,
             torque_turning_minus_nm: minus,
-            stiffness_nm_per_rad: point.stiffness_nm_per_rad,
-            shut: point.shut,
-            stiffness_uncertainty_nm_per_rad: point.stiffness_uncertainty_nm_per_rad,
             rest,
             force_1_n: first.map_or(0.0, |m| response(m).force_n),
             force_2_n: second.map(|m| response(m).force_n),
@@ -292,6 +285,7 @@ impl Asked<'_> {
             arm_2_mm: second.map(|m| m.arm_mm),
             slack_1: first.is_some_and(|m| m.answer.slack),
             slack_2: second.map(|m| m.answer.slack),
+            point,
             ..JointRow::default()
         })
     }
@@ -299,7 +293,7 @@ impl Asked<'_> {
 
 /// The largest ± of the torques, in words.
 fn largest_uncertainty(rows: &[JointRow]) -> Option<String> {
-    let known = rows.iter().filter_map(|row| Some((row.angle_deg, row.uncertainty_parts_nm?)));
+    let known = rows.iter().filter_map(|row| Some((row.point.angle_deg, row.point.uncertainty_parts_nm?)));
     let (angle_deg, parts) = known.max_by(|a, b| a.1.total().total_cmp(&b.1.total()))?;
     let angle = number(if angle_deg.abs() < 1e-9 { 0.0 } else { angle_deg }, 4);
     Some(format!("at φ {angle}°: {}", breakdown(&parts, &Scale::newton_metres())))

@@ -242,7 +242,7 @@ fn thousandth(share: f64) -> f64 {
 
 /// What keeps the best from being better.
 fn binds(best: &CandidateAnswer) -> String {
-    let Some(limit) = best.binds else { return String::new() };
+    let Some(limit) = best.candidate.binds else { return String::new() };
     let what = match limit {
         Limit::Force => "required pull",
         Limit::BulgedDiameter => "largest bulged diameter",
@@ -267,7 +267,8 @@ fn measures_of(RejectedAnswer { muscle: r, .. }: &RejectedAnswer, u: &Units) -> 
 fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
     let rows = list.iter().enumerate().map(|(i, c)| {
         let mut row = value(c);
-        let needs: Vec<String> = c.points.iter().map(|q| u.pressure.to(q.response.pressure_mpa, 3)).collect();
+        let needs: Vec<String> =
+            c.candidate.points.iter().map(|q| u.pressure.to(q.response.pressure_mpa, 3)).collect();
         row["rank"] = format!("{}.", i + 1).into();
         row["needs"] = needs.join(", ").into();
         row
@@ -298,7 +299,7 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
         air (normal litres: at 0 °C and 1.01325 bar) and liquid: from rest to the point. k: stiffness of one strand family. strand: tension of one strand; braid: of all together.\n\
         ±: 95 % half-width of the pull, against a measured muscle.\n";
     out.push_str(&list.first().map_or_else(String::new, binds));
-    if let Some(first) = list.first().filter(|c| !c.from_thick_wall.is_empty()) {
+    if let Some(first) = list.first().map(|c| &c.candidate).filter(|c| !c.from_thick_wall.is_empty()) {
         out.push_str(&format!("From the thick-wall model: {}.\n", first.from_thick_wall.join(", ")));
     }
     out
@@ -307,7 +308,7 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
 /// Where the ± is larger than what is to spare: the muscle that is sure to do what is wanted.
 fn doubt(answer: &DesignAnswer, u: &Units) -> String {
     let Some(first) = answer.candidates.first() else { return String::new() };
-    let tight = first.points.iter().find_map(|q: &CandidatePoint| {
+    let tight = first.candidate.points.iter().find_map(|q: &CandidatePoint| {
         let half = q.uncertainty_n?;
         (q.force_at_max_pressure_n - q.response.force_n < half).then_some(half)
     });
@@ -331,7 +332,7 @@ fn verified(answer: &DesignAnswer, u: &Units) -> String {
         return String::new();
     };
     let holds = if verified.holds { "meets the specification" } else { "does NOT meet the specification" };
-    let rows = verified.points.iter().zip(&winner.points).map(|(c, q)| {
+    let rows = verified.points.iter().zip(&winner.candidate.points).map(|(c, q)| {
         let mut row = value(c);
         row["difference_n"] = c.force_at_max_pressure_n.map(|f| f - q.force_at_max_pressure_n).into();
         row["cause"] = c.cause.as_deref().map(|cause| u.sentence(cause)).into();

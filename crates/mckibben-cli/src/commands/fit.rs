@@ -5,7 +5,8 @@ use crate::{
     pairs, place, save, save_inside, tabled, value,
 };
 use mckibben::formula::Document;
-use mckibben_app::{FitAnswer, FitReportAnswer, FitReportRequest, FitRequest, NamedFigure, fit_report};
+use mckibben_app::{FitAnswer, FitReportRequest, FitRequest, NamedFigure, fit_report};
+use mckibben_campaign::fit::results::Results;
 use mckibben_campaign::fit::{FittedFormula, PaperMethod};
 use mckibben_campaign::{fit::constants::Constants, fit::signs::signs};
 use mckibben_report::FigureError;
@@ -176,13 +177,12 @@ fn signs_text(m: &PaperMethod) -> String {
 fn report(asked: &Asked) -> Result<u8, Failure> {
     let answer = fit_report(&FitReportRequest {}, &Bar::new("steps"))?;
     asked.show(&answer, "findings", || report_text(&answer))?;
-    Ok(if answer.ok() { 0 } else { NO_ANSWER })
+    Ok(if answer.findings.iter().all(|f| f.ok) { 0 } else { NO_ANSWER })
 }
 
 const FINDINGS: &str = "at_most_of_blocked=at_most:3~% max_of_blocked=largest:3% rms_of_blocked=rms:3% max_of_isobar=(12):3% max_n=largest:3 points comparison outer_diameter_mm=worst_at_D0 wall_mm=s pressure_mpa=P contraction=ε";
 
-fn report_text(answer: &FitReportAnswer) -> String {
-    let r = &answer.results;
+fn report_text(r: &Results) -> String {
     let u = Units::default();
     let mut out = String::from(
         "In % of the finite elements' blocked force of the same muscle at 0.25 MPa, over points where they pull\n\n",

@@ -5,9 +5,8 @@ use crate::{
 };
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 use mckibben_app::{
-    MeasuredAnswer, MeasuredBranch, MeasuredCase, MeasuredFit, MeasuredFolder, MeasuredRequest,
-    MeasuredResult, MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, SweepAnswer,
-    SweepRequest, with_error_bar,
+    MeasuredAnswer, MeasuredBranch, MeasuredCase, MeasuredFolder, MeasuredRequest, MeasuredResult,
+    MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, SweepAnswer, SweepRequest, in_one_line,
 };
 use mckibben_fit::validation::case::built_in;
 use serde_json::Value;
@@ -231,7 +230,7 @@ fn rubber(case: &MeasuredRubber, stresses: &[MeasuredStress]) -> String {
 fn muscle(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
     let fits = case.fits.iter().filter(|f| !f.parameters.is_empty());
     let found: Vec<(String, String)> =
-        fits.map(|f| (format!("{} [{}]", f.fit, f.fitted_to), values(f))).collect();
+        fits.map(|f| (format!("{} [{}]", f.fit, f.fitted_to), in_one_line(&f.parameters))).collect();
     let own: Vec<_> = results.iter().filter(|r| r.case == case.facts.name).collect();
     let branches = own.iter().flat_map(|r| {
         let row = |branch: &MeasuredBranch| {
@@ -254,15 +253,4 @@ fn muscle(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
 fn block(title: &str, case: &Value, found: &[(String, String)], errors: &str) -> String {
     let facts = pairs(&listed(case, FACTS, &shown::units()));
     format!("\n{title}\n\n{facts}\nFound, ± 95 %\n{}\n{errors}", pairs(found))
-}
-
-fn values(fit: &MeasuredFit) -> String {
-    let one = |p: &mckibben_fit::identify::Identified| {
-        let (value, bar) = with_error_bar(p);
-        let bar = if bar == "–" { String::new() } else { format!(" ± {bar}") };
-        let unit = if p.unit.is_empty() { String::new() } else { format!(" {}", p.unit) };
-        let doubt = if p.identifiable { "" } else { " (not identifiable)" };
-        format!("{} {value}{bar}{unit}{doubt}", p.name)
-    };
-    fit.parameters.iter().map(one).collect::<Vec<_>>().join(", ")
 }

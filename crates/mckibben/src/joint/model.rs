@@ -46,25 +46,29 @@ pub struct MuscleState {
 }
 
 /// A joint at pressures and an angle.
-#[derive(Debug, Clone, PartialEq)]
+#[serde_with_macros::skip_serializing_none]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct JointPoint {
-    /// φ in degrees.
+    /// φ from the neutral angle in degrees.
     pub angle_deg: f64,
     /// Pressures in MPa.
+    #[serde(skip)]
     pub pressures_mpa: Vec<f64>,
-    /// τ in N m: muscles, spring and weight.
+    /// Torque of muscles, spring and weight towards +, N m.
     pub torque_nm: f64,
-    /// −dτ/dφ in N m/rad at these pressures.
+    /// −dτ/dφ at these pressures, N m/rad.
     pub stiffness_nm_per_rad: f64,
     /// −dτ/dφ with the valves shut.
+    #[serde(flatten)]
     pub shut: ShutStiffness,
-    /// 95 % half-width of the torque in N m.
+    /// 95 % half-width of the torque against a measured joint, as far as the muscles' pulls make it, N m.
     pub uncertainty_nm: Option<f64>,
-    /// Its parts in N m.
+    /// Its parts, each a 95 % half-width in N m; they add as squares. Friction of two muscles adds fully; a rubber or braid that both share shifts both pulls at once.
     pub uncertainty_parts_nm: Option<UncertaintyParts>,
-    /// 95 % half-width of the stiffness in N m/rad.
+    /// 95 % half-width of the stiffness, N m/rad.
     pub stiffness_uncertainty_nm_per_rad: Option<f64>,
     /// The muscles.
+    #[serde(skip)]
     pub muscles: Vec<MuscleState>,
 }
 

@@ -28,19 +28,23 @@ impl fmt::Display for HelixFrom {
 }
 
 /// A sleeve of the library.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct SleeveEntry {
     /// The sleeve.
+    #[serde(flatten)]
     pub sleeve: Sleeve,
     /// Other names it answers to.
+    #[serde(skip)]
     pub aliases: Vec<String>,
     /// What it is, for people.
     pub title: String,
     /// What its strands are, in a word.
     pub material: String,
-    /// Nominal diameter in mm, where there is one.
+    /// Nominal diameter, mm.
+    #[serde(rename = "nominal_diameter_mm")]
     pub nominal_mm: Option<f64>,
     /// From what its helix was found.
+    #[serde(skip)]
     pub helix_from: HelixFrom,
     /// Where the data come from.
     pub source: String,
@@ -51,6 +55,7 @@ pub struct SleeveEntry {
     /// What else one should know.
     pub note: Option<String>,
     /// What its modulus is taken from, where it is one of [`materials`].
+    #[serde(skip)]
     pub modulus_of: Option<&'static Material>,
 }
 

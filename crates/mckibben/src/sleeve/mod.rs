@@ -37,25 +37,29 @@ pub struct SleeveShape {
 }
 
 /// A sleeve: its shape and its strands, as far as they are known.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct Sleeve {
     /// Name, helix, range.
+    #[serde(skip)]
     pub shape: SleeveShape,
     /// n, strands of both families together.
+    #[serde(skip)]
     pub strands: Option<u32>,
-    /// f, filaments of a strand, side by side.
+    /// Filaments f of a strand, side by side.
     pub filaments: u32,
-    /// d, diameter of one filament, in mm.
+    /// Diameter d of one filament, mm.
     pub strand_diameter_mm: Option<f64>,
-    /// E of a filament, in MPa.
+    /// Young's modulus E of a filament, MPa.
     pub strand_modulus_mpa: Option<f64>,
-    /// Force at which one strand breaks, in N.
+    /// Force at which a strand breaks, N.
     pub strand_strength_n: Option<f64>,
     /// b, strands that lie side by side on a carrier of the braiding machine.
+    #[serde(skip)]
     pub strands_per_carrier: Option<f64>,
-    /// Of these what is an estimate, as keys of a muscle file: no source states it for this sleeve.
+    /// What is an estimate, because its source does not state it: keys of a muscle file.
     pub estimated: Vec<&'static str>,
     /// Factor within which the stiffness is known with all estimates; 1 without any.
+    #[serde(skip)]
     pub factor: f64,
 }
 
