@@ -2,8 +2,7 @@
 
 use crate::{
     Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, ShapeRequest,
-    TitleBlock, Units, above_zero, borne, burst_of, check::findings::not_measured, report::report, said_of,
-    usual_mpa,
+    TitleBlock, Units, above_zero, borne, burst_of, not_measured, report::report, said_of, usual_mpa,
 };
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;

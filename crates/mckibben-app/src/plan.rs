@@ -1,6 +1,6 @@
 //! `plan`: a plan of a moderate size, computed in memory; the table comes back as text. For front ends without files.
 
-use crate::{Problem, ProblemKind, TextFile, fit::table::COLUMNS};
+use crate::{COLUMNS, Problem, ProblemKind, TextFile};
 use mckibben::progress::Progress;
 use mckibben_campaign::campaign::{self, Plan};
 use schemars::JsonSchema;

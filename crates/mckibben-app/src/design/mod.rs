@@ -4,7 +4,6 @@ mod answer;
 mod assumed;
 mod bought;
 mod bundle;
-mod policy;
 mod request;
 
 pub use answer::{
@@ -15,12 +14,13 @@ pub use bought::BoughtAnswer;
 pub use bundle::{BundleAnswer, BundlePoint};
 pub use request::{Choice, DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted, Verify};
 
-use crate::{Model, Problem, UncertaintyWords, check::findings::not_measured, figure};
+use crate::{Model, Problem, UncertaintyWords, figure, not_measured};
 use answer::{muscle_file, not_checked, out_of_reach};
 use mckibben::analysis::{force_on, pressure_at};
 use mckibben::model::{ForceModel, ModelError, Workspace};
+use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
-use mckibben::{answer::Options, muscle::Muscle, uncertainty::uncertainty};
+use mckibben::{answer::Options, uncertainty::uncertainty};
 use mckibben_design::{
     Build, Candidate, CandidatePoint, Models, Outcome, Spec, Spread, Tolerances, design_joint, design_with,
     fits, spread,
@@ -175,4 +175,47 @@ fn draw(
     let points = outcome.candidates.first().map(|c| c.points.iter().map(CandidatePoint::wanted).collect());
     let points: Vec<OperatingPoint> = points.unwrap_or_default();
     Ok(figure::design(&drawn, &points, spec.max_pressure_mpa, options, unit))
+}
+
+/// Whether a muscle is searched with a model.
+pub(super) type SearchedMuscles = fn(&Muscle) -> bool;
+
+/// Which model looks at a muscle of the search, and which one decides.
+#[derive(Debug, Clone)]
+pub(super) struct ModelPolicy {
+    /// Where none was named: what searches the muscles that it is good for.
+    pub(super) quick: Option<(Model, SearchedMuscles)>,
+    /// What searches all others, and decides.
+    pub(super) model: Model,
+}
+
+/// Muscles that `universal` searches: L0/D0 at least, θ0 in degrees, wall over D0 at most. Its box is narrower; it only ranks what `fe` then decides of and
+/// corrects by up to a quarter of the diameter. On random muscles 95 % of its pulls are within 1.4 % of the blocked force of those of `fe`
+/// where L0/D0 is 3 to 5, 5.4 % where it is 2 to 3, 12.6 % where it is 1.5 to 2, 1.2 % where θ0 is 14° to 18°, 0.04 % where it is 35° to 42°.
+const LEAST_SLENDERNESS: f64 = 1.5;
+const ANGLES: std::ops::RangeInclusive<f64> = 14.0..=42.0;
+/// Largest wall over D0 that `universal` searches. Beyond, of nearly solid rods, its pull rises and falls with the pressure, and each inverse searches
+/// the whole range.
+const THICKEST: f64 = 0.38;
+
+/// Whether a muscle is searched with `universal`.
+pub(super) fn near_the_box(muscle: &Muscle) -> bool {
+    muscle.length_mm() >= LEAST_SLENDERNESS * muscle.outer_diameter_mm()
+        && ANGLES.contains(&muscle.braid().angle_deg)
+        && muscle.wall_mm() <= THICKEST * muscle.outer_diameter_mm()
+}
+
+impl ModelPolicy {
+    /// Name of the model that searches.
+    pub(super) fn searches(&self) -> &str {
+        self.quick.as_ref().map_or(&self.model, |quick| &quick.0).name()
+    }
+
+    /// The model that searches, bound to a muscle.
+    pub(super) fn look(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+        match &self.quick {
+            Some((quick, is_good)) if is_good(muscle) => quick.build(muscle),
+            _ => self.model.bound(muscle),
+        }
+    }
 }

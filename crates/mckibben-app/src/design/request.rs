@@ -1,6 +1,6 @@
 //! What is wanted, and what may be varied.
 
-use super::policy::{ModelPolicy, SearchedMuscles, near_the_box};
+use super::{ModelPolicy, SearchedMuscles, near_the_box};
 use crate::{
     LiquidFields, LoadFields, MeshFields, Model, ModelFields, MuscleFields, NamedFields, Problem,
     ProblemKind, Stiffness, TextFile, Units, above_zero, finite, given, ratio, rubber, sleeve,

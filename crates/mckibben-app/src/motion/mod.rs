@@ -1,24 +1,29 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
-pub(crate) mod answer;
 mod request;
 mod simulated;
-mod uncertainty;
-mod warnings;
 
-pub use answer::{EndUncertainty, MotionAnswer, MotionRun};
 pub use request::{MotionRequest, MotionSweep, StepFields};
 pub use simulated::SimulatedDrive;
 
+use crate::words::{number, percent};
 use crate::{
-    Model, MuscleFields, PressureLimits, Problem, ProblemKind, TextFile, burst_of, figure, finite, put_first,
-    said_of,
+    Model, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Scale, TextFile, breakdown,
+    burst_of, figure, finite, put_first, said_of, units::Units,
 };
-use mckibben::{joint::Joint, model::ForceModel, progress::Progress, warning::Warning};
+use mckibben::joint::{JointModel, Turning};
+use mckibben::{
+    answer::Options, joint::Joint, load::balances, model::ForceModel, model::Workspace, progress::Progress,
+    uncertainty::UncertaintyParts, warning::Warning,
+};
 use mckibben_motion::{
-    Actuated, Command, Drive, DriveFile, Hysteresis, Linear, Mechanism, Motion, MotionError, Names,
-    SingleMuscle, Subject, Tables, Target, Tolerance, drive_names, parse_drive, run_as_far, size, with_value,
+    Actuated, Command, Coordinate, Drive, DriveFile, Hysteresis, Linear, Mechanism, Motion, MotionError,
+    Moves, Names, SingleMuscle, Subject, Tables, Target, Tolerance, drive_names, parse_drive, run_as_far,
+    size, with_value,
 };
+use mckibben_report::Figure;
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::path::Path;
 
 /// Most runs of a sweep.
@@ -253,5 +258,209 @@ impl From<MotionError> for Problem {
             _ => "",
         };
         Self::new(kind, error.to_string(), hint)
+    }
+}
+
+/// A motion.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MotionRun {
+    /// The value of the sweep's key, where there is a sweep.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub value: Option<String>,
+    /// The motion.
+    #[serde(flatten)]
+    pub motion: Motion,
+    /// The ± of its end.
+    #[serde(flatten)]
+    pub end: EndUncertainty,
+}
+
+/// How far from its computed end a measured muscle or joint may come to rest.
+#[serde_with_macros::skip_serializing_none]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+pub struct EndUncertainty {
+    /// 95 % half-width of the contraction at which a muscle's load rests in the end; none on a stop, of a controlled position, and where the command still changes.
+    pub end_contraction_uncertainty: Option<f64>,
+    /// 95 % half-width of the angle at which a joint rests in the end, likewise, degrees.
+    pub end_angle_uncertainty_deg: Option<f64>,
+    /// The ± of the pull or torque there with its parts, in words.
+    pub uncertainty_text: Option<String>,
+    /// These parts, in N or N m.
+    #[serde(skip)]
+    pub(crate) parts: Option<UncertaintyParts>,
+}
+
+impl MotionRun {
+    /// The parts of the ± at its end in words, in units.
+    pub fn uncertainty_in(&self, u: &Units) -> Option<String> {
+        let torque = self.end.end_angle_uncertainty_deg.is_some();
+        let (of, scale) = if torque { ("torque", Scale::newton_metres()) } else { ("pull", u.force.clone()) };
+        Some(format!("of the {of} {}", breakdown(self.end.parts.as_ref()?, &scale)))
+    }
+}
+
+/// The answer to a drive: its motion, or those of a sweep.
+#[serde_with_macros::skip_serializing_none]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct MotionAnswer {
+    /// The model's name.
+    pub model: String,
+    /// The muscles.
+    pub muscles: Vec<MuscleSummary>,
+    /// The motion; of a sweep the first.
+    #[serde(flatten)]
+    pub motion: MotionRun,
+    /// The other motions of a sweep.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub others: Vec<MotionRun>,
+    /// Sonic conductance of the smallest valve with the rise time that was asked for, L/(s bar).
+    pub sonic_conductance_l_per_s_bar: Option<f64>,
+    /// The pressures that its weakest muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
+    /// Warnings.
+    #[schemars(with = "Vec<String>")]
+    pub warnings: Vec<Warning>,
+    /// The figure, where it was asked for.
+    pub figure: Option<Figure>,
+}
+
+impl MotionAnswer {
+    /// Its motions: one, or those of a sweep.
+    pub fn runs(&self) -> impl Iterator<Item = &MotionRun> {
+        std::iter::once(&self.motion).chain(&self.others)
+    }
+
+    /// Where a motion ended before its end: the reason.
+    pub fn problem(&self) -> Option<Problem> {
+        self.runs().find_map(|run| run.motion.ended.clone()).map(Problem::from)
+    }
+}
+
+/// Suction in MPa that a tube bears, where a thin one begins to collapse.
+const SUCTION_MPA: f64 = 1e-3;
+
+/// A liquid that is sucked out.
+fn suction(motion: &Motion) -> Option<String> {
+    let pressures = motion.series.muscles.iter().flat_map(|m| &m.pressure_mpa);
+    let lowest = pressures.copied().fold(f64::INFINITY, f64::min);
+    (motion.series.liquid && lowest < -SUCTION_MPA).then(|| {
+        format!(
+            "the pressure falls to {} MPa: below atmospheric pressure a tube collapses, which is not modelled; withdraw the liquid more slowly, or less of it",
+            number(lowest, 3)
+        )
+    })
+}
+
+impl Moved {
+    pub(super) fn warnings_of_muscles(&self) -> impl Iterator<Item = String> {
+        self.models.iter().flat_map(|model| model.muscle().warnings())
+    }
+
+    pub(super) fn warnings(&self, motion: &Motion, file: &DriveFile) -> Vec<String> {
+        let ended = motion.ended.as_ref().map(|error| format!("it ended early: {error}"));
+        ended.into_iter().chain(suction(motion)).chain(self.not_at_rest(motion, file)).collect()
+    }
+
+    /// That the load does not rest at the end, and where it would.
+    fn not_at_rest(&self, motion: &Motion, file: &DriveFile) -> Option<String> {
+        let at_end = motion.end?;
+        let degrees = |angle: f64| format!("{}°", number(angle, 4));
+        let shown = |q: f64| match motion.series.of {
+            Coordinate::Shortening { rest_length_mm } => percent(q / rest_length_mm),
+            Coordinate::Angle => degrees(q.to_degrees()),
+        };
+        let (low, high) = at_end.between;
+        let between = format!("at the end it moves between {} and {}", shown(low), shown(high));
+        let still = motion.equilibrium_contraction.map(percent).or(motion.equilibrium_angle_deg.map(degrees));
+        let end = match still {
+            Some(still) => format!("{between}, and its equilibrium is {still}"),
+            None => between,
+        };
+        let damped = match &self.joint {
+            Some(joint) => joint.link().damping_nm_s_per_rad > 0.0,
+            None => file.damping_n_s_per_m > 0.0,
+        };
+        match at_end.moves {
+            Moves::Rests => None,
+            Moves::Creeps => {
+                Some(format!("still moving: {end}; set a later end time to reach the rest position"))
+            }
+            Moves::Swings if damped => {
+                Some(format!("still oscillating: {end}; set a later end time, or more damping"))
+            }
+            Moves::Swings => Some(format!(
+                "still oscillating: {end}. No damping is given, so it is 0: only the air dissipates energy, and friction and relaxation if they are stated"
+            )),
+        }
+    }
+}
+
+/// A contraction that is nearer to a stop than this is on it.
+const ON_STOP: f64 = 1e-6;
+
+impl Moved {
+    /// The ± of the end of a motion.
+    pub(super) fn end_uncertainty(&self, run: &mut MotionRun, file: &DriveFile) {
+        let controlled = matches!(file.target, Target::Position { .. });
+        if run.motion.end.is_none() || controlled {
+            return;
+        }
+        let pressures: Option<Vec<f64>> = match &file.target {
+            Target::Pressure(list) => Some(list.iter().map(|c| c.value(file.until_s)).collect()),
+            _ if run.motion.at_rest() != Some(true) => None,
+            _ => run.motion.series.muscles.iter().map(|m| m.pressure_mpa.last().copied()).collect(),
+        };
+        let found = match (&self.joint, pressures) {
+            (_, None) => None,
+            (Some(_), Some(pressures)) => self.end_of_joint(run, &pressures),
+            (None, Some(pressures)) => self.end_of_muscle(run, file, &pressures),
+        };
+        run.end = found.unwrap_or_default();
+        run.end.uncertainty_text = run.uncertainty_in(&Units::default());
+    }
+
+    fn end_of_joint(&self, run: &MotionRun, pressures_mpa: &[f64]) -> Option<EndUncertainty> {
+        let joint = self.joint.as_ref()?;
+        let last = run.motion.series.degrees().and_then(|[angle, _]| angle.last().copied());
+        let angle_deg = run.motion.equilibrium_angle_deg.or(last)?;
+        let (low, high) = joint.range_deg();
+        let models = self.models.iter().map(|m| &**m).collect();
+        let model = JointModel::new(joint, models, true).ok()?;
+        let workspaces = &mut model.workspaces();
+        let pressures_mpa = pressures_mpa.get(..self.models.len())?;
+        let point = model.at(workspaces, pressures_mpa, angle_deg.clamp(low, high), Turning::Mean).ok()?;
+        let inside = angle_deg > low && angle_deg < high;
+        let half = model.angle_uncertainty_deg(&point).filter(|_| inside)?;
+        let parts = point.uncertainty_parts_nm;
+        Some(EndUncertainty { end_angle_uncertainty_deg: Some(half), parts, ..EndUncertainty::default() })
+    }
+
+    fn end_of_muscle(
+        &self,
+        run: &MotionRun,
+        file: &DriveFile,
+        pressures_mpa: &[f64],
+    ) -> Option<EndUncertainty> {
+        let (model, load) = (self.models.first()?, file.load.as_ref()?);
+        let last = run.motion.series.muscles.first()?.contraction.last().copied();
+        let contraction = run.motion.equilibrium_contraction.or(last)?;
+        let length_mm = model.muscle().length_mm();
+        let (low, high) = (file.stops_mm.0 / length_mm, file.stops_mm.1 / length_mm);
+        if contraction <= low + ON_STOP || contraction >= high - ON_STOP {
+            return None;
+        }
+        let workspace = &mut Workspace::new();
+        let options = Options { extrapolate: true, ..Options::default() };
+        let found = balances(&**model, workspace, load, *pressures_mpa.first()?, options).ok()?;
+        let far = |e: f64| (e - contraction).abs();
+        let nearest = found.into_iter().map(|b| b.answer);
+        let nearest =
+            nearest.min_by(|a, b| far(a.response.contraction).total_cmp(&far(b.response.contraction)))?;
+        Some(EndUncertainty {
+            end_contraction_uncertainty: Some(nearest.contraction_uncertainty?),
+            parts: nearest.uncertainty_parts_n,
+            ..EndUncertainty::default()
+        })
     }
 }

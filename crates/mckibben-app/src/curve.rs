@@ -1,22 +1,20 @@
 //! `curve isometric|isotonic|isobaric`: a family of curves.
 
-pub(crate) mod answer;
-
-pub use answer::{CurveAnswer, FailedPoint, PointRow};
-
 use crate::{
-    LoadFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, QuestionFields, Units, check_both, figure,
-    finite, is_ratio, load::loaded, no_ratio, pull, put_first, said_of, warnings,
+    LoadAnswer, LoadFields, MuscleSummary, PressureLimits, Problem, ProblemKind, QUIET_MPA, QuestionFields,
+    Units, check_both, figure, finite, is_ratio, load::loaded, no_ratio, pull, put_first, said_of, warnings,
 };
 use mckibben::answer::{Answer, Options};
-use mckibben::curve::{Curve, Test, curves};
+use mckibben::curve::{Curve, CurvePoint, Test, curves};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::{
-    analysis::free_contraction, cancel, progress::Progress, size, units::Values, warning::Warning,
+    analysis::free_contraction, cancel, progress::Progress, size, status::Status, units::Values,
+    units::short_numbers, warning::Warning,
 };
+use mckibben_report::Figure;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -264,4 +262,89 @@ fn all_failed(curve: &Curve, before: Option<Problem>) -> Option<Problem> {
         let graver = gravest.as_ref().is_none_or(|g| problem.kind.ending() > g.kind.ending());
         if graver { Some(problem) } else { gravest }
     })
+}
+
+/// A family of curves.
+#[serde_with_macros::skip_serializing_none]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct CurveAnswer {
+    /// The model's name.
+    pub model: String,
+    /// Which test.
+    pub test: Test,
+    /// The muscle.
+    pub muscle: MuscleSummary,
+    /// What is fixed along each curve: ε, F in N, or P in MPa; of two curves, where both branches were asked for.
+    pub fixed: Vec<f64>,
+    /// Warnings; of each kind the most serious.
+    #[schemars(with = "Vec<String>")]
+    pub warnings: Vec<Warning>,
+    /// The pressures that the muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
+    /// The points, curve after curve; all curves have the same number of points.
+    #[serde(rename = "points", serialize_with = "points")]
+    #[schemars(with = "Vec<PointRow>")]
+    pub curves: Vec<Curve>,
+    /// The equilibria with the load, where there is one.
+    pub loaded: Option<LoadAnswer>,
+    /// The figure, where it was asked for.
+    pub figure: Option<Figure>,
+    /// Whether every two curves are the branches of one: shortening, then lengthening.
+    #[serde(skip)]
+    pub both: bool,
+    /// Where no point has an answer: the reason.
+    #[serde(skip)]
+    pub problem: Option<Problem>,
+}
+
+/// A point of a curve: an answer, or why there is none.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum PointRow {
+    /// There is an answer.
+    Answered {
+        /// The answer.
+        #[serde(flatten)]
+        answer: Box<Answer>,
+        /// `ok`.
+        status: Status,
+    },
+    /// There is none.
+    Failed(FailedPoint),
+}
+
+/// A point without an answer.
+#[serde_with_macros::skip_serializing_none]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct FailedPoint {
+    /// Pressure asked for, MPa.
+    pub pressure_mpa: f64,
+    /// Contraction asked for.
+    pub contraction: Option<f64>,
+    /// Pull asked for, N.
+    pub wanted_force_n: Option<f64>,
+    /// How it ended.
+    pub status: Status,
+    /// Why.
+    pub cause: String,
+}
+
+fn points<S: Serializer>(curves: &[Curve], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(curves.iter().flat_map(|curve| &curve.points).map(PointRow::from))
+}
+
+impl From<&CurvePoint> for PointRow {
+    fn from(point: &CurvePoint) -> Self {
+        match &point.answer {
+            Ok(answer) => Self::Answered { answer: Box::new(answer.clone()), status: Status::Ok },
+            Err(error) => Self::Failed(FailedPoint {
+                pressure_mpa: point.pressure_mpa,
+                contraction: point.contraction,
+                wanted_force_n: point.force_n,
+                status: error.into(),
+                cause: short_numbers(&error.to_string()).into_owned(),
+            }),
+        }
+    }
 }

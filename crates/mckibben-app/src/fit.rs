@@ -1,18 +1,17 @@
 //! `fit`, and `check` of a formula: from a table of points to a formula, and a formula shown.
 
-pub(crate) mod table;
-
 use crate::{Model, MuscleFields, NamedFields, Problem, ProblemKind, Stiffness, TextFile, figure, finite};
 use mckibben::formula::{Document, Form, Made, UniversalFormula};
 use mckibben::{model::ModelKind, progress::Progress};
+use mckibben_campaign::fit::data::FitPoint;
 use mckibben_campaign::fit::results::{Results, results};
 use mckibben_campaign::fit::tables::{Table, tables};
 use mckibben_campaign::fit::{FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule, make};
+use mckibben_fit::measured::{DataPoint, PointOptions, read_points};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
-use table::Points;
 
 /// A table of points, and how the formula is made.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -164,7 +163,7 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
         let message = format!("{name}: the method universal takes a campaign in Parquet");
         return Err(Problem::new(ProblemKind::Data, message, "`mckibben campaign` makes one"));
     };
-    let (rows, origin) = table::rows(path)?;
+    let (rows, origin) = rows(path)?;
     let usual = match form {
         Form::Membrane => ModelKind::Universal,
         Form::Bulge => ModelKind::UniversalSmall,
@@ -271,10 +270,10 @@ impl FitRequest {
     fn points(&self) -> Result<Points, Problem> {
         match (&self.campaign, &self.table) {
             #[cfg(feature = "files")]
-            (Some(path), _) => table::of_campaign(path),
+            (Some(path), _) => of_campaign(path),
             #[cfg(not(feature = "files"))]
             (Some(_), _) => Err(no_files()),
-            (None, Some(file)) => table::of_csv(file),
+            (None, Some(file)) => of_csv(file),
             (None, None) => Err(Problem::missing("table", "a table of points, or `campaign`")),
         }
     }
@@ -327,4 +326,84 @@ fn built_in(name: &str) -> Result<Document, Problem> {
             format!("there is no built-in formula \"{name}\"; there are universal and universal-small");
         Problem::new(ProblemKind::Model, message, "").in_field("name")
     })
+}
+
+/// What a table holds.
+struct Points {
+    points: Vec<FitPoint>,
+    /// Rows without an answer.
+    failed: usize,
+    /// Rubber and braid, where the table says them.
+    made_for: Option<Made>,
+    /// Where it comes from.
+    origin: Origin,
+}
+
+/// Where a table comes from.
+struct Origin {
+    /// Its path or name, for messages.
+    name: String,
+    /// Its name, for the formula.
+    table: Option<String>,
+    /// Hash of the campaign's plan, where it is known.
+    plan_hash: Option<String>,
+    /// Seed of the plan, where it has one.
+    seed: Option<u64>,
+}
+
+/// What every row says of its muscle and its point, in this order.
+pub(crate) const COLUMNS: [&str; 7] =
+    ["outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "pressure_mpa", "contraction", "force_n"];
+
+/// The last part of a path or name.
+fn file_name(name: &Path) -> Option<String> {
+    name.file_name().map(|n| n.to_string_lossy().into_owned())
+}
+
+/// The rows of a campaign's file, or of its folder of parts.
+#[cfg(feature = "files")]
+fn rows(path: &Path) -> Result<(Vec<mckibben_campaign::PointRow>, Origin), Problem> {
+    let table = mckibben_campaign::campaign::rows(path)?;
+    let origin = Origin {
+        name: path.display().to_string(),
+        table: file_name(path),
+        plan_hash: Some(table.provenance().plan_sha256.clone()),
+        seed: table.provenance().seed,
+    };
+    Ok((table.collect::<Result<_, _>>()?, origin))
+}
+
+#[cfg(feature = "files")]
+fn of_campaign(path: &Path) -> Result<Points, Problem> {
+    use mckibben_campaign::fit::{data::points, made_for};
+    let (rows, origin) = rows(path)?;
+    let points = points(&rows);
+    let made_for = made_for(&rows).map_err(|e| Problem::new(ProblemKind::Fit, e.to_string(), ""))?;
+    Ok(Points { failed: rows.len() - points.len(), points, made_for: Some(made_for), origin })
+}
+
+/// The points of a table, in any form that people write them; each row says all of its muscle.
+fn of_csv(file: &TextFile) -> Result<Points, Problem> {
+    let (read, understood) = read_points(file.text.as_bytes(), &PointOptions::default())
+        .map_err(|e| Problem::of_table(&file.name, &e))?;
+    let point = |p: DataPoint| {
+        let there = |name: &str, value: Option<f64>| {
+            let message = format!("{}: line {}: {name} is missing", file.name, p.line);
+            let hint = format!("every row needs {}", COLUMNS.join(", "));
+            value.ok_or_else(|| Problem::new(ProblemKind::Data, message, hint))
+        };
+        Ok(FitPoint {
+            outer_diameter_mm: there(COLUMNS[0], p.section.outer_diameter_mm)?,
+            wall_mm: there(COLUMNS[1], p.section.wall_mm)?,
+            length_mm: there(COLUMNS[2], p.section.length_mm)?,
+            angle_deg: there(COLUMNS[3], p.section.angle_deg)?,
+            pressure_mpa: p.at.pressure_mpa,
+            contraction: p.at.contraction,
+            force_n: p.at.force_n,
+        })
+    };
+    let points = read.into_iter().map(point).collect::<Result<_, Problem>>()?;
+    let (name, table) = (file.name.clone(), file_name(Path::new(&file.name)));
+    let origin = Origin { name, table, plan_hash: None, seed: None };
+    Ok(Points { points, failed: understood.left_out, made_for: None, origin })
 }
