@@ -122,17 +122,14 @@ pub(crate) fn report(
 }
 
 fn table(rows: Vec<Row>) -> Part {
-    Part::Table {
-        head: vec![],
-        rows: rows.into_iter().map(|(name, value)| vec![name.to_owned(), value]).collect(),
-    }
+    Part::Table { head: vec![], rows: rows.into_iter().map(|(name, value)| vec![name, value]).collect() }
 }
 
 /// The state and what the muscle can do at this pressure, in numbers.
 fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
     let mut rows = point_rows(point, PointQuantity::Force, u);
     // The title and the lead say these.
-    rows.retain(|(name, _)| !["muscle", "model", "pressure", "contraction"].contains(name));
+    rows.retain(|(name, _)| !["muscle", "model", "pressure", "contraction"].contains(&&**name));
     for row in shown.characteristics.iter().flat_map(|c| characteristic_rows(c, u)) {
         if rows.iter().all(|(name, _)| *name != row.0) {
             rows.push(row);

@@ -11,7 +11,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, ArgAction, ValueHint, value_parser};
 use mckibben::muscle::measures::{ANGLE, STRAND_MODULUS, fields};
 use mckibben::{muscle::Measure, units::Dimension};
-use mckibben_app::units::Units;
+use mckibben_app::{rows::without_unit, units::Units};
 use serde_json::Value;
 
 /// Flags that commands share.
@@ -146,13 +146,6 @@ pub fn flag_of(field: &str, flags: &[Flag]) -> Option<String> {
     let own = flags.iter().filter(|flag| !flag.is_argument);
     let found = own.clone().find(fills).or_else(|| own.clone().find(named)).map(|flag| flag.long.clone());
     Some(format!("--{}", found.or_else(|| Measure::of_field(field)?.flag())?))
-}
-
-/// The name of a field without its unit.
-pub fn without_unit(field: &str) -> &str {
-    let ends = Dimension::all().filter_map(Dimension::end_of_name);
-    let names = ends.filter_map(|end| field.strip_suffix(end)?.strip_suffix('_'));
-    names.min_by_key(|name| name.len()).unwrap_or(field)
 }
 
 /// A schema without its reference.

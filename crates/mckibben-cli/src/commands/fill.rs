@@ -21,10 +21,10 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
 
 fn text(answer: &FillAnswer) -> String {
     let u = shown::units();
-    let owned = |(name, text): (&str, String)| (name.to_owned(), text);
     let uncertainty = answer.uncertainty_words.text_in(&u).map(|text| format!("of the pull {text}"));
-    let rows = [("muscle", answer.muscle.line(&u))].into_iter().map(owned);
-    let rows = rows.chain(listed(&value(answer), KEYS, &u));
-    let rows = rows.chain(limit_rows(&answer.limits, estimated(&answer.muscle), &u).into_iter().map(owned));
-    pairs(&rows.chain(uncertainty.map(|text| ("uncertainty".into(), text))).collect::<Vec<_>>())
+    let mut rows = vec![("muscle".to_owned(), answer.muscle.line(&u))];
+    rows.extend(listed(&value(answer), KEYS, &u));
+    rows.extend(limit_rows(&answer.limits, estimated(&answer.muscle), &u));
+    rows.extend(uncertainty.map(|text| ("uncertainty".to_owned(), text)));
+    pairs(&rows)
 }
