@@ -3,7 +3,7 @@
 #[cfg(feature = "schema")]
 use crate::annotate::annotate;
 use crate::*;
-use crate::{Problem, ProblemKind, border::within};
+use crate::{Problem, ProblemKind, within};
 use mckibben::nearest::{meant, nearest};
 use mckibben::{cancel::Cancel, progress::Progress, units::NamedUnit};
 #[cfg(feature = "files")]
