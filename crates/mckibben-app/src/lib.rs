@@ -24,8 +24,6 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
-#[cfg(feature = "schema")]
-mod annotate;
 mod braid;
 mod build;
 mod burst;

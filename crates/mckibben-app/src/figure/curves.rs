@@ -2,10 +2,9 @@
 
 use super::{BAND, caption};
 use crate::{CurveAnswer, LoadAnswer, Model, Units, percent};
-use mckibben::answer::Options;
 use mckibben::curve::{Curve, CurvePoint, Test};
 use mckibben::model::{ForceModel, Workspace};
-use mckibben::study::Study;
+use mckibben::{answer::Options, study::Study};
 use mckibben_design::{Candidate, OperatingPoint};
 use mckibben_fit::compare::MeasuredPoint;
 use mckibben_report::{Axis, Figure, Mark, Palette, Panel, Series, Style};
