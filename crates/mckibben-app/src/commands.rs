@@ -1,17 +1,17 @@
 //! Every command by name: its schema, and its way from JSON to JSON.
 
-#[cfg(feature = "schema")]
-use crate::annotate::annotate;
 use crate::*;
-use crate::{Problem, ProblemKind, border::within};
 use mckibben::nearest::{meant, nearest};
 use mckibben::{cancel::Cancel, progress::Progress, units::NamedUnit};
 #[cfg(feature = "files")]
 use mckibben_campaign::campaign::{CampaignStatus, Merged, Outcome, Summary};
+#[cfg(feature = "whole")]
 use mckibben_campaign::fit::results::Results;
 #[cfg(feature = "schema")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
 use serde::{Serialize, de::DeserializeOwned};
+#[cfg(feature = "schema")]
+use serde_json::json;
 use serde_json::{Map, Value};
 #[cfg(feature = "schema")]
 use std::borrow::Cow;
@@ -283,7 +283,7 @@ fn schemas_of(request: Root, answer: Root) -> Value {
     let requests = request.schema(settings().for_deserialize());
     let answers = answer.schema(settings().for_serialize());
     let problems = Root::of::<Problem>().schema(settings().for_serialize());
-    let mut all = serde_json::json!({ "request": requests, "answer": answers, "error": problems });
+    let mut all = json!({ "request": requests, "answer": answers, "error": problems });
     annotate(&mut all);
     all
 }
@@ -337,7 +337,7 @@ pub fn bundle() -> Value {
             }
         }
         defs.insert("Problem".into(), parts["error"].take());
-        parts["error"] = serde_json::json!({ "$ref": "#/$defs/Problem" });
+        parts["error"] = json!({ "$ref": "#/$defs/Problem" });
         parts["long"] = command.long.into();
         all.insert(command.name.into(), parts);
     }
@@ -391,4 +391,32 @@ fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
 fn json<A: Serialize>(answer: &A) -> Result<Value, Problem> {
     serde_json::to_value(answer)
         .map_err(|e| Problem::new(ProblemKind::Output, format!("the answer cannot be written: {e}"), ""))
+}
+
+/// Says of every field below a schema in which unit it is: `x-unit` is the unit of its numbers, `x-quantity` what they measure where a user may
+/// write a text with another unit in their place. Both follow from the field's name; a field whose name does not tell states them itself.
+#[cfg(feature = "schema")]
+pub(crate) fn annotate(schema: &mut Value) {
+    const UNIT: &str = "x-unit";
+    const QUANTITY: &str = "x-quantity";
+    let fields = schema.get_mut("properties").and_then(Value::as_object_mut);
+    for (name, field) in fields.into_iter().flatten() {
+        // Rows have units of their own.
+        let of_rows =
+            |f: &Map<String, Value>| f.get("items").is_some_and(|items| items.get("$ref").is_some());
+        let stated = |f: &Map<String, Value>| f.contains_key(QUANTITY) || f.contains_key(UNIT);
+        let Some(field) = field.as_object_mut().filter(|f| !stated(f) && !of_rows(f)) else { continue };
+        let Some(NamedUnit { unit, dimension }) = NamedUnit::of_field(name) else { continue };
+        if let Some(dimension) = dimension {
+            field.insert(QUANTITY.into(), json!(dimension));
+        }
+        if !unit.is_empty() {
+            field.insert(UNIT.into(), unit.into());
+        }
+    }
+    match schema {
+        Value::Object(map) => map.values_mut().for_each(annotate),
+        Value::Array(list) => list.iter_mut().for_each(annotate),
+        _ => {}
+    }
 }

@@ -1,14 +1,15 @@
 //! `force`, `pressure`, `contraction`: one point of a muscle's behaviour.
 
 use crate::{
-    LoadAnswer, LoadFields, MuscleSummary, PressureLimits, Problem, ProblemKind, QUIET_MPA, Question,
-    QuestionFields, UncertaintyWords, check_both, load::loaded, put_first, said_of,
+    AskFields, BoundModel, LoadAnswer, LoadFields, Model, ModelFields, MuscleFields, MuscleSummary,
+    PressureLimits, Problem, ProblemKind, QUIET_MPA, UncertaintyWords, burst_of, check_both, check_direction,
+    load::loaded, put_first, said_of,
 };
 use mckibben::answer::{self, Answer, Options};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::{
-    analysis::source_of, cancel, muscle::Direction, progress::Progress, uncertainty::basis_of,
-    units::NamedUnit,
+    analysis::Burst, analysis::source_of, cancel, muscle::Direction, muscle::Muscle, progress::Progress,
+    uncertainty::basis_of, units::NamedUnit,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -240,4 +241,60 @@ pub(crate) fn pull(force_n: f64, options: Options) -> Result<(), Problem> {
     let message = format!("{force_n} N is a push, and a muscle that contracts only pulls");
     let hint = "`two_sided` gives the negative forces of the formula";
     Err(Problem::new(ProblemKind::Quantity, message, hint).in_field("force_n"))
+}
+
+/// A muscle, a model, and how it is asked.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct QuestionFields {
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// How it is asked.
+    #[serde(flatten)]
+    pub asking: AskFields,
+}
+
+impl From<MuscleFields> for QuestionFields {
+    fn from(muscle: MuscleFields) -> Self {
+        Self { muscle, ..Self::default() }
+    }
+}
+
+/// A model bound to its muscle, with the workspace of this request.
+pub(crate) struct Question {
+    pub(crate) muscle: Muscle,
+    /// The model before it was bound.
+    pub(crate) choice: Model,
+    pub(crate) model: Box<dyn ForceModel>,
+    pub(crate) workspace: Workspace,
+    pub(crate) options: Options,
+}
+
+impl QuestionFields {
+    pub(crate) fn ask(&self) -> Result<Question, Problem> {
+        let muscle = self.muscle.resolve()?;
+        let BoundModel { model, options, choice } = BoundModel::new(&muscle, &self.model, self.asking)?;
+        Ok(Question { muscle, choice, model, workspace: Workspace::new(), options })
+    }
+}
+
+impl Question {
+    /// The burst pressure of its muscle.
+    pub(crate) fn burst(&self) -> Result<Burst, Problem> {
+        burst_of(&self.choice, &*self.model)
+    }
+}
+
+impl AskFields {
+    /// How a model of this muscle is asked.
+    pub(crate) fn options(self, muscle: &Muscle) -> Result<Options, Problem> {
+        check_direction(self.direction, muscle)?;
+        let options =
+            Options { extrapolate: self.extrapolate, two_sided: self.two_sided, direction: self.direction };
+        Ok(options.of(muscle))
+    }
 }

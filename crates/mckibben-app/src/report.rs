@@ -129,7 +129,7 @@ fn table(rows: Vec<Row>) -> Part {
 fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
     let mut rows = point_rows(point, PointQuantity::Force, u);
     // The title and the lead say these.
-    rows.retain(|(name, _)| !["muscle", "model", "pressure", "contraction"].contains(&&**name));
+    rows.retain(|(name, _)| !["muscle", "model", "pressure", "contraction", "shortening"].contains(&&**name));
     for row in shown.characteristics.iter().flat_map(|c| characteristic_rows(c, u)) {
         if rows.iter().all(|(name, _)| *name != row.0) {
             rows.push(row);

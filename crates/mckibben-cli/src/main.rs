@@ -19,7 +19,6 @@ mod quantities;
 mod quotes;
 mod shown;
 mod spec;
-mod typed;
 
 use asked::Asked;
 use clap::FromArgMatches;

@@ -1,7 +1,7 @@
 //! From the texts of flags to numbers.
 
-use crate::{Failure, typed::meant};
-use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_values};
+use crate::Failure;
+use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_values, short_numbers};
 use mckibben_app::ProblemKind;
 use std::sync::OnceLock;
 
@@ -60,4 +60,44 @@ pub fn values(flag: &str, text: &str, dimension: Dimension) -> Result<Values, Fa
     let found = parse_values(text, dimension).map_err(wrong)?;
     mind_the_unit(flag, text, dimension);
     Ok(found)
+}
+
+/// What a bare pressure as high as no muscle bears may have been meant to be.
+fn meant(mpa: f64) -> String {
+    /// Pressures of muscles in MPa.
+    const USUAL: std::ops::RangeInclusive<f64> = 0.08..=1.2;
+    let units = ["bar", "psi", "kPa", "mbar", "Pa"];
+    let inside = |unit: &str| Some(Dimension::Pressure.unit(unit)?.inside(mpa));
+    let likely: Vec<&str> =
+        units.into_iter().filter(|unit| inside(unit).is_some_and(|p| USUAL.contains(&p))).collect();
+    let [mpa, bar] = [mpa, 10.0 * mpa].map(|v| short_numbers(&v.to_string()).into_owned());
+    let said = format!("a bare {mpa} is {mpa} MPa = {bar} bar");
+    match likely[..] {
+        [] => format!("{said}; for bar write {mpa}bar"),
+        [one] => format!("{said}; was {one} meant? write {mpa}{one}"),
+        _ => {
+            let write: Vec<String> = likely.iter().map(|unit| format!("{mpa}{unit}")).collect();
+            format!("{said}; was {} meant? write {}", likely.join(" or "), write.join(" or "))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_high_bare_pressure_has_a_likely_unit() {
+        for (mpa, said) in [
+            (6.0, "6 MPa = 60 bar; was bar meant? write 6bar"),
+            (36.0, "36 MPa = 360 bar; was psi meant? write 36psi"),
+            (100.0, "100 MPa = 1000 bar; was psi or kPa meant? write 100psi or 100kPa"),
+            (250.0, "was kPa meant? write 250kPa"),
+            (250_000.0, "was Pa meant? write 250000Pa"),
+            (40.0e6, "for bar write 40000000bar"),
+        ] {
+            let text = meant(mpa);
+            assert!(text.contains(said), "{text}");
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::{error::Wrong, run, value};
 use mckibben::units::{Dimension, NamedUnit, Values, parse_quantity, parse_values};
-use mckibben_app::{Problem, ProblemKind, ask_value, bundle, find};
+use mckibben_app::{Choice, Problem, ProblemKind, ask_value, bundle, find};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 
@@ -42,8 +42,7 @@ fn kind(word: &str) -> Result<Dimension, Wrong> {
 #[pyfunction]
 #[pyo3(signature = (text, kind, field = None))]
 pub fn quantity(text: &str, kind: &str, field: Option<&str>) -> PyResult<f64> {
-    let wrong = |e: String| Wrong::from(in_field(Problem::new(ProblemKind::Quantity, e, ""), field));
-    Ok(parse_quantity(text, self::kind(kind)?).map_err(|e| wrong(e.to_string()))?)
+    Ok(parse_quantity(text, self::kind(kind)?).map_err(|e| wrong(ProblemKind::Quantity, e, field))?)
 }
 
 /// What a field of a name measures, where a text with a unit may stand in its place, and the unit of its numbers; none for plain numbers.
@@ -59,9 +58,7 @@ pub fn unit_of(name: &str) -> Option<(Option<String>, &'static str)> {
 #[pyfunction]
 #[pyo3(signature = (text, kind, field = None))]
 pub fn values(text: &str, kind: &str, field: Option<&str>) -> PyResult<Vec<f64>> {
-    let wrong = |e: String| Wrong::from(in_field(Problem::new(ProblemKind::Range, e, ""), field));
-    let values = parse_values(text, self::kind(kind)?).map_err(|e| wrong(e.to_string()))?;
-    Ok(values.sampled(DIVISIONS))
+    Ok(parsed(text, kind, field)?.sampled(DIVISIONS))
 }
 
 /// A text such as `30..50 mm` as the values that a design searches through: one, several, or all between two.
@@ -73,20 +70,14 @@ pub fn choice<'py>(
     kind: &str,
     field: Option<&str>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let wrong = |e: String| Wrong::from(in_field(Problem::new(ProblemKind::Range, e, ""), field));
-    let value = match parse_values(text, self::kind(kind)?).map_err(|e| wrong(e.to_string()))? {
-        Values::Interval(low, high) => json!({ "low": low, "high": high }),
-        values => match values.sampled(DIVISIONS).as_slice() {
-            [one] => json!(one),
-            several => json!(several),
-        },
-    };
-    value::answer(py, &value)
+    value::answer(py, &json!(Choice::from(parsed(text, kind, field)?)))
 }
 
-fn in_field(problem: Problem, field: Option<&str>) -> Problem {
-    match field {
-        Some(field) => problem.in_field(field),
-        None => problem,
-    }
+fn parsed(text: &str, kind: &str, field: Option<&str>) -> Result<Values, Wrong> {
+    parse_values(text, self::kind(kind)?).map_err(|e| wrong(ProblemKind::Range, e, field))
+}
+
+fn wrong(kind: ProblemKind, error: impl ToString, field: Option<&str>) -> Wrong {
+    let problem = Problem::new(kind, error.to_string(), "");
+    Problem { field: field.map(str::to_owned), ..problem }.into()
 }

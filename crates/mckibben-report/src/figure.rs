@@ -222,17 +222,17 @@ impl Axis {
 
 impl Series {
     /// A line whose dash pattern goes with its colour ([`Style::Auto`]).
-    pub fn new(label: impl Into<String>, points: impl Into<Vec<(f64, f64)>>) -> Self {
-        Self { label: label.into(), points: points.into(), ..Self::default() }
+    pub fn new(label: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        Self { label: label.into(), points: points.into_iter().collect(), ..Self::default() }
     }
 
     /// A solid line ([`Style::Line`]).
-    pub fn line(label: impl Into<String>, points: impl Into<Vec<(f64, f64)>>) -> Self {
+    pub fn line(label: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         Self::new(label, points).style(Style::Line)
     }
 
     /// Markers only ([`Style::Points`]), as for measured values.
-    pub fn scatter(label: impl Into<String>, points: impl Into<Vec<(f64, f64)>>) -> Self {
+    pub fn scatter(label: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         Self::new(label, points).style(Style::Points)
     }
 

@@ -1,10 +1,13 @@
 //! A family of curves of one test.
 
 use super::{BAND, caption};
-use crate::{CurveAnswer, LoadAnswer, Units, percent};
+use crate::{CurveAnswer, LoadAnswer, Model, Units, percent};
 use mckibben::curve::{Curve, CurvePoint, Test};
-use mckibben::study::Study;
-use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
+use mckibben::model::{ForceModel, Workspace};
+use mckibben::{answer::Options, study::Study};
+use mckibben_design::{Candidate, OperatingPoint};
+use mckibben_fit::compare::MeasuredPoint;
+use mckibben_report::{Axis, Figure, Mark, Palette, Panel, Series, Style};
 
 /// Six panels: isometric above, isotonic below.
 pub fn study(study: &Study, about: &str, u: &Units) -> Figure {
@@ -116,7 +119,7 @@ fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> 
     });
     (
         Series::new("", line).style(Style::Dashed).neutral(),
-        Series::new("", points.collect::<Vec<_>>()).style(Style::Points).neutral(),
+        Series::new("", points).style(Style::Points).neutral(),
     )
 }
 
@@ -149,4 +152,118 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
     let branches = if both { "; dashed: while it is lengthened" } else { "" };
     let about = format!("Model {model}{branches}{said}. {}", muscle.line(u));
     Figure::new(title).caption(caption(about)).palette(Palette::Sequential).panel(panel)
+}
+
+/// One colour a candidate: solid at the maximum pressure, dashed at the pressure it needs.
+pub fn design(
+    models: &[(&Candidate, Box<dyn ForceModel>)],
+    wanted: &[OperatingPoint],
+    max_pressure_mpa: f64,
+    options: Options,
+    u: &Units,
+) -> Figure {
+    let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
+    let mut first_band = None;
+    let asked = wanted.iter().map(|w| w.contraction).fold(0.0, f64::max);
+    for (i, (candidate, model)) in models.iter().enumerate() {
+        let m = &candidate.muscle;
+        let name = format!("D0 {}, s {}", u.length.to(m.outer_diameter_mm(), 4), u.length.to(m.wall_mm(), 3));
+        let end = candidate.free_contraction.unwrap_or(0.2).max(asked).min(model.info().range.contraction.1);
+        let along: Vec<f64> = (0..=60).map(|i| end * f64::from(i) / 60.0).collect();
+        let needed = candidate.pressure_mpa;
+        let mut workspace = Workspace::new();
+        for (pressure, style) in [(max_pressure_mpa, Style::Line), (needed, Style::Dashed)] {
+            if pressure == needed && needed > 0.995 * max_pressure_mpa {
+                continue;
+            }
+            for curve in mckibben::curve::curves(
+                model.as_ref(),
+                &mut workspace,
+                Test::Isobaric,
+                &[pressure],
+                &along,
+                options,
+            ) {
+                if i == 0 && pressure == max_pressure_mpa {
+                    first_band = band(&curve, Test::Isobaric, u).map(|band| band.colour(0));
+                }
+                let label = format!("{name} at {}", u.pressure.show(pressure));
+                let points = line(&curve, Test::Isobaric, u);
+                panel = panel.series(Series::new(label, points).colour(i).style(style));
+            }
+        }
+    }
+    for w in wanted {
+        let label = format!("{} at {}", u.force.show(w.force_n), percent(w.contraction));
+        panel = panel.mark(Mark::new(w.contraction, u.force.value(w.force_n), label));
+    }
+    let said = if first_band.is_some() { BAND } else { "" };
+    let said = said.replace("band", "band of the first");
+    panel.series.extend(first_band);
+    let mut names: Vec<&str> = models.iter().map(|m| &*m.1.info().name).collect();
+    names.dedup();
+    Figure::new("Candidates: pull over contraction")
+        .caption(caption(format!("Model {}; lengths in {}{said}", names.join(", then "), u.length.name)))
+        .panel(panel)
+}
+
+/// Colours of a figure before the grey, which is that of measured points.
+const COLOURS: usize = 6;
+
+/// The colour number of a model, the same in every figure: those that are compared most first, then the others in the order of the list, then formulas of
+/// files in theirs.
+pub fn model_colour(name: &str, formulas: &mut Vec<String>) -> usize {
+    const FIRST: [&str; COLOURS] = ["fe", "universal", "thick-wall", "ideal", "fe3d", "paper"];
+    let listed: Vec<&str> = Model::all().into_iter().map(|entry| entry.name).collect();
+    let others = listed.iter().copied().filter(|name| !FIRST.contains(name));
+    let place = FIRST.into_iter().chain(others).position(|known| known == name).unwrap_or_else(|| {
+        if !formulas.iter().any(|known| known == name) {
+            formulas.push(name.to_owned());
+        }
+        listed.len() + formulas.iter().position(|known| known == name).unwrap_or_default()
+    });
+    // Without the grey.
+    place + place / COLOURS
+}
+
+/// Isobaric curves of every model (one colour a model) at each pressure, with the measured points.
+pub fn compare(
+    models: Vec<(&dyn ForceModel, &mut Workspace)>,
+    measured: &[MeasuredPoint],
+    pressures: &[f64],
+    contractions: &[f64],
+    options: Options,
+    about: &str,
+    u: &Units,
+) -> Figure {
+    let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
+    let (mut bands, mut formulas) = (vec![], vec![]);
+    for (number, (model, workspace)) in models.into_iter().enumerate() {
+        let colour = model_colour(&model.info().name, &mut formulas);
+        let family =
+            mckibben::curve::curves(model, workspace, Test::Isobaric, pressures, contractions, options);
+        for (i, curve) in family.iter().enumerate() {
+            let label = if i == 0 { &*model.info().name } else { "" };
+            let style =
+                [Style::Line, Style::Dashed, Style::Dotted, Style::DashDot][(colour + colour / 4) % 4];
+            let mut series = Series::new(label, line(curve, Test::Isobaric, u)).colour(colour).style(style);
+            if number == 0 {
+                series = series.end_label(u.pressure.show(curve.fixed));
+            }
+            panel = panel.series(series);
+            // Of the first model alone: those of several would cover each other.
+            let band = band(curve, Test::Isobaric, u).filter(|_| number == 0);
+            bands.extend(band.map(|band| band.colour(colour)));
+        }
+    }
+    if !measured.is_empty() {
+        panel = panel.series(
+            Series::scatter("measured", measured.iter().map(|m| (m.contraction, u.force.value(m.force_n))))
+                .colour(COLOURS),
+        );
+    }
+    let said = if bands.is_empty() { "" } else { BAND };
+    let said = said.replace("band", "band of the first model");
+    panel.series.extend(bands);
+    Figure::new("Isobaric curves of models").caption(caption(format!("{about}{said}"))).panel(panel)
 }

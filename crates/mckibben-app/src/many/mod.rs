@@ -6,8 +6,7 @@
 //! checked, a muscle that would have to push is slack.
 
 mod point;
-mod slopes;
-pub use slopes::with_parameters;
+pub use point::with_parameters;
 
 use crate::{AskFields, Model, ModelFields, Problem, ProblemKind};
 use mckibben::model::{ForceModel, ModelKind, Workspace};

@@ -1,6 +1,6 @@
 //! `compare`: models, and measured points.
 
-use crate::{Asked, Bar, Failure, Units, percent, place, shown, tabled, understood, value, warn};
+use crate::{Asked, Bar, Failure, Units, place, shown, tabled, understood, value, warn};
 use mckibben_app::{CompareAnswer, CompareRequest, ComparedModel, Direction};
 use serde_json::Value;
 
@@ -30,59 +30,44 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     asked.show(&answer, "models", text)
 }
 
+const ERRORS: &str = "model rms_n:3 share=of_the_largest_pull:3% max_n=largest:3 mean_n:3 points fitted";
+const VOLUMES: &str = "model rms_volume_mm3=rms:3 mean_volume_mm3=mean:3 volume_points=points";
+
 fn as_text(asked: &Asked, request: &CompareRequest, answer: &CompareAnswer, u: &Units) -> String {
-    let mut out = understood(&answer.understood);
-    out.push_str(&format!("{}\n", answer.muscle.line(u)));
-    match asked.path("data") {
+    let against = match asked.path("data") {
         Some(path) => {
             let mean = request.branch == Direction::Mean;
             let which = if mean { " (mean of the branches where both are given)" } else { "" };
-            out.push_str(&format!(
-                "against {} points of {}{which}, largest {}\n\n",
-                answer.points,
-                place(&path),
-                u.force.show(answer.largest_force_n)
-            ));
+            let (points, largest) = (answer.points, u.force.show(answer.largest_force_n));
+            format!("{points} points of {}{which}, largest {largest}", place(&path))
         }
-        None => out.push_str(&format!("against the model {}\n\n", answer.reference)),
-    }
-    let compared = |m: &&ComparedModel| m.rms_n.is_some() || m.volume_points > 0;
-    let answered: Vec<&ComparedModel> = answer.models.iter().filter(compared).collect();
-    let rows = answered.iter().map(|m| {
+        None => format!("the model {}", answer.reference),
+    };
+    let about = understood(&answer.understood) + &answer.muscle.line(u);
+    let row = |m: &ComparedModel| {
         let mut row = value(m);
         row["share"] = m.rms_n.map(|rms| rms / answer.largest_force_n).into();
+        row["fitted"] = if m.fitted().is_empty() && !request.fit.is_empty() {
+            "no constant of --fit".into()
+        } else {
+            m.fitted().into()
+        };
+        row["unanswered"] = Some(m.unanswered).filter(|n| *n > 0).into();
+        row["cause"] = m.cause.as_deref().map(|cause| u.sentence(cause)).into();
         row
-    });
-    let rows: Vec<Value> = rows.collect();
-    let keys = "model rms_n:3 share=of_the_largest_pull:3% max_n=largest:3 mean_n:3 points";
-    out.push_str(&tabled(&rows, keys, u));
-    out.push_str("\nmean: above zero if the model predicts too much pull\n");
-    if answered.iter().any(|m| m.volume_points > 0) {
-        out.push_str("\nvolume of the cavity:\n");
-        out.push_str(&tabled(
-            &rows,
-            "model rms_volume_mm3=rms:3 mean_volume_mm3=mean:3 volume_points=points",
-            u,
-        ));
+    };
+    let rows: Vec<Value> = answer.models.iter().map(row).collect();
+    let (there, not): (Vec<&Value>, Vec<&Value>) = rows.iter().partition(|row| row["cause"].is_null());
+    let some = not.iter().copied().filter(|row| !row["rms_n"].is_null() || row["volume_points"].is_u64());
+    let errors: Vec<&Value> = there.into_iter().chain(some).collect();
+    let mut out = format!("{about}\nagainst {against}\n\n{}", tabled(&errors, ERRORS, u));
+    out += "\nmean: above zero if the model predicts too much pull\n";
+    if answer.models.iter().any(|m| m.volume_points > 0) {
+        out += &format!("\nvolume of the cavity:\n{}", tabled(&errors, VOLUMES, u));
     }
-    for m in answer.models.iter().filter(|m| !compared(m)) {
-        out.push_str(&format!(
-            "{}: not compared: {}\n",
-            m.model,
-            u.sentence(m.cause.as_deref().unwrap_or_default())
-        ));
-    }
-    for m in &answered {
-        if !m.fitted().is_empty() {
-            out.push_str(&format!("{}: fitted {}\n", m.model, m.fitted()));
-        } else if !request.fit.is_empty() {
-            out.push_str(&format!("{}: has no constant of --fit; used without a fit\n", m.model));
-        }
-        if m.unanswered > 0 {
-            let share = m.unanswered as f64 / (m.unanswered + m.points) as f64;
-            let (n, cause) = (m.unanswered, u.sentence(m.cause.as_deref().unwrap_or_default()));
-            out.push_str(&format!("{}: {n} points ({}) not answered: {cause}\n", m.model, percent(share)));
-        }
+    if !not.is_empty() {
+        let keys = "model unanswered=points cause";
+        out += &format!("\nnot compared, or not at these points:\n{}", tabled(&not, keys, u));
     }
     out
 }

@@ -1,8 +1,8 @@
 //! `identify`: constants of a muscle from points.
 
 use crate::{
-    Asked, Bar, Failure, Units, check_ending, number, percent, place, save, shown, table, tabled, understood,
-    values,
+    Asked, Bar, Failure, Units, check_ending, listed, pairs, percent, place, save, shown, table, tabled,
+    understood, value, values,
 };
 use mckibben::units::Dimension;
 use mckibben_app::{IdentifyAnswer, IdentifyRequest, with_error_bar};
@@ -65,102 +65,82 @@ fn request(asked: &Asked) -> Result<IdentifyRequest, Failure> {
     Ok(mckibben_app::understood(&fields.into())?)
 }
 
+const PARAMETERS: &str =
+    "name=_ shown=value bar=±_95_% standard_error=std._error:2~ unit start:4~ determined=identifiable";
+const RESIDUALS: &str = "rms_n=rms_of_the_residuals:3 rms_before_n=at_the_start:3 max_n=largest:3 largest_n=largest_force:5 bench=this_bench";
+
 fn as_text(answer: &IdentifyAnswer, u: &Units) -> String {
-    let found = &answer.found;
-    let force = |v: f64| format!("{} {}", u.force.to(v, 3), u.force.name);
+    let (found, mut all) = (&answer.found, value(answer));
+    let (points, muscle) = (answer.points.len(), answer.muscle.line(u));
     let mut out = understood(&answer.understood);
-    out.push_str(&format!(
-        "model {}, {} points of {}\n{}\n\n",
-        answer.model,
-        answer.points.len(),
-        answer.data,
-        answer.muscle.line(u)
-    ));
-    let header = ["", "value", "± 95 %", "std. error", "unit", "start", "identifiable"];
+    out += &format!("model {}, {points} points of {}\n{muscle}\n\n", answer.model, answer.data);
     let rows = found.parameters.iter().map(|p| {
+        let mut row = value(p);
         let (value, bar) = with_error_bar(p);
-        let identifiable = match p {
+        (row["shown"], row["bar"]) = (value.into(), bar.into());
+        row["determined"] = match p {
             p if p.identifiable => "yes",
             p if p.at_bound => "no (on its bound)",
             p if p.implausible => "no (too much)",
             p if !p.matters => "no (no effect)",
             _ => "no",
-        };
-        let error = if p.standard_error.is_finite() { number(p.standard_error, 2) } else { "–".into() };
-        vec![p.name.clone(), value, bar, error, p.unit.into(), number(p.start, 4), identifiable.into()]
+        }
+        .into();
+        row
     });
-    out.push_str(&table(&header, rows.collect()));
+    out += &tabled(&rows.collect::<Vec<_>>(), PARAMETERS, u);
     if found.parameters.len() > 1 {
-        out.push_str(&correlation(found));
+        out += &correlation(found);
     }
-    out.push_str(&format!(
-        "\nresiduals: rms {} ({} at the start), largest {}",
-        force(found.rms_n),
-        force(found.rms_before_n),
-        force(found.max_n)
-    ));
     let largest = answer.points.iter().map(|p| p.point.at.force_n).fold(0.0, f64::max);
-    if largest > 0.0 {
-        out.push_str(&format!("; the largest force is {}", u.force.show(largest)));
-    }
-    out.push('\n');
-    if let Some(bench) = found.bench.as_ref().filter(|_| answer.muscle_file.contains("\n[identified]")) {
-        let (p, e) = (bench.pressure_mpa, bench.contraction);
-        let all = bench.fit_n.iter().flatten().map(|fit| fit.hypot(bench.scatter_n));
-        let (least, most) = all.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
-        out.push_str(&format!(
-            "on this bench, from {} to {} and contractions from {} to {}, the ± of its pull is {} to {} {} (95 %){}\n",
-            u.pressure.show(p.0),
-            u.pressure.show(p.1),
-            percent(e.0),
-            percent(e.1),
-            u.force.half_width(least),
-            u.force.half_width(most),
-            u.force.name,
-            if bench.saw_the_loop() { "" } else { ", and the part for friction beside it" }
-        ));
-    }
-    out.push_str(&tabled(&found.spreads, "of=_ points rms_n:3 max_n=largest:3 mean_n:3", u));
+    all["largest_n"] = Some(largest).filter(|n| *n > 0.0).into();
+    all["bench"] = found
+        .bench
+        .as_ref()
+        .filter(|_| answer.muscle_file.contains("\n[identified]"))
+        .map(|bench| {
+            let half = bench.fit_n.iter().flatten().map(|fit| fit.hypot(bench.scatter_n));
+            let (least, most) = half.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
+            let [(p, q), (e, f)] = [bench.pressure_mpa, bench.contraction];
+            let [p, q] = [p, q].map(|v| u.pressure.show(v));
+            let [least, most] = [least, most].map(|n| u.force.half_width(n));
+            let beside = if bench.saw_the_loop() { "" } else { ", and the part for friction beside it" };
+            let (e, f, unit) = (percent(e), percent(f), &u.force.name);
+            format!(
+                "{p} to {q}, contractions {e} to {f}: ± of the pull {least} to {most} {unit} (95 %){beside}"
+            )
+        })
+        .into();
+    out += &format!("\n{}", pairs(&listed(&all, RESIDUALS, u)));
+    out += &tabled(&found.spreads, "of=_ points rms_n:3 max_n=largest:3 mean_n:3", u);
     if !answer.laws.is_empty() {
-        out.push_str(&laws(answer, &force));
+        out += &laws(answer, u);
     }
     if !answer.warnings.is_empty() {
         out.push('\n');
     }
-    for note in &answer.warnings {
-        out.push_str(&format!("- {note}\n"));
-    }
+    out.extend(answer.warnings.iter().map(|note| format!("- {note}\n")));
     out
 }
 
 /// Law by law, the preferred one first.
-fn laws(answer: &IdentifyAnswer, force: &dyn Fn(f64) -> String) -> String {
-    let header = ["law", "constants", "rms", "ΔAICc", "neighbours"];
-    let dash = || "–".to_owned();
-    let rows = answer.laws.iter().map(|row| {
-        let constants = row.parameters.iter().filter_map(|p| {
+fn laws(answer: &IdentifyAnswer, u: &Units) -> String {
+    let rows = answer.laws.iter().map(|law| {
+        let constants = law.parameters.iter().filter_map(|p| {
             let name = p.name.strip_prefix("tube.material.")?;
             let (value, bar) = with_error_bar(p);
             Some(format!("{name} {value} ± {bar}"))
         });
-        vec![
-            row.law.clone(),
-            constants.collect::<Vec<_>>().join(", "),
-            row.rms_n.map_or_else(dash, force),
-            row.aicc_difference.map_or_else(dash, |d| format!("{d:.0}")),
-            row.neighbour_correlation.map_or_else(dash, |r| format!("{r:.2}")),
-        ]
+        let mut row = value(law);
+        row["constants"] = constants.collect::<Vec<_>>().join(", ").into();
+        row
     });
-    let mut out = format!("\n{}", table(&header, rows.collect()));
-    for row in &answer.laws {
-        if let Some(doubt) = &row.doubt {
-            out.push_str(&format!("  {}: {doubt}\n", row.law));
-        }
-    }
+    let keys = "law constants rms_n=rms:3~ aicc_difference=ΔAICc:3~ neighbour_correlation=neighbours:2~";
+    let mut out = format!("\n{}", tabled(&rows.collect::<Vec<_>>(), keys, u));
+    let doubtful = answer.laws.iter().filter_map(|law| Some((&law.law, law.doubt.as_ref()?)));
+    out.extend(doubtful.map(|(law, doubt)| format!("  {law}: {doubt}\n")));
     if answer.laws.iter().filter_map(|row| row.neighbour_correlation).any(|r| r > 0.5) {
-        out.push_str(
-            "  the residuals of neighbouring points are correlated: differences of AICc are less significant than their values suggest\n",
-        );
+        out += "  the residuals of neighbouring points are correlated: differences of AICc are less significant than their values suggest\n";
     }
     out
 }

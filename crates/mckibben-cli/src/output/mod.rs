@@ -1,18 +1,16 @@
 //! Results as text, JSON and CSV, and where they go.
 
-mod columns;
-mod csv;
 pub mod keyed;
 pub mod loaded;
 mod parquet;
-mod rows;
 mod stream;
+mod table;
 pub mod text;
 pub mod width;
 mod write;
 
-pub use columns::FLAT;
 pub use stream::streamed;
+pub use table::FLAT;
 pub use write::{
     burst_first, check, check_ending, check_named, complain, emit, ending, overwrite, save, save_all,
     save_inside, warn, warn_behind,
@@ -64,18 +62,18 @@ struct Answer<'a> {
 }
 
 impl Answer<'_> {
-    fn table(&self) -> Result<rows::Table, Failure> {
+    fn table(&self) -> Result<table::Table, Failure> {
         let mut value = (self.json)()?;
         let rows = self.rows;
         let list = match value.get_mut(rows).map(Value::take) {
             Some(Value::Array(list)) => list,
-            Some(Value::Object(columns)) => rows::of_columns(&columns),
-            _ if rows == FLAT => vec![rows::flat(value)],
+            Some(Value::Object(columns)) => table::of_columns(&columns),
+            _ if rows == FLAT => vec![table::flat(value)],
             _ if rows.is_empty() => vec![value],
             _ => vec![],
         };
-        let columns = columns::of(&(self.schema)(), rows);
-        Ok(rows::Table { columns: columns::with_others(columns, &list), rows: list })
+        let columns = table::columns(&(self.schema)(), rows);
+        Ok(table::Table { columns: table::with_others(columns, &list), rows: list })
     }
 
     fn show(
@@ -94,7 +92,7 @@ impl Answer<'_> {
                 width::broken(&clean::lines(&text())).into_bytes()
             }
             Form::Json => format!("{:#}\n", (self.json)()?).into_bytes(),
-            Form::Csv => csv::rows(&self.table()?)?,
+            Form::Csv => table::csv(&self.table()?)?,
             Form::Parquet => parquet::rows(&self.table()?)?,
         };
         if matches!(form, Form::Csv | Form::Parquet) {

@@ -1,7 +1,6 @@
 //! Rows as Parquet.
 
-use super::columns::Kind;
-use super::rows::{Table, text};
+use super::table::{Kind, Table, text};
 use crate::failure::Failure;
 use mckibben_app::ProblemKind;
 use mckibben_io::parquet::{Column, Field, Packing, TableError, Text, Writer};

@@ -1,5 +1,8 @@
 //! The columns of a table: those of the rows' schema, so that they are the same whatever the values.
 
+use crate::failure::Failure;
+use mckibben_app::ProblemKind;
+use mckibben_io::clean::cell;
 use serde_json::{Map, Value};
 
 /// What the values of a column are.
@@ -17,7 +20,7 @@ pub const FLAT: &str = "*";
 pub type Column = (String, Kind);
 
 /// The columns of an answer's rows by its schema, which stand in its list or object of lists `rows`, or are the answer itself where the name is empty.
-pub fn of(root: &Value, rows: &str) -> Vec<Column> {
+pub fn columns(root: &Value, rows: &str) -> Vec<Column> {
     let mut out = vec![];
     if rows.is_empty() || rows == FLAT {
         scalars(root, root, &mut out);
@@ -126,6 +129,59 @@ fn kind(root: &Value, node: &Value) -> Option<Kind> {
     found
 }
 
+#[derive(Debug)]
+pub struct Table {
+    pub columns: Vec<Column>,
+    /// Its rows, as objects; a key that is not there is an empty cell.
+    pub rows: Vec<Value>,
+}
+
+/// An object with the values of its objects among its own.
+pub fn flat(value: Value) -> Value {
+    let mut out = Map::new();
+    let Value::Object(object) = value else { return value };
+    for (key, value) in object {
+        match value {
+            Value::Object(inner) => out.extend(inner),
+            value => drop(out.insert(key, value)),
+        }
+    }
+    Value::Object(out)
+}
+
+/// The rows of an object of lists.
+pub fn of_columns(columns: &Map<String, Value>) -> Vec<Value> {
+    let lists: Vec<(&String, &Vec<Value>)> =
+        columns.iter().filter_map(|(name, list)| Some((name, list.as_array()?))).collect();
+    let count = lists.iter().map(|(_, list)| list.len()).max().unwrap_or(0);
+    let row = |i: usize| {
+        lists.iter().filter_map(|(name, list)| Some(((*name).clone(), list.get(i)?.clone()))).collect()
+    };
+    (0..count).map(|i| Value::Object(row(i))).collect()
+}
+
+/// A value as text; nothing where there is none.
+pub fn text(value: Option<&Value>) -> Option<String> {
+    match value? {
+        Value::Null => None,
+        Value::String(text) => Some(text.clone()),
+        value => Some(value.to_string()),
+    }
+}
+
+pub fn csv(table: &Table) -> Result<Vec<u8>, Failure> {
+    let broken =
+        |e: &dyn std::fmt::Display| Failure::input(ProblemKind::Output, format!("cannot make CSV: {e}"), "");
+    let mut writer = ::csv::Writer::from_writer(vec![]);
+    writer.write_record(table.columns.iter().map(|c| cell(&c.0).into_owned())).map_err(|e| broken(&e))?;
+    for object in table.rows.iter().filter_map(Value::as_object) {
+        let texts = table.columns.iter().map(|c| text(object.get(&c.0)).unwrap_or_default());
+        let cells: Vec<String> = texts.map(|text| cell(&text).into_owned()).collect();
+        writer.write_record(cells).map_err(|e| broken(&e))?;
+    }
+    writer.into_inner().map_err(|e| broken(&e))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -133,7 +189,7 @@ mod tests {
 
     #[test]
     fn columns_are_the_scalar_keys_of_the_schema() {
-        let point = of(&answer_schema::<PointAnswer>(), "");
+        let point = columns(&answer_schema::<PointAnswer>(), "");
         for (name, kind) in [
             ("force_n", Kind::Number),
             ("slack", Kind::Flag),
@@ -143,11 +199,11 @@ mod tests {
             assert!(point.contains(&(name.to_owned(), kind)), "{name}: {point:?}");
         }
         assert!(point.iter().all(|c| !["muscle", "about", "warnings", "branches"].contains(&c.0.as_str())));
-        let curve = of(&answer_schema::<CurveAnswer>(), "points");
+        let curve = columns(&answer_schema::<CurveAnswer>(), "points");
         for name in ["force_n", "status", "cause", "wanted_force_n"] {
             assert!(curve.iter().any(|c| c.0 == name), "{name}: {curve:?}");
         }
-        let motion = of(&answer_schema::<MotionAnswer>(), "series");
+        let motion = columns(&answer_schema::<MotionAnswer>(), "series");
         assert!(motion.iter().any(|c| c.0 == "time_s") && motion.iter().any(|c| c.0 == "contraction"));
     }
 }
