@@ -12,7 +12,6 @@
 mod clamps;
 mod cut;
 mod drawing;
-mod fitting;
 mod frame;
 mod material;
 mod mesh;
@@ -27,14 +26,13 @@ mod view;
 
 pub use clamps::Clamps;
 pub use cut::{Cut, SleeveCut, SleeveLength};
-pub use fitting::{Fitting, UnknownFitting};
+pub use plug::{AirPlug, EyePlug, Fitting, Stem, UnknownFitting};
 
 /// What made a file, in its first line.
 const MARK: &str = "mckibben build";
 pub use material::BuildPart;
 pub use mesh::Mesh;
 pub use plan::{Plan, Wishes};
-pub use plug::{AirPlug, EyePlug, Stem};
 pub use safety::{Operating, Safety, highest_mpa, proof_mpa};
 pub use test_points::TestPoint;
 

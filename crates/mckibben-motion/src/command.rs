@@ -65,22 +65,14 @@ impl Command {
 
     /// Whether it is a command.
     pub fn check(&self) -> Result<(), MotionError> {
-        let finite = |what, value: f64| {
-            if value.is_finite() {
-                Ok(())
-            } else {
-                Err(MotionError::Refused(format!(
-                    "the command's {what} is {value}; it must be a finite number"
-                )))
-            }
+        let refused =
+            |what: &str, value, must| MotionError::value(&format!("the command's {what}"), value, must);
+        let finite = |what: &str, value: f64| {
+            value.is_finite().then_some(()).ok_or_else(|| refused(what, value, "a finite number"))
         };
-        let positive = |what, value: f64| {
+        let positive = |what: &str, value: f64| {
             finite(what, value)?;
-            if value > 0.0 {
-                Ok(())
-            } else {
-                Err(MotionError::Refused(format!("the command's {what} is {value}; it must be above zero")))
-            }
+            (value > 0.0).then_some(()).ok_or_else(|| refused(what, value, "above zero"))
         };
         match self {
             Self::Constant(value) => finite("value", *value),
@@ -89,19 +81,15 @@ impl Command {
                     return Err(MotionError::Refused("a command needs at least one time and value".into()));
                 }
                 points.iter().try_for_each(|p| finite("time", p.0).and(finite("value", p.1)))?;
-                for (i, pair) in points.windows(2).enumerate() {
-                    if let [before, after] = pair
-                        && after.0 <= before.0
-                    {
-                        return Err(MotionError::Refused(format!(
-                            "the command's times must increase: {} s follows {} s (point {})",
-                            after.0,
-                            before.0,
-                            i + 2
-                        )));
-                    }
-                }
-                Ok(())
+                let back = points.windows(2).zip(2..).find_map(|(pair, number)| match pair {
+                    [before, after] if after.0 <= before.0 => Some((before.0, after.0, number)),
+                    _ => None,
+                });
+                back.map_or(Ok(()), |(before, after, number)| {
+                    Err(MotionError::Refused(format!(
+                        "the command's times must increase: {after} s follows {before} s (point {number})"
+                    )))
+                })
             }
             Self::Sine { mean, amplitude, frequency_hz, phase_rad } => {
                 finite("mean", *mean)?;

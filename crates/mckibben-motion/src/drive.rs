@@ -207,13 +207,9 @@ impl<'a> Drive<'a> {
     pub fn check(&self) -> Result<(), MotionError> {
         let n = self.mechanism.muscles();
         let count = |given: usize, what| {
-            if given == n {
-                Ok(())
-            } else {
-                Err(MotionError::Refused(format!(
-                    "there are {n} muscles in the mechanism, and {given} {what}; give one for each"
-                )))
-            }
+            MotionError::require(given == n, || {
+                format!("there are {n} muscles in the mechanism, and {given} {what}; give one for each")
+            })
         };
         count(self.muscles.len(), "muscles with an actuator")?;
         self.mechanism.check()?;
@@ -235,12 +231,12 @@ impl<'a> Drive<'a> {
                 for command in commands {
                     let (low, high) = command.bounds();
                     MotionError::within("a commanded pressure in MPa", low, 0.0, f64::MAX)?;
-                    if high > self.supply.pressure_mpa {
-                        let supply_mpa = self.supply.pressure_mpa;
-                        return Err(MotionError::Refused(format!(
+                    let supply_mpa = self.supply.pressure_mpa;
+                    MotionError::require(high <= supply_mpa, || {
+                        format!(
                             "the command is {high} MPa, above the supply pressure of {supply_mpa} MPa; raise the supply or lower the command"
-                        )));
-                    }
+                        )
+                    })?;
                 }
             }
             Target::Opening(commands) => {
@@ -260,16 +256,16 @@ impl<'a> Drive<'a> {
             Target::Pressure(_) | Target::Volume(_) => false,
         };
         let volumes = if let Target::Volume(commands) = &self.target { &commands[..] } else { &[] };
-        for (i, muscle) in self.muscles.iter().enumerate() {
+        for (number, muscle) in (1..).zip(&self.muscles) {
             muscle.check()?;
-            if opened && matches!(muscle.actuator, Actuator::Regulator { .. }) {
-                return Err(MotionError::Refused(format!(
-                    "an opening is commanded, but muscle {muscle} has a regulator; command its pressure, or give it a valve",
-                    muscle = i + 1
-                )));
-            }
+            let has_regulator = matches!(muscle.actuator, Actuator::Regulator { .. });
+            MotionError::require(!(opened && has_regulator), || {
+                format!(
+                    "an opening is commanded, but muscle {number} has a regulator; command its pressure, or give it a valve"
+                )
+            })?;
             let actuator = muscle.actuator.name();
-            match (&muscle.actuator, volumes.get(i)) {
+            match (&muscle.actuator, volumes.get(number - 1)) {
                 (Actuator::Syringe(syringe), Some(command)) => {
                     let (low, high) = command.bounds();
                     MotionError::within("a commanded volume in mm³", low, 0.0, syringe.volume_mm3)?;
@@ -277,8 +273,7 @@ impl<'a> Drive<'a> {
                 }
                 (Actuator::Syringe(_), None) | (_, Some(_)) => {
                     return Err(MotionError::Refused(format!(
-                        "muscle {muscle} has {actuator}: a commanded volume goes with a syringe, and a syringe with a commanded volume",
-                        muscle = i + 1
+                        "muscle {number} has {actuator}: a commanded volume goes with a syringe, and a syringe with a commanded volume"
                     )));
                 }
                 _ => {}
@@ -288,12 +283,11 @@ impl<'a> Drive<'a> {
                 Actuator::Valve(_) => !muscle.fluid.is_liquid(),
                 _ => muscle.fluid.is_liquid(),
             };
-            if !fits {
-                return Err(MotionError::Refused(format!(
-                    "muscle {muscle} has {actuator}, which is not for what fills it: a liquid goes with a flow coefficient, a pump, a syringe or a regulator, air with a sonic conductance or a regulator",
-                    muscle = i + 1
-                )));
-            }
+            MotionError::require(fits, || {
+                format!(
+                    "muscle {number} has {actuator}, which is not for what fills it: a liquid goes with a flow coefficient, a pump, a syringe or a regulator, air with a sonic conductance or a regulator"
+                )
+            })?;
         }
         Ok(())
     }

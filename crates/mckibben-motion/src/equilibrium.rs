@@ -183,18 +183,15 @@ impl System<'_> {
     pub fn initial_state(&self) -> Result<State, MotionError> {
         let drive = self.drive;
         for member in &self.members {
-            let p = if member.model.info().range.pressure_mpa.0 > 0.0 {
-                member.model.info().range.pressure_mpa.0
-            } else {
-                0.0
-            };
+            let info = member.model.info();
+            let p = info.range.pressure_mpa.0.max(0.0);
             let response = member.model.response(&mut mckibben::model::Workspace::new(), p, 0.0);
-            if response.is_ok_and(|r| r.volume_mm3.is_none()) {
-                return Err(MotionError::Refused(format!(
-                    "the {model} model does not give the volume of the air; use fe, universal or thick-wall",
-                    model = member.model.info().name
-                )));
-            }
+            MotionError::require(!response.is_ok_and(|r| r.volume_mm3.is_none()), || {
+                let name = &info.name;
+                format!(
+                    "the {name} model does not give the volume of the air; use fe, universal or thick-wall"
+                )
+            })?;
         }
         let start = at_start(drive, &self.members)?;
         let mut state = self.layout.filled(0.0);

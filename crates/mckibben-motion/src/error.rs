@@ -100,6 +100,11 @@ impl MotionError {
         Self::Refused(format!("{what} is {value}; it must be {must}"))
     }
 
+    /// Refused with a sentence where something does not hold.
+    pub(crate) fn require(holds: bool, why: impl FnOnce() -> String) -> Result<(), Self> {
+        if holds { Ok(()) } else { Err(Self::Refused(why())) }
+    }
+
     pub(crate) fn positive(what: &'static str, value: f64) -> Result<(), Self> {
         let ok = value.is_finite() && value > 0.0;
         if ok { Ok(()) } else { Err(Self::value(what, value, "above zero")) }

@@ -110,13 +110,9 @@ pub(crate) struct Member<'a> {
     /// So far from an answer that is kept, as a contraction (ten times as far as a share of the pressure), its first order is the model.
     near: f64,
     ideal: Ideal,
-    workspace: RefCell<Workspace>,
-    kept: RefCell<Kept>,
-    next: Cell<usize>,
-    clamp_slack: Cell<Option<f64>>,
-    /// Whether friction needs G, and the infinitely long muscle that has it or its slopes.
+    pub memory: Memory,
+    /// Whether friction needs G.
     has_contact: bool,
-    long: OnceCell<ThickWall>,
     pub asked: Cell<usize>,
     /// In place of the model, where there is one.
     pub substitute: Cell<Option<Substitute>>,
@@ -125,42 +121,24 @@ pub(crate) struct Member<'a> {
 /// What a member has learnt: it begins the next piece of the same motion with it.
 #[derive(Default)]
 pub(crate) struct Memory {
-    workspace: Workspace,
-    kept: Kept,
-    next: usize,
-    clamp_slack: Option<f64>,
+    workspace: RefCell<Workspace>,
+    kept: RefCell<Kept>,
+    next: Cell<usize>,
+    clamp_slack: Cell<Option<f64>>,
+    /// The infinitely long muscle that has G or its slopes, where friction needs them.
     long: OnceCell<ThickWall>,
 }
 
 impl Memory {
     /// The same for another simulation; the workspace of its model begins anew.
     pub fn duplicate(&self) -> Self {
-        let Self { kept, next, clamp_slack, .. } = *self;
+        let Self { kept, next, clamp_slack, .. } = self;
+        let (kept, next, clamp_slack) = (kept.clone(), next.clone(), clamp_slack.clone());
         Self { kept, next, clamp_slack, ..Self::default() }
     }
 }
 
 impl<'a> Member<'a> {
-    /// The member that learnt this.
-    pub fn recall(&mut self, memory: Memory) {
-        self.workspace = RefCell::new(memory.workspace);
-        self.kept = RefCell::new(memory.kept);
-        self.next = Cell::new(memory.next);
-        self.clamp_slack = Cell::new(memory.clamp_slack);
-        self.long = memory.long;
-    }
-
-    /// What it has learnt.
-    pub fn memory(self) -> Memory {
-        Memory {
-            workspace: self.workspace.into_inner(),
-            kept: self.kept.into_inner(),
-            next: self.next.get(),
-            clamp_slack: self.clamp_slack.get(),
-            long: self.long,
-        }
-    }
-
     /// A member with the relative tolerance of the motion.
     pub fn new(muscle: &Actuated<'a>, tolerance: f64) -> Self {
         let model = muscle.model;
@@ -169,12 +147,8 @@ impl<'a> Member<'a> {
             near: tolerance,
             length_mm: model.muscle().length_mm(),
             ideal: Ideal::new(model.muscle()),
-            workspace: RefCell::new(Workspace::new()),
-            kept: RefCell::new([None; 8]),
-            next: Cell::new(0),
-            clamp_slack: Cell::new(None),
+            memory: Memory::default(),
             has_contact: muscle.friction.as_ref().is_some_and(Hysteresis::has_contact),
-            long: OnceCell::new(),
             asked: Cell::new(0),
             substitute: Cell::new(None),
         }
@@ -196,7 +170,7 @@ impl<'a> Member<'a> {
             Some(Substitute::Moment(h)) => return Ok(h.answer),
             Some(Substitute::Near(p, e, h)) => return Ok(h.answer.moved(pressure_mpa - p, contraction - e)),
             Some(Substitute::Nearest) => {
-                let kept = self.kept.borrow();
+                let kept = self.memory.kept.borrow();
                 let away = |k: &&(f64, f64, Answer)| (k.0 - pressure_mpa).abs() + (k.1 - contraction).abs();
                 let nearest = kept.iter().flatten().min_by(|a, b| away(a).total_cmp(&away(b)));
                 if let Some((p, e, answer)) = nearest {
@@ -212,7 +186,7 @@ impl<'a> Member<'a> {
             let near = (at_mpa - p).abs() <= 10.0 * self.near * p && (at - contraction).abs() <= self.near;
             near && pulls || *at_mpa == p && *at == contraction
         };
-        let known = self.kept.borrow().iter().flatten().find(near).copied();
+        let known = self.memory.kept.borrow().iter().flatten().find(near).copied();
         let (from_mpa, from, at) = match known {
             Some(known) => known,
             None => (p, contraction, self.exact(p, contraction)?),
@@ -228,14 +202,15 @@ impl<'a> Member<'a> {
 
     /// The model's own answer at a pressure of at least [`LEAST_MPA`].
     fn exact(&self, p: f64, contraction: f64) -> Result<Answer, ModelError> {
-        let known = self.kept.borrow().iter().flatten().find(|k| k.0 == p && k.1 == contraction).map(|k| k.2);
+        let known =
+            self.memory.kept.borrow().iter().flatten().find(|k| k.0 == p && k.1 == contraction).map(|k| k.2);
         if let Some(at) = known {
             return Ok(at);
         }
         let at = self.ask(p, contraction)?;
-        let kept = &mut *self.kept.borrow_mut();
-        let place = self.next.get();
-        self.next.set((place + 1) % kept.len());
+        let kept = &mut *self.memory.kept.borrow_mut();
+        let place = self.memory.next.get();
+        self.memory.next.set((place + 1) % kept.len());
         if let Some(slot) = kept.get_mut(place) {
             *slot = Some((p, contraction, at));
         }
@@ -243,7 +218,7 @@ impl<'a> Member<'a> {
     }
 
     fn ask(&self, p: f64, e: f64) -> Result<Answer, ModelError> {
-        let w = &mut *self.workspace.borrow_mut();
+        let w = &mut *self.memory.workspace.borrow_mut();
         self.asked.set(self.asked.get() + 1);
         let not_finite = || ModelError::NotFinite {
             model: self.model.info().name.to_string(),
@@ -299,7 +274,7 @@ impl<'a> Member<'a> {
         if !self.has_contact {
             return Ok([0.0; 3]);
         }
-        let long = self.long.get_or_init(|| ThickWall::new(self.model.muscle()));
+        let long = self.memory.long.get_or_init(|| ThickWall::new(self.model.muscle()));
         let of_long = |w: &mut Workspace, p: f64, e: f64| pivoting_n_per_mm(long, w, p, e);
         let at = of_long(w, p, e);
         let own = match self.model.extensions().contact {
@@ -317,20 +292,21 @@ impl<'a> Member<'a> {
             return Ok(h);
         }
         let p = pressure_mpa.max(LEAST_MPA);
-        let near = self.clamp_slack.get().and_then(|last| self.polished(p, last));
+        let near = self.memory.clamp_slack.get().and_then(|last| self.polished(p, last));
         let contraction = match near {
             Some(e) => e,
             None => {
                 // Below zero where the ends give way or the sleeve is wider than the tube: it then hangs longer than at rest.
                 let options = Options { two_sided: true, ..Options::extrapolating() };
-                let search = free_contraction(self.model, &mut self.workspace.borrow_mut(), p, options);
+                let search =
+                    free_contraction(self.model, &mut self.memory.workspace.borrow_mut(), p, options);
                 let e = search.map_err(|error| ModelError::NoEquilibrium {
                     reason: format!("a slack muscle has no free contraction: {error}"),
                 })?;
                 self.polished(p, e).unwrap_or(e)
             }
         };
-        self.clamp_slack.set(Some(contraction));
+        self.memory.clamp_slack.set(Some(contraction));
         let at = self.answer(p, contraction)?;
         let contraction_p = if at.force_e < 0.0 { -at.force_p / at.force_e } else { 0.0 };
         // Below the least pressure, and below none, where a liquid can come, it goes on linearly as the taut muscle does.

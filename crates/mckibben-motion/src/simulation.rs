@@ -83,7 +83,7 @@ impl Simulation {
         at.record(0.0, at.state.clone())?;
         let (state, motion) = (at.state, at.motion);
         let modes = system.modes.borrow().clone();
-        let memories = system.members.into_iter().map(|m| m.memory()).collect();
+        let memories = system.members.into_iter().map(|m| m.memory).collect();
         Ok(Self { done: 0, state, modes, memories, motion })
     }
 
@@ -93,7 +93,7 @@ impl Simulation {
         let mut system = System::new(drive)?;
         system.layout.check_state(&mut self.state)?;
         for (member, memory) in system.members.iter_mut().zip(std::mem::take(&mut self.memories)) {
-            member.recall(memory);
+            member.memory = memory;
         }
         *system.modes.borrow_mut() = self.modes.clone();
         let (points, events) = (self.motion.series.len(), self.motion.events.len());
@@ -114,7 +114,7 @@ impl Simulation {
             self.motion.series.truncate(points);
             self.motion.events.truncate(events);
         }
-        self.memories = system.members.into_iter().map(|m| m.memory()).collect();
+        self.memories = system.members.into_iter().map(|m| m.memory).collect();
         stepped
     }
 

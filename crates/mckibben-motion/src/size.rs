@@ -33,12 +33,9 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
         Actuator::Valve(v) => Some(v.supply.conductance_l_per_s_bar()),
         _ => None,
     });
-    if drive.muscles.iter().any(|m| m.fluid.is_liquid()) {
-        return Err(MotionError::Refused(
-            "only valves of air are sized by a rise time; leave it out, and try flows of the valve or pump"
-                .into(),
-        ));
-    }
+    MotionError::require(!drive.muscles.iter().any(|m| m.fluid.is_liquid()), || {
+        "only valves of air are sized by a rise time; leave it out, and try flows of the valve or pump".into()
+    })?;
     let (Some(own), Target::Pressure(commands)) = (valve, &drive.target) else {
         return Err(MotionError::NoRise);
     };

@@ -197,14 +197,10 @@ impl Layout {
     }
 
     fn check(&self, given: usize) -> Result<(), MotionError> {
-        if given == self.len {
-            Ok(())
-        } else {
-            Err(MotionError::Refused(format!(
-                "{given} numbers were given for a state of {needed}",
-                needed = self.len
-            )))
-        }
+        let needed = self.len;
+        MotionError::require(given == needed, || {
+            format!("{given} numbers were given for a state of {needed}")
+        })
     }
 }
 

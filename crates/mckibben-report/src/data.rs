@@ -1,8 +1,10 @@
 //! The numbers of a figure as a table.
 
-use crate::{Figure, Style};
+use crate::ticks::number;
+use crate::xml::escape;
+use crate::{Figure, FigureError, Panel, Style};
 use mckibben_io::clean::cell;
-use std::fmt::Write;
+use std::fmt::Write as _;
 
 impl Figure {
     /// Every point that is drawn, as CSV: the panel (from 1, with its title), the series by the text that names it in the figure, how it is
@@ -54,5 +56,51 @@ fn quoted(text: &str) -> String {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {
         text.into_owned()
+    }
+}
+
+const STYLE: &str = "body{margin:1rem auto;max-width:75rem;font-family:DejaVu Sans,Helvetica,Arial,sans-serif}\
+svg{width:100%;height:auto}table{border-collapse:collapse}th,td{padding:0 1em;text-align:right}";
+
+impl Figure {
+    /// The figure as a self-contained HTML page that needs no network and no script: the SVG, and the points of each
+    /// panel as a table with six significant digits.
+    pub fn to_html(&self) -> Result<String, FigureError> {
+        let title = if self.title.trim().is_empty() { "Figure" } else { self.title.trim() };
+        let mut out = format!(
+            "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
+             <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n\
+             <title>{}</title><style>{STYLE}</style></head>\n<body>\n{}",
+            escape(title),
+            self.to_svg()?,
+        );
+        for panel in &self.panels {
+            table(&mut out, panel);
+        }
+        out.push_str("</body></html>\n");
+        Ok(out)
+    }
+}
+
+fn table(out: &mut String, panel: &Panel) {
+    let head = ["Data", panel.title.trim()].join(" ");
+    let (x, y) = (escape(&panel.x.label), escape(&panel.y.label));
+    let _ = writeln!(
+        out,
+        "<details><summary>{}</summary><table>\n<tr><th></th><th>{x}</th><th>{y}</th></tr>",
+        escape(head.trim())
+    );
+    for series in &panel.series {
+        let name = [series.label.trim(), series.end_label.trim()].join(" ");
+        series.points.iter().for_each(|point| row(out, name.trim(), *point));
+    }
+    panel.marks.iter().for_each(|mark| row(out, mark.label.trim(), (mark.x, mark.y)));
+    out.push_str("</table></details>\n");
+}
+
+fn row(out: &mut String, name: &str, (x, y): (f64, f64)) {
+    if x.is_finite() && y.is_finite() {
+        let _ =
+            writeln!(out, "<tr><th>{}</th><td>{}</td><td>{}</td></tr>", escape(name), number(x), number(y));
     }
 }

@@ -17,7 +17,6 @@ mod data;
 mod document;
 mod figure;
 mod font;
-mod html;
 mod labels;
 mod layout;
 mod legend;

@@ -6,7 +6,6 @@
 //! whatever the number of threads, shards and interruptions. Without the feature `store` there are no files:
 //! [`compute`] gives the rows of a plan in memory.
 
-mod cost;
 mod error;
 #[cfg(feature = "store")]
 mod merge;

@@ -2,39 +2,17 @@
 
 use super::FitError;
 use super::data::{FitPoint, distinct, same};
+use mckibben::formula::{ErrorSummary, RegionErrors};
 use serde::Serialize;
 
 /// Errors over a set of points where the muscle pulls (reference force above zero).
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Errors {
-    /// Points where the muscle pulls.
-    pub points: usize,
-    /// Root mean square as a share of the muscle's blocked force at the highest pressure.
-    #[serde(rename = "rms_of_blocked")]
-    pub rms: f64,
-    /// The share that 95 % of the points do not exceed.
-    #[serde(rename = "p95_of_blocked")]
-    pub p95: f64,
-    /// Largest, likewise.
-    #[serde(rename = "max_of_blocked")]
-    pub max: f64,
-    /// Largest difference in N.
-    pub max_n: f64,
-    /// Largest by the paper's (12): as a share of the largest force of the same isobaric curve.
-    #[serde(rename = "max_of_isobar")]
-    pub max_12: f64,
+    #[serde(flatten)]
+    pub summary: ErrorSummary,
     /// Where the largest share is.
     #[serde(flatten)]
     pub worst: FitPoint,
-}
-
-/// Errors of the part of the points with one value of a quantity.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Region {
-    /// `outer_diameter_mm`, `wall_mm`, `pressure_mpa` or `contraction`.
-    pub quantity: &'static str,
-    pub value: f64,
-    pub errors: Errors,
 }
 
 /// A point with a force to compare, its reference and the forces it is a share of.
@@ -94,19 +72,19 @@ pub fn errors(list: &[Compared], chosen: impl Fn(&FitPoint) -> bool) -> Option<E
     shares.sort_by(f64::total_cmp);
     let largest = |of: fn(&Compared) -> f64| used.iter().map(|c| of(c)).fold(0.0, f64::max);
     let squares: f64 = shares.iter().map(|e| e * e).sum();
-    Some(Errors {
+    let summary = ErrorSummary {
         points: used.len(),
         rms: (squares / used.len() as f64).sqrt(),
         p95: shares[((shares.len() * 95).div_ceil(100)).saturating_sub(1)],
         max: share(worst),
         max_n: largest(|c| c.difference_n.abs()),
         max_12: largest(|c| c.difference_n.abs() / c.isobar_n),
-        worst: worst.point,
-    })
+    };
+    Some(Errors { summary, worst: worst.point })
 }
 
 /// The errors by each value of D0, s, P and ε.
-pub fn regions(list: &[Compared]) -> Vec<Region> {
+pub fn regions(list: &[Compared]) -> Vec<RegionErrors> {
     type Of = fn(&FitPoint) -> f64;
     let quantities: [(&'static str, Of); 4] = [
         ("outer_diameter_mm", |p| p.outer_diameter_mm),
@@ -117,7 +95,8 @@ pub fn regions(list: &[Compared]) -> Vec<Region> {
     let mut out = vec![];
     for (quantity, of) in quantities {
         for value in distinct(list.iter().map(|c| of(&c.point))) {
-            out.extend(errors(list, |p| same(of(p), value)).map(|errors| Region { quantity, value, errors }));
+            let of_value = errors(list, |p| same(of(p), value)).map(|e| e.summary);
+            out.extend(of_value.map(|errors| RegionErrors { quantity: quantity.into(), value, errors }));
         }
     }
     out

@@ -18,7 +18,7 @@ pub fn cases() -> Vec<VerificationRow> {
         VerificationRow::new(name, "fe", 0.0, largest, tolerance)
     };
     let largest = |difference: &dyn Fn(&FitPoint) -> f64| {
-        compared(&held, difference).ok().and_then(|list| errors(&list, |_| true)).map(|e| e.max)
+        compared(&held, difference).ok().and_then(|list| errors(&list, |_| true)).map(|e| e.summary.max)
     };
     let by = |method| {
         let f = fitted(&campaign, method, &[]).ok()?;

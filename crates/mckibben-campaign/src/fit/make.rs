@@ -1,13 +1,13 @@
 //! From points to a formula with its range, errors and provenance.
 
 use super::data::{FitPoint, PRESSURES, distinct, same};
-use super::errors::{Compared, Errors, compared, errors, regions};
+use super::errors::{Compared, compared, errors, regions};
 use super::global::MOST_TERMS;
 use super::{FitError, GlobalFit, PaperMethod, Rules, SlackRule, ThinRule, global, paper_method};
 use crate::{PointRow, hash};
 use mckibben::formula::{
     Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made, MadeBraid, MadeRubber,
-    NamedBraid, Provenance, RegionErrors,
+    NamedBraid, Provenance,
 };
 use mckibben::muscle::Muscle;
 
@@ -100,7 +100,7 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula, FitError> {
         range: range(&fitted),
         errors: FormulaErrors {
             against: "the forces of its table, where they pull, as shares of the muscle's blocked force at the table's highest pressure".into(),
-            fit: summary(None),
+            fit: ErrorSummary::default(),
             regions: vec![],
             held_out: None,
         },
@@ -117,17 +117,12 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula, FitError> {
     let list = compared(&points, |p| {
         formula.force_n(p.outer_diameter_mm, p.wall_mm, p.pressure_mpa, p.contraction) - p.force_n
     })?;
-    formula.errors.fit = summary(errors(&list, |p| !held(p)));
+    formula.errors.fit = errors(&list, |p| !held(p)).map_or_else(ErrorSummary::default, |e| e.summary);
     let seen: Vec<Compared> = list.iter().copied().filter(|c| !held(&c.point)).collect();
-    let region = |r: super::errors::Region| RegionErrors {
-        quantity: r.quantity.into(),
-        value: r.value,
-        errors: summary(Some(r.errors)),
-    };
-    formula.errors.regions = regions(&seen).into_iter().map(region).collect();
+    formula.errors.regions = regions(&seen);
     formula.errors.held_out = errors(&list, held).map(|e| HeldOut {
         outer_diameters_mm: distinct(list.iter().map(|c| c.point).filter(held).map(|p| p.outer_diameter_mm)),
-        errors: summary(Some(e)),
+        errors: e.summary,
     });
     let unused = request.points.len() - points.len();
     Ok(FittedFormula { formula, paper, global, compared: list, unused })
@@ -167,19 +162,6 @@ fn range(points: &[FitPoint]) -> FormulaRange {
         pressure_mpa: of(|p| p.pressure_mpa),
         contraction: of(|p| p.contraction),
     }
-}
-
-fn summary(e: Option<Errors>) -> ErrorSummary {
-    e.map_or(ErrorSummary { points: 0, rms: 0.0, p95: 0.0, max: 0.0, max_n: 0.0, max_12: 0.0 }, |e| {
-        ErrorSummary {
-            points: e.points,
-            rms: e.rms,
-            p95: e.p95,
-            max: e.max,
-            max_n: e.max_n,
-            max_12: e.max_12,
-        }
-    })
 }
 
 /// All numbers of the points, in their order.

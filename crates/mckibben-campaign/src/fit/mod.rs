@@ -7,7 +7,6 @@ pub mod global;
 pub mod held_out;
 mod make;
 pub mod paper_method;
-pub mod polynomial;
 pub mod results;
 pub mod signs;
 pub mod tables;

@@ -70,7 +70,7 @@ impl Findings {
     ) -> Result<(), FitError> {
         let errors =
             errors(&compared(points, difference)?, chosen).ok_or_else(|| FitError::empty(" to compare"))?;
-        let ok = at_most.is_none_or(|most| errors.max <= most);
+        let ok = at_most.is_none_or(|most| errors.summary.max <= most);
         self.0.push(Finding { comparison: comparison.into(), at_most, ok, errors });
         Ok(())
     }

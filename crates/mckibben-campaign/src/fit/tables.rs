@@ -79,62 +79,27 @@ pub fn tables(m: &PaperMethod) -> Vec<Table> {
         let said = [json!(s.outer_diameter_mm), json!(s.coefficient), json!(s.with), json!(way)];
         said.into_iter().chain([json!(s.holding), json!(s.pairs), json!(verdict)]).collect()
     });
+    let table = |name, header: &'static str, rows| {
+        let header = header.split_whitespace().collect();
+        Table { name, header, rows }
+    };
     vec![
-        Table {
-            name: "steps_1_2_abc",
-            header: vec![
-                "outer_diameter_mm",
-                "wall_mm",
-                "pressure_mpa",
-                "a_n",
-                "b_n",
-                "c_n",
-                "r2",
-                "points",
-                "rule",
-            ],
-            rows: curves.collect(),
-        },
-        Table {
-            name: "step_3_m_q",
-            header: vec![
-                "outer_diameter_mm",
-                "wall_mm",
-                "pressures",
-                "m_a_mm2",
-                "q_a_n",
-                "r2_a",
-                "m_b_mm2",
-                "q_b_n",
-                "r2_b",
-                "m_c_mm2",
-                "q_c_n",
-                "r2_c",
-            ],
-            rows: lines.collect(),
-        },
-        Table {
-            name: "steps_4_5_x",
-            header: vec!["outer_diameter_mm", "family", "x1", "x2", "x3", "x4", "x5", "x6", "r2_m", "r2_q"],
-            rows: walls.collect(),
-        },
-        Table {
-            name: "steps_6_7_table2",
-            header: vec!["family", "row", "d2", "d1", "d0", "r2"],
-            rows: diameters.collect(),
-        },
-        Table {
-            name: "signs",
-            header: vec![
-                "outer_diameter_mm",
-                "coefficient",
-                "with",
-                "paper_says",
-                "holding",
-                "pairs",
-                "verdict",
-            ],
-            rows: signs.collect(),
-        },
+        table(
+            "steps_1_2_abc",
+            "outer_diameter_mm wall_mm pressure_mpa a_n b_n c_n r2 points rule",
+            curves.collect(),
+        ),
+        table(
+            "step_3_m_q",
+            "outer_diameter_mm wall_mm pressures m_a_mm2 q_a_n r2_a m_b_mm2 q_b_n r2_b m_c_mm2 q_c_n r2_c",
+            lines.collect(),
+        ),
+        table("steps_4_5_x", "outer_diameter_mm family x1 x2 x3 x4 x5 x6 r2_m r2_q", walls.collect()),
+        table("steps_6_7_table2", "family row d2 d1 d0 r2", diameters.collect()),
+        table(
+            "signs",
+            "outer_diameter_mm coefficient with paper_says holding pairs verdict",
+            signs.collect(),
+        ),
     ]
 }

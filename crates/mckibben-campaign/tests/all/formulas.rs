@@ -122,9 +122,13 @@ fn errors_by_hand() {
             |p| if same(p.pressure_mpa, 0.05) && same(p.contraction, 0.1) { 10.0 } else { 0.0 },
         );
     let e = errors(&l.unwrap(), |_| true).unwrap();
-    assert!((e.max - 0.01).abs() < 1e-12 && (e.max_12 - 0.05).abs() < 1e-12 && e.max_n == 10.0);
-    assert!((e.rms - 0.01 / 5.0).abs() < 1e-12, "one of 25 points: {}", e.rms);
-    assert_eq!(e.points, 500);
+    assert!(
+        (e.summary.max - 0.01).abs() < 1e-12
+            && (e.summary.max_12 - 0.05).abs() < 1e-12
+            && e.summary.max_n == 10.0
+    );
+    assert!((e.summary.rms - 0.01 / 5.0).abs() < 1e-12, "one of 25 points: {}", e.summary.rms);
+    assert_eq!(e.summary.points, 500);
 }
 
 fn row(force_n: Option<f64>, status: Status) -> PointRow {
@@ -169,7 +173,7 @@ fn table_1_is_the_one_shipped() {
 fn what_must_come_out_comes_out() {
     let r = results::results(&Silent).unwrap();
     for f in &r.findings {
-        assert!(f.ok, "{}: {} of {:?}", f.comparison, f.errors.max, f.at_most);
+        assert!(f.ok, "{}: {} of {:?}", f.comparison, f.errors.summary.max, f.at_most);
     }
     assert!(r.findings.iter().filter(|f| f.at_most.is_some()).count() >= 5);
     assert!(r.global_terms <= 48);

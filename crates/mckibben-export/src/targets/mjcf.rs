@@ -13,7 +13,7 @@
 //! section "Muscle actuators"; engine_util_misc.c.) A limit of the force of all actuators at the tendon makes it slack.
 
 use super::c::{rendered, sources};
-use super::host_fit::fit;
+use super::fit;
 use crate::muscle::LIMIT;
 use crate::template::{number, render};
 use crate::{Artefact, ExportError, ExportedMuscle, File, HostError, Target};

@@ -7,7 +7,7 @@
 //!
 //! (OpenSim 4.6, McKibbenActuator.cpp.) Thread and turns are those with which the sum is nearest to the model, not those of the braid.
 
-use super::host_fit::fit;
+use super::fit;
 use crate::muscle::LIMIT;
 use crate::template::{number, render};
 use crate::{Artefact, ExportError, ExportedMuscle, File, Target};

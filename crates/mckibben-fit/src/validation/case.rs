@@ -69,7 +69,8 @@ pub struct CaseFit {
 }
 
 /// Which points are fitted; the others are predicted blind.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(try_from = "super::read::SplitText")]
 pub struct Split {
     /// Quantity that divides the points.
     pub by: By,
@@ -77,11 +78,14 @@ pub struct Split {
 }
 
 /// Quantity that divides points.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 pub enum By {
     /// L0 of the muscle.
+    #[serde(rename = "length_mm")]
     Length,
+    #[serde(rename = "pressure_mpa")]
     Pressure,
+    #[serde(rename = "contraction")]
     Contraction,
 }
 

@@ -5,8 +5,8 @@
 
 use super::case::{By, CaseFit, MuscleCase, muscles};
 use super::coverage::{AT_LEAST, share_row};
+use super::report::{same, trainings};
 use super::residual::{Fitter, Left, identified, residuals};
-use super::split::{same, trainings};
 use crate::identify::{Build, IdentifyError};
 use crate::measured::{DataPoint, mean_of_data};
 use mckibben::cancel::Cancelled;

@@ -18,7 +18,6 @@ mod read;
 pub mod report;
 pub mod residual;
 pub mod rubber;
-mod split;
 mod stress;
 pub mod transfer;
 

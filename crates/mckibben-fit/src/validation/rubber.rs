@@ -1,15 +1,13 @@
 //! The validation report of a measured rubber: the errors of each law at the stresses it was fitted to and at those it predicts.
 
 use super::case::{CaseError, Facts};
-use super::read::Keys;
 use super::report::ReportError;
 use super::stress::{history, tests};
 use crate::rubber::{Form, Mode, Parameter, ReadOptions, TensionPoint, read_tests};
 use crate::rubber_over_time::{OverTimeFitError, TimePoint, read_history};
 use mckibben::progress::Progress;
 use mckibben_io::table::Columns;
-use serde::Serialize;
-use toml_edit::Item;
+use serde::{Deserialize, Serialize};
 
 /// A measured rubber, and which laws are fitted to it.
 #[derive(Debug, Clone)]
@@ -25,35 +23,6 @@ enum Points {
     Tests(Vec<TensionPoint>),
     /// One specimen over time, with loading and unloading.
     History(Vec<TimePoint>),
-}
-
-const FIT: &[&str] = &["name", "law", "modes", "up_to_stretch", "relaxation"];
-
-pub(super) fn fit(table: &Keys<'_>) -> Result<RubberCaseFit, CaseError> {
-    table.only(FIT)?;
-    let (name, law) = (table.text("name")?, table.text("law")?);
-    let forms = Form::parse(&law);
-    let [form] = forms[..] else {
-        let case = table.case.to_owned();
-        return Err(CaseError::Refused(format!(
-            "{case}/case.toml, fit \"{name}\": there is no law \"{law}\"; known: {}",
-            Form::words().join(", ")
-        )));
-    };
-    let expected = "a list of modes such as [\"uniaxial\"]; the others are blind";
-    let modes = match table.table.get("modes") {
-        None => vec![],
-        Some(item) => {
-            let words = item.as_array().map(|list| list.iter().map(|v| Mode::parse(v.as_str()?)));
-            words.and_then(Iterator::collect).ok_or_else(|| table.wrong("modes", expected))?
-        }
-    };
-    let branches = table.table.get("relaxation").map(|item: &Item| {
-        let n = item.as_integer().and_then(|n| usize::try_from(n).ok()).filter(|n| (1..=8).contains(n));
-        n.ok_or_else(|| table.wrong("relaxation", "a number of branches from 1 to 8"))
-    });
-    let up_to_stretch = table.number("up_to_stretch")?;
-    Ok(RubberCaseFit { name, form, modes, up_to_stretch, relaxation: branches.transpose()? })
 }
 
 impl RubberCase {
@@ -106,11 +75,14 @@ pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<Rubb
 }
 
 /// A law, and which points it is fitted to.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct RubberCaseFit {
     pub name: String,
+    #[serde(rename = "law")]
     pub form: Form,
     /// Modes that are fitted, all where none is named; the others are blind.
+    #[serde(default)]
     pub modes: Vec<Mode>,
     /// Stretch up to which it is fitted; what is stretched further is blind.
     pub up_to_stretch: Option<f64>,

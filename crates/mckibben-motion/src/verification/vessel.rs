@@ -121,19 +121,12 @@ pub fn vessel() -> Vec<VerificationRow> {
         (e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j) / e.enthalpy_in_j
     });
     let mass = largest(&|m| m.mass_defect);
-    rows.push(VerificationRow::new(
-        "vessel: air that is lost, of that in it".into(),
-        BALANCE,
-        0.0,
-        mass,
-        1e-12,
-    ));
-    rows.push(VerificationRow::new(
-        "vessel: energy that is lost, of the enthalpy".into(),
-        BALANCE,
-        0.0,
-        energy,
-        1e-7,
-    ));
+    let balance = |name: &str, ours, tolerance| {
+        VerificationRow::new(format!("vessel: {name}"), BALANCE, 0.0, ours, tolerance)
+    };
+    rows.extend([
+        balance("air that is lost, of that in it", mass, 1e-12),
+        balance("energy that is lost, of the enthalpy", energy, 1e-7),
+    ]);
     rows
 }

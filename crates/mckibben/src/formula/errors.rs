@@ -4,7 +4,7 @@ use super::file::check::share;
 use serde::{Deserialize, Serialize};
 
 /// Errors over points where the muscle pulls.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct ErrorSummary {
     /// How many points.

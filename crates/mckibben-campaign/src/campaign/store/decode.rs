@@ -1,6 +1,6 @@
 //! Parquet files → rows.
 
-use super::{Field, Provenance, Table, Which};
+use super::{Field, Provenance, Table, Which, part_name};
 use crate::PointRow;
 use crate::campaign::CampaignError;
 use mckibben_io::files::ReadError;
@@ -79,5 +79,21 @@ fn failed(error: TableError, path: &Path) -> CampaignError {
             CampaignError::unread(path)(source.into())
         }
         other => CampaignError::damaged(path, other),
+    }
+}
+
+#[derive(Debug)]
+pub(in crate::campaign) enum PartSource {
+    File(PathBuf),
+    /// In memory, as the bytes of its file.
+    Memory(Vec<u8>),
+}
+
+impl PartSource {
+    pub(in crate::campaign) fn open(self, number: u64) -> Result<Opened, CampaignError> {
+        match self {
+            PartSource::File(path) => Opened::file(&path),
+            PartSource::Memory(bytes) => Opened::bytes(bytes, Path::new(&part_name(number))),
+        }
     }
 }

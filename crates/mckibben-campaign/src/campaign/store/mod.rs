@@ -5,17 +5,15 @@ mod encode;
 mod folder;
 mod layout;
 mod provenance;
-mod source;
 mod table;
 
 pub use provenance::Provenance;
 
-pub(super) use decode::Opened;
+pub(super) use decode::{Opened, PartSource};
 pub(super) use encode::{part, whole};
 pub(super) use folder::{Folder, MARKER, check_name, is_file_name, part_name};
 pub(super) use layout::Field;
 #[cfg(test)]
 pub(super) use layout::Layout;
 pub(super) use provenance::Which;
-pub(super) use source::PartSource;
 pub(super) use table::Table;
