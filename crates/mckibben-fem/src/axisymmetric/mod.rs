@@ -23,6 +23,6 @@ pub use contact::{Contact, ContactPlace};
 pub use discretisation::{BraidSpec, Discretisation, Ends, Problem};
 pub use memory::Memory;
 pub use mesh::{Mesh, MeshSpec};
-pub use model::Axisymmetric;
 pub(crate) use model::ENTRY;
+pub use model::{Axisymmetric, MuscleSection};
 pub use section::{Section, SectionNode};

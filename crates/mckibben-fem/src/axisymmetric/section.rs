@@ -13,7 +13,6 @@ use crate::element::q2::{GAUSS2, GAUSS3, NODES, POINTS, Point, quadratic};
 use crate::element::softened::soften;
 use crate::element::solid::{Unknowns, gradient};
 use crate::results::StrandState;
-use crate::simulation::Discretised;
 use crate::solver::body::State;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;

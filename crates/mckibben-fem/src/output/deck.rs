@@ -177,7 +177,7 @@ fn steps(contraction: f64, pressures: &[f64]) -> Result<Vec<Step>, DeckError> {
 }
 
 fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<(), DeckError> {
-    let trusses = &model.discretisation().problem.trusses;
+    let trusses = &model.divided.discretisation.problem.trusses;
     // One set for each length, in the order in which they appear.
     let mut groups: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
     for (i, (_, truss)) in trusses.iter().enumerate() {

@@ -216,13 +216,7 @@ impl Body {
         let d = &self.discretisation;
         let scale = self.force_scale();
         let free = d.place.iter().map(|&i| self.assembled.force[i as usize].abs()).fold(0.0, f64::max);
-        let held = match self.control {
-            Control::Length(w) => (w - self.state.terminal).abs() / d.radius,
-            Control::Force(f) => (self.totals.pull - f).abs() / scale,
-            Control::Pressure { terminal, force } => {
-                (terminal - self.state.terminal).abs() / d.radius + (self.totals.pull - force).abs() / scale
-            }
-        };
+        let held = self.control.missed(&self.state, self.totals.pull, d.radius, scale);
         // Where the multipliers are iterated, what is left of the constraints counts as well.
         let left = if share(d.compliance, d.augment) > 0.0 { self.totals.defect } else { 0.0 };
         let scale = scale.max(d.rounding_n / ROUNDING);

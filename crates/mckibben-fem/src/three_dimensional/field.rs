@@ -14,7 +14,6 @@ use crate::element::brick::{ShapePoint, determinant};
 use crate::element::hexahedron::at;
 use crate::element::q2::GAUSS2;
 use crate::element::spatial::{SpatialLaw, with};
-use crate::simulation::Discretised;
 use mckibben::model::Workspace;
 use std::collections::HashMap;
 use std::ops::Range;

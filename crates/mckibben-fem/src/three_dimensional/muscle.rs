@@ -6,15 +6,12 @@ use super::guess::carry_over;
 use super::mesh::{BrickMesh, BrickSpec, Quarter};
 use super::plug::Plug;
 use super::problem::Problem;
-use super::results;
 use crate::FemError;
 use crate::axisymmetric::{self, Axisymmetric, Section};
-use crate::results::Solution;
-use crate::simulation::{Discretised, MuscleBody};
 use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{NewtonOptions, NewtonSystem, Stopped};
-use mckibben::model::{ForceModel, Response, Workspace};
+use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{BraidStiffness, Muscle};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -28,6 +25,8 @@ pub struct MuscleMesh {
     pub discretisation: Arc<Discretisation>,
     /// Whether nobody stated how far its plug reaches into the tube.
     pub insertion_assumed: bool,
+    /// The limit of fine meshes and many strands.
+    pub limit: Axisymmetric,
     axisymmetric: Option<Axisymmetric>,
     /// Width that one strand of the mesh stands for, in mm.
     width: f64,
@@ -61,6 +60,7 @@ impl MuscleMesh {
         let spec = &BrickSpec { plug, ..*spec };
         let mesh = BrickMesh::new(&Quarter::of(muscle), spec)?;
         Ok(Self {
+            limit: Axisymmetric::new(muscle)?,
             axisymmetric: same_muscle(muscle, &mesh),
             width: PI * muscle.outer_diameter_mm() * angle.cos() / (4 * (mesh.grid()[1] - 1)) as f64,
             discretisation: Arc::new(Discretisation::new(Problem::of(muscle, &mesh))?),
@@ -132,24 +132,6 @@ impl MuscleInBricks {
     }
 }
 
-impl NewtonSystem for MuscleInBricks {
-    fn residual(&mut self) -> Result<f64, Stopped> {
-        self.bricks.residual()
-    }
-
-    fn linearise(&mut self) -> Result<f64, Stopped> {
-        self.bricks.linearise()
-    }
-
-    fn correct(&mut self) -> Result<f64, Stopped> {
-        self.bricks.correct()
-    }
-
-    fn retreat(&mut self, keep: f64) {
-        self.bricks.retreat(keep);
-    }
-}
-
 impl body::Body for MuscleInBricks {
     const SETTINGS: Settings = Settings {
         newton: NewtonOptions { tolerance: 1e-9, iterations: 14, ..NewtonOptions::DEFAULT },
@@ -163,6 +145,10 @@ impl body::Body for MuscleInBricks {
         take_unstable: true,
     };
     const COPIES: f64 = 8.0;
+
+    fn system(&mut self) -> &mut dyn NewtonSystem {
+        &mut self.bricks
+    }
 
     fn state(&self) -> &State {
         &self.bricks.state
@@ -251,15 +237,5 @@ impl body::Body for MuscleInBricks {
         if let Some((_, section)) = &mut self.section {
             section.forget();
         }
-    }
-}
-
-impl MuscleBody for MuscleInBricks {
-    fn response(&mut self, muscle: &Muscle) -> Result<Response, FemError> {
-        results::response(&mut self.bricks, &self.mesh, muscle)
-    }
-
-    fn solution(&mut self, muscle: &Muscle) -> Result<Solution, FemError> {
-        results::solution(&mut self.bricks, &self.mesh, muscle)
     }
 }

@@ -10,7 +10,7 @@ use mckibben_fem::FemError;
 use mckibben_fem::axisymmetric::study::mesh_study;
 use mckibben_fem::axisymmetric::sweep::{Sweep, question};
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
-use mckibben_fem::simulation::{Detail, Discretised, Given, Simulation, free_contraction};
+use mckibben_fem::simulation::{Detail, Given, Simulation, free_contraction};
 use mckibben_fem::solver::curve::Test;
 
 fn pull(force_n: f64, pressure_mpa: f64) -> Given {

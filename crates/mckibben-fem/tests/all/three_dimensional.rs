@@ -4,7 +4,7 @@ use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
 use mckibben_fem::FemError;
-use mckibben_fem::simulation::{Detail, Discretised, Given, Simulation};
+use mckibben_fem::simulation::{Detail, Given, Simulation};
 use mckibben_fem::solver::curve::Test;
 use mckibben_fem::three_dimensional::{BrickSpec, ThreeDimensional};
 
