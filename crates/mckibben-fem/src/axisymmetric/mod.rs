@@ -7,7 +7,6 @@ mod contact;
 pub mod discretisation;
 mod guess;
 pub mod layout;
-mod memory;
 pub mod mesh;
 mod model;
 mod muscle;
@@ -20,8 +19,7 @@ pub mod sweep;
 
 pub use body::Body;
 pub use contact::{Contact, ContactPlace};
-pub use discretisation::{BraidSpec, Discretisation, Ends, Problem};
-pub use memory::Memory;
+pub use discretisation::{BraidSpec, Discretisation, Ends, Memory, Problem};
 pub use mesh::{Mesh, MeshSpec};
 pub(crate) use model::ENTRY;
 pub use model::{Axisymmetric, MuscleSection};

@@ -1,8 +1,7 @@
 //! The axisymmetric muscle as a force model.
 
 use super::body::Body;
-use super::discretisation::{Discretisation, Problem};
-use super::memory::Memory;
+use super::discretisation::{Discretisation, Memory, Problem};
 use super::mesh::{Mesh, MeshSpec};
 use super::sensitivity;
 use crate::FemError;

@@ -38,25 +38,21 @@ pub struct SectionNode {
 /// The half section of a muscle, from the middle (z = 0) to the terminal; the other half is its mirror image.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
-    through: usize,
-    along: usize,
-    nodes: Vec<SectionNode>,
-    strands: Vec<StrandState>,
-    angle_rad: f64,
-    count: Option<u32>,
+    /// Elements through the wall.
+    pub through: usize,
+    /// Elements along the half length.
+    pub along: usize,
+    /// Station by station from the middle to the terminal, each from the inner to the outer surface.
+    pub nodes: Vec<SectionNode>,
+    /// The strands along the half, from the middle to the terminal.
+    pub strands: Vec<StrandState>,
+    /// θ0 in radians.
+    pub angle_rad: f64,
+    /// Number of strands of both families, where it is known.
+    pub count: Option<u32>,
 }
 
 impl Section {
-    /// Elements through the wall and along the half length.
-    pub fn elements(&self) -> (usize, usize) {
-        (self.through, self.along)
-    }
-
-    /// Nodes, station by station from the middle to the terminal, each from the inner surface outwards.
-    pub fn nodes(&self) -> &[SectionNode] {
-        &self.nodes
-    }
-
     /// Index of node `i` = 0 … 2·through (from the inner surface outwards) of station `j` = 0 … 2·along.
     pub fn index(&self, i: usize, j: usize) -> usize {
         j * (2 * self.through + 1) + i
@@ -68,21 +64,6 @@ impl Section {
             .flat_map(|slab| (0..self.through).map(move |e| (slab, e)))
             .map(|(slab, e)| std::array::from_fn(|a| self.index(2 * e + a % 3, 2 * slab + a / 3)))
             .collect()
-    }
-
-    /// The strands, from the middle to the terminal.
-    pub fn strands(&self) -> &[StrandState] {
-        &self.strands
-    }
-
-    /// θ0 in radians.
-    pub fn braid_angle_rad(&self) -> f64 {
-        self.angle_rad
-    }
-
-    /// Strands of both families, where their number is known.
-    pub fn strand_count(&self) -> Option<u32> {
-        self.count
     }
 
     /// (R, Z) at rest and (r, z) now of the outer surface in slab `slab` at −1 ≤ `eta` ≤ 1, as its element has it.

@@ -3,7 +3,7 @@
 //! A strand at rest is the helix φ = φ0 ± Z tanθ0/Ro. Without torsion its points keep φ while r and z follow the tube.
 
 use super::revolve::directions;
-use super::vtu::{Grid, POLY_LINE, PointData};
+use super::vtu::{Grid, PointData};
 use crate::axisymmetric::Section;
 use crate::results::StrandState;
 
@@ -14,7 +14,7 @@ const TURN: f64 = 0.0873;
 
 /// Strands of one family that are drawn.
 pub fn drawn(section: &Section) -> u32 {
-    section.strand_count().map_or(DRAWN, |n| n / 2)
+    section.count.map_or(DRAWN, |n| n / 2)
 }
 
 /// A place along a strand.
@@ -38,44 +38,35 @@ pub(super) struct Along {
 pub fn braid(section: &Section) -> Grid {
     let places = places(section);
     let lines = directions(drawn(section) as usize);
-    let mut grid = Grid {
-        kind: POLY_LINE,
-        points: Vec::with_capacity(2 * lines.len() * places.len()),
-        connectivity: vec![],
-        offsets: vec![],
-        data: vec![],
-        field: vec![],
-    };
+    let (mut points, mut data) = (Vec::with_capacity(2 * lines.len() * places.len()), vec![]);
     for family in [1.0, -1.0] {
         for (c, s) in &lines {
             for StrandPoint { turn, now: [r, z], .. } in &places {
                 let (sin, cos) = (family * turn).sin_cos();
-                grid.points.push([r * (c * cos - s * sin), r * (s * cos + c * sin), *z]);
+                points.push([r * (c * cos - s * sin), r * (s * cos + c * sin), *z]);
             }
-            grid.offsets.push(grid.points.len() as i64);
         }
     }
-    grid.connectivity = (0..grid.points.len() as i64).collect();
     let all = 2 * lines.len();
     let mut add = |name, k: usize| {
         let line: Vec<f64> = places.iter().map(|p| p.state[k]).collect();
-        grid.data.push(PointData { name, components: 1, values: line.repeat(all) });
+        data.push(PointData::scalar(name, line.repeat(all)));
     };
     add("stretch", 0);
     add("angle_deg", 1);
     add("tension_per_width_n_per_mm", 2);
-    if section.strand_count().is_some() {
+    if section.count.is_some() {
         add("tension_n", 3);
     }
     let half = lines.len() * places.len();
     let values = [vec![1.0; half], vec![-1.0; half]].concat();
-    grid.data.push(PointData { name: "family", components: 1, values });
-    grid
+    data.push(PointData::scalar("family", values));
+    Grid::of_lines(points, places.len(), data)
 }
 
 /// Places from the middle to the terminal, so close that no strand turns by more than [`TURN`] between them.
 pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
-    let (tan, (_, along)) = (section.braid_angle_rad().tan(), section.elements());
+    let (tan, along) = (section.angle_rad.tan(), section.along);
     let place = |slab: usize, eta: f64| {
         let (rest, now) = section.outer(slab, eta);
         Along { slab, eta, rest_z_mm: rest[1], turn: rest[1] * tan / rest[0], now }
@@ -92,7 +83,7 @@ pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
 /// Places from end to end.
 fn places(section: &Section) -> Vec<StrandPoint> {
     let place =
-        |p: Along| StrandPoint { turn: p.turn, now: p.now, state: state(section.strands(), p.rest_z_mm) };
+        |p: Along| StrandPoint { turn: p.turn, now: p.now, state: state(&section.strands, p.rest_z_mm) };
     let mut half: Vec<StrandPoint> = places_of_half(section).into_iter().map(place).collect();
     let mirrored =
         |p: &StrandPoint| StrandPoint { turn: -p.turn, now: [p.now[0], -p.now[1]], state: p.state };

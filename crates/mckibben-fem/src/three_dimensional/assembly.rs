@@ -3,9 +3,8 @@
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
-use super::discretisation::{Discretisation, Material};
+use super::discretisation::{Discretisation, Material, share};
 use super::mesh::Brick;
-use super::share::share;
 use crate::element::brick::{Input, Output, ShapePoint, run};
 use crate::element::hexahedron::{NODES8, NODES27, points};
 use crate::element::lanes::Real;

@@ -5,9 +5,8 @@
 //! Leonetti & Garcea 2017). `saddle.rs` solves the linear systems.
 
 use super::assembly::{Assembled, assemble};
-use super::discretisation::Discretisation;
+use super::discretisation::{Discretisation, share};
 use super::saddle::{Constraints, constraint_residual, dot, gather};
-use super::share::share;
 use crate::FemError;
 use crate::solver::body::{Control, State, Totals};
 use crate::solver::newton::{NewtonSystem, Stopped};

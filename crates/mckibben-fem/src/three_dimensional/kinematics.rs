@@ -1,7 +1,7 @@
 //! Where nodes are now, and what bricks and strands do between them.
 
 use super::body::Body;
-use super::share::share;
+use super::discretisation::share;
 use crate::element::brick::{ShapePoint, adjugate, determinant, jacobian};
 use crate::element::spatial::PAIRS;
 use crate::element::spatial_stretches::principal_axes;

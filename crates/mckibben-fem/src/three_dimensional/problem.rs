@@ -166,20 +166,14 @@ impl Problem {
             (ends, Truss { length_mm, stiffness_n, compression: muscle.braid().compression })
         });
         Self {
-            brick: mesh.brick,
-            bricks,
             trusses: trusses.collect(),
             faces,
             cap_mm2,
-            dead: vec![],
             freedom,
-            order,
-            law: rubber.law.clone(),
-            bulk: rubber.bulk,
             others,
             length_mm: Some(mesh.tube.half_mm),
             prestretch: muscle.tube().prestretch,
-            nodes: nodes.clone(),
+            ..Self::free(nodes.clone(), (mesh.brick, bricks), order, (rubber.law.clone(), rubber.bulk))
         }
     }
 }

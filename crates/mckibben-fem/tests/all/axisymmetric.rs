@@ -305,8 +305,8 @@ fn the_largest_diameter_is_that_of_the_elements_own_surface() {
         let workspace = &mut Workspace::new();
         let bulged = fe.response(workspace, p, e).unwrap().bulged_diameter_mm.unwrap();
         let section = fe.section_at(workspace, p, e).unwrap();
-        let (through, along) = section.elements();
-        let outer = |j: usize| section.nodes()[section.index(2 * through, j)].now_mm[0];
+        let (through, along) = (section.through, section.along);
+        let outer = |j: usize| section.nodes[section.index(2 * through, j)].now_mm[0];
         let highest = (0..along)
             .flat_map(|slab| (-500..=500).map(move |i| (slab, f64::from(i) / 500.0)))
             .map(|(slab, x)| {
