@@ -157,10 +157,9 @@ struct Places {
 impl Places {
     fn new(d: &Discretisation, slab: usize, node: usize) -> Self {
         let l = d.layout;
-        let (m, n, start) = (l.station(), l.inside(), slab * l.stride());
-        let first = 2 * node;
+        let (m, n, first) = (l.station(), l.inside(), 2 * node);
         Self {
-            vector: [start + m + first, start + first, start + l.stride() + first],
+            vector: l.stations(slab).map(|start| start + first),
             matrix: [first, n + first, n + m + first],
         }
     }

@@ -106,7 +106,7 @@ pub struct Body {
     pub control: Control,
     /// Sums of the last assembly.
     pub totals: Totals,
-    pub(super) assembled: Assembled,
+    pub(crate) assembled: Assembled,
     pub(super) end: EndSystem,
     step: Vec<f64>,
     step_q: Vec<f64>,
@@ -149,10 +149,6 @@ impl Body {
         Self { endless: Some(endless), ..Self::new(discretisation) }
     }
 
-    fn station(&self) -> usize {
-        self.discretisation.layout.station()
-    }
-
     /// Residual of the present state, without a tangent.
     pub fn evaluate(&mut self) -> Result<Totals, Stopped> {
         self.totals = assemble::<false>(&self.discretisation, &self.state, &mut self.assembled)?;
@@ -163,7 +159,7 @@ impl Body {
     pub fn factorise(&mut self) -> Result<Totals, Stopped> {
         self.linearised = false;
         self.totals = assemble::<true>(&self.discretisation, &self.state, &mut self.assembled)?;
-        let m = self.station();
+        let m = self.discretisation.layout.station();
         self.end.factorise(self.assembled.chain.end(), m).map_err(|_| Stopped::Singular)?;
         self.linearised = true;
         Ok(self.totals)
@@ -172,11 +168,6 @@ impl Body {
     /// The same; nothing is done where the last tangent is that of the present state.
     pub fn factorised(&mut self) -> Result<Totals, Stopped> {
         if self.linearised { Ok(self.totals) } else { self.factorise() }
-    }
-
-    /// ∂Π/∂x as of the last assembly.
-    pub fn residual_vector(&self) -> &[f64] {
-        &self.assembled.residual
     }
 
     /// Half of ∂V/∂P at fixed length in mm³/MPa, of the last tangent, and ∂F/∂P as [`Self::force_per_pressure`] has it.
@@ -225,8 +216,7 @@ impl Body {
         let (d, l) = (&self.discretisation, self.discretisation.layout);
         let beta = 1.0 - d.augment * d.compliance;
         for slab in 0..l.along {
-            let start = slab * l.stride();
-            let stations = [start + l.station(), start, start + l.stride()];
+            let stations = l.stations(slab);
             for i in 0..l.through {
                 let index = slab * l.through + i;
                 let share = d.augment / d.elements[index].volume;
@@ -284,8 +274,7 @@ impl Body {
         let Some((braid, k)) = d.problem.braid.and_then(|b| Some((b, b.stiffness?))) else { return };
         for (slab, points) in d.strands.iter().enumerate() {
             let u = l.line(&self.state.u, slab, 2 * l.through);
-            let start = slab * l.stride();
-            let stations = [start + l.station(), start, start + l.stride()];
+            let stations = l.stations(slab);
             for (g, point) in points.iter().enumerate() {
                 let index = slab * STRAND_POINTS + g;
                 let first = &self.assembled.strand[index];

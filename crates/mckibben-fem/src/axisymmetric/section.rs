@@ -58,14 +58,6 @@ impl Section {
         j * (2 * self.through + 1) + i
     }
 
-    /// The nine nodes of every element, row by row along the muscle, each row from the inner surface outwards.
-    pub fn connectivity(&self) -> Vec<[usize; NODES]> {
-        (0..self.along)
-            .flat_map(|slab| (0..self.through).map(move |e| (slab, e)))
-            .map(|(slab, e)| std::array::from_fn(|a| self.index(2 * e + a % 3, 2 * slab + a / 3)))
-            .collect()
-    }
-
     /// (R, Z) at rest and (r, z) now of the outer surface in slab `slab` at −1 ≤ `eta` ≤ 1, as its element has it.
     pub(crate) fn outer(&self, slab: usize, eta: f64) -> ([f64; 2], [f64; 2]) {
         let at = |value: fn(&SectionNode) -> f64| self.between(2 * self.through, slab, eta, value);

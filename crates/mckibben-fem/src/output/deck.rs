@@ -42,7 +42,7 @@ pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<(f64, f
 
 /// The deck of an isometric test: filled up to 0.05 MPa (or the next of the pressures), shortened, filled further.
 pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -> Result<String, FemError> {
-    let (mesh, muscle) = (model.mesh(), model.muscle());
+    let (mesh, muscle) = (&model.divided.mesh, model.muscle());
     let refused = [
         (mesh.brick != Brick::Linear, "needs eight-node bricks"),
         (mesh.plug.is_some(), "has a rigid plane as the terminal: leave out `terminal`"),
@@ -170,7 +170,7 @@ fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<
 }
 
 fn sets(out: &mut String, model: &ThreeDimensional) {
-    let mesh = model.mesh();
+    let mesh = &model.divided.mesh;
     let [ni, nj, nk] = mesh.grid();
     let all = |keep: &dyn Fn(usize, usize, usize) -> bool| {
         let mut list = vec![];

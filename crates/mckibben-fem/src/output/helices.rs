@@ -17,21 +17,16 @@ pub fn drawn(section: &Section) -> u32 {
     section.count.map_or(DRAWN, |n| n / 2)
 }
 
-/// A place along a strand.
-struct StrandPoint {
-    turn: f64,
-    now: [f64; 2],
-    state: [f64; 4],
-}
-
 /// A place along the half muscle: where in its slab of elements, Z at rest, and the turn of a strand from the middle.
+#[derive(Clone, Copy)]
 pub(super) struct Along {
     pub(super) slab: usize,
     pub(super) eta: f64,
-    pub(super) rest_z_mm: f64,
     pub(super) turn: f64,
     /// r and z of the outer surface now, mm.
     now: [f64; 2],
+    /// Stretch, angle, tension per width and tension of a strand.
+    pub(super) state: [f64; 4],
 }
 
 /// Both families.
@@ -41,7 +36,7 @@ pub fn braid(section: &Section) -> Grid {
     let (mut points, mut data) = (Vec::with_capacity(2 * lines.len() * places.len()), vec![]);
     for family in [1.0, -1.0] {
         for (c, s) in &lines {
-            for StrandPoint { turn, now: [r, z], .. } in &places {
+            for Along { turn, now: [r, z], .. } in &places {
                 let (sin, cos) = (family * turn).sin_cos();
                 points.push([r * (c * cos - s * sin), r * (s * cos + c * sin), *z]);
             }
@@ -69,7 +64,8 @@ pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
     let (tan, along) = (section.angle_rad.tan(), section.along);
     let place = |slab: usize, eta: f64| {
         let (rest, now) = section.outer(slab, eta);
-        Along { slab, eta, rest_z_mm: rest[1], turn: rest[1] * tan / rest[0], now }
+        let state = state(&section.strands, rest[1]);
+        Along { slab, eta, turn: rest[1] * tan / rest[0], now, state }
     };
     let mut half = vec![place(0, -1.0)];
     for slab in 0..along {
@@ -81,20 +77,17 @@ pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
 }
 
 /// Places from end to end.
-fn places(section: &Section) -> Vec<StrandPoint> {
-    let place =
-        |p: Along| StrandPoint { turn: p.turn, now: p.now, state: state(&section.strands, p.rest_z_mm) };
-    let mut half: Vec<StrandPoint> = places_of_half(section).into_iter().map(place).collect();
-    let mirrored =
-        |p: &StrandPoint| StrandPoint { turn: -p.turn, now: [p.now[0], -p.now[1]], state: p.state };
-    let mut all: Vec<StrandPoint> = half.iter().skip(1).rev().map(mirrored).collect();
+fn places(section: &Section) -> Vec<Along> {
+    let mut half = places_of_half(section);
+    let mirrored = |p: &Along| Along { turn: -p.turn, now: [p.now[0], -p.now[1]], ..*p };
+    let mut all: Vec<Along> = half.iter().skip(1).rev().map(mirrored).collect();
     all.append(&mut half);
     all
 }
 
 /// (stretch, angle, tension per width, tension of a strand) at Z between the points where the model has them; before
 /// the first and beyond the last point theirs.
-pub(super) fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
+fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
     let values = |s: &StrandState| [s.stretch, s.angle_deg, s.tension_n_per_mm, s.tension_n.unwrap_or(0.0)];
     let after = strands.partition_point(|s| s.rest_mm < rest);
     match (after.checked_sub(1).and_then(|k| strands.get(k)), strands.get(after)) {

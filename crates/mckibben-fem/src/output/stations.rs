@@ -1,7 +1,7 @@
 //! The deformed section station by station, dense enough that straight pieces between stations look like the curve: for front ends that
 //! turn it about the axis themselves.
 
-use super::helices::{places_of_half, state};
+use super::helices::places_of_half;
 use crate::axisymmetric::{Section, SectionNode};
 
 /// A single number at a node, by its name.
@@ -43,8 +43,7 @@ impl Stations {
             let columns: Vec<Vec<f64>> = (0..across).map(|i| at(i).collect()).collect();
             (name, (0..places.len()).flat_map(|j| columns.iter().map(move |c| c[j])).collect())
         };
-        let states: Vec<[f64; 4]> = places.iter().map(|p| state(&section.strands, p.rest_z_mm)).collect();
-        let column = |name, k: usize| (name, states.iter().map(|s| s[k]).collect());
+        let column = |name, k: usize| (name, places.iter().map(|p| p.state[k]).collect());
         let turns = ("strand_turn_rad", places.iter().map(|p| p.turn).collect());
         let mut strands = vec![
             turns,

@@ -3,14 +3,13 @@
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
-use super::discretisation::{Discretisation, Material, share};
+use super::discretisation::{Discretisation, Material};
 use super::mesh::Brick;
 use crate::element::brick::{Input, Output, ShapePoint, run};
 use crate::element::hexahedron::{NODES8, NODES27, points};
 use crate::element::lanes::Real;
 use crate::element::lanes::on_lanes;
 use crate::element::spatial::{AT, SpatialLaw, with};
-use crate::element::truss::Truss;
 use crate::load::cavity_faces::{self, FacePoint, skew, volume};
 use crate::solver::body::{State, Totals};
 use crate::solver::newton::Stopped;
@@ -216,13 +215,8 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
 fn trusses<const TANGENT: bool>(d: &Discretisation, s: &State, work: &mut Assembled, totals: &mut Totals) {
     for (t, ([a, b], truss)) in d.problem.trusses.iter().enumerate() {
         let (a, b) = (*a as usize, *b as usize);
-        let end = |n: usize, i: usize| d.problem.nodes[n][i] + s.u[3 * n + i];
-        let delta = [0, 1, 2].map(|i| end(b, i) - end(a, i));
-        let (compliance, augment) = d.strand[t];
-        // T = q + γ (strain − q/(E A)): of strands stiffer than γ the rest is iterated.
-        let pull =
-            Truss { stiffness_n: augment, ..*truss }.pull(delta, share(compliance, augment) * s.q[t], s.q[t]);
-        totals.braid += 0.5 * pull.tension * pull.tension * compliance * truss.length_mm;
+        let pull = d.pull(s, t, s.q[t]);
+        totals.braid += 0.5 * pull.tension * pull.tension * d.strand[t].0 * truss.length_mm;
         work.strands[t] = (pull.direction, pull.strain, pull.carries);
         for i in 0..3 {
             let f = pull.tension * pull.direction[i];

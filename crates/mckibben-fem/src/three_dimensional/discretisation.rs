@@ -10,6 +10,7 @@ use crate::FemError;
 use crate::element::brick::{Modes, modes};
 use crate::element::hexahedron::points;
 use crate::element::lanes::Width;
+use crate::element::truss::{Pull, Truss};
 use crate::solver::body::State;
 use crate::solver::sparse::{Analysis, Pattern};
 use mckibben::cancel::{self, Cancelled};
@@ -188,6 +189,17 @@ impl Discretisation {
     pub fn rest(&self) -> State {
         let nodes = self.problem.nodes.len();
         State::rest(3 * nodes, self.bricks() * self.modes, self.problem.trusses.len())
+    }
+
+    /// What a piece of a strand does in a state, with the tension in N that its tangent has: T = q + γ (strain − q/(E A)); of strands
+    /// stiffer than γ the rest is iterated.
+    pub fn pull(&self, s: &State, t: usize, tension: f64) -> Pull {
+        let (ends, truss) = &self.problem.trusses[t];
+        let end = |n: usize, i: usize| self.problem.nodes[n][i] + s.u[3 * n + i];
+        let delta = [0, 1, 2].map(|i| end(ends[1] as usize, i) - end(ends[0] as usize, i));
+        let (compliance, augment) = self.strand[t];
+        let truss = Truss { stiffness_n: augment, ..*truss };
+        truss.pull(delta, share(compliance, augment) * s.q[t], tension)
     }
 
     /// Where the tangent's entries stand.

@@ -4,7 +4,7 @@
 //! (Barlow 1976 \[barlow1976\]): in the middle of an eight-node brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the
 //! trilinear function carries it to the nodes. Where bricks meet, they are averaged.
 
-use super::kinematics::{dot, gradient, largest_principal, left, now, pull};
+use super::kinematics::{dot, gradient, largest_principal, left, now};
 use super::mesh::{Brick, BrickMesh};
 use super::model::ThreeDimensional;
 use super::muscle::MuscleInBricks;
@@ -104,7 +104,7 @@ fn field(muscle: &mut MuscleInBricks) -> Result<Field, FemError> {
 fn pieces(body: &Body) -> Vec<PieceField> {
     let d = &body.discretisation;
     let one = |t: usize| {
-        let pull = pull(body, t);
+        let pull = body.discretisation.pull(&body.state, t, 0.0);
         let n = pull.direction;
         PieceField {
             ends: d.problem.trusses[t].0.map(|n| n as usize),

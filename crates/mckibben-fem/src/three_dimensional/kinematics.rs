@@ -1,27 +1,14 @@
 //! Where nodes are now, and what bricks and strands do between them.
 
 use super::body::Body;
-use super::discretisation::share;
 use crate::element::brick::{ShapePoint, adjugate, determinant, jacobian};
 use crate::element::spatial::PAIRS;
 use crate::element::spatial_stretches::principal_axes;
-use crate::element::truss::{Pull, Truss};
 
 /// Place now of a node in mm.
 pub(super) fn now(body: &Body, node: usize) -> [f64; 3] {
     let (x, u) = (&body.discretisation.problem.nodes[node], &body.state.u[3 * node..3 * node + 3]);
     [x[0] + u[0], x[1] + u[1], x[2] + u[2]]
-}
-
-/// What a piece of a strand does now.
-pub(super) fn pull(body: &Body, t: usize) -> Pull {
-    let d = &body.discretisation;
-    let (ends, truss) = &d.problem.trusses[t];
-    let [a, b] = ends.map(|n| now(body, n as usize));
-    let delta = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    let (compliance, augment) = d.strand[t];
-    let truss = Truss { stiffness_n: augment, ..*truss };
-    truss.pull(delta, share(compliance, augment) * body.state.q[t], 0.0)
 }
 
 pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {

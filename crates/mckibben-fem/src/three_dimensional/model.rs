@@ -16,7 +16,7 @@ pub(crate) const ENTRY: ModelEntry = ModelEntry {
 /// Three-dimensional finite elements (`--model fe3d`): one eighth in bricks of any law, strands between their nodes along
 /// both diagonals, terminals as rigid planes or as plugs ([`super::Plug`]), pressure as −P·V.
 ///
-/// D0 and L0 are the muscle's; the strands lie at the angle of the mesh ([`ThreeDimensional::mesh`] tells it), or at θ0
+/// D0 and L0 are the muscle's; the strands lie at the angle of the mesh ([`MuscleMesh::mesh`] tells it), or at θ0
 /// with another length ([`super::Match::Angle`]).
 pub type ThreeDimensional = FiniteElements<MuscleMesh>;
 
@@ -43,11 +43,6 @@ impl ThreeDimensional {
         };
         let notes = notes(&divided, muscle);
         Ok(Self::of(divided, muscle, &ENTRY, accuracy, notes))
-    }
-
-    /// The grid at rest.
-    pub fn mesh(&self) -> &BrickMesh {
-        &self.divided.mesh
     }
 }
 

@@ -4,7 +4,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::body::Body;
-use super::kinematics::{gradient, largest_principal, now, pull};
+use super::kinematics::{gradient, largest_principal, now};
 use super::mesh::{Brick, BrickMesh};
 use super::muscle::MuscleInBricks;
 use crate::FemError;
@@ -120,7 +120,7 @@ fn strands(body: &Body, mesh: &BrickMesh, muscle: &Muscle) -> Vec<StrandState> {
             let (mut stretch, mut angle, mut tension) = (0.0, 0.0, 0.0);
             let pieces = (k * row..(k + 1) * row).chain(family + k * row..family + (k + 1) * row);
             for t in pieces {
-                let pull = pull(body, t);
+                let pull = body.discretisation.pull(&body.state, t, 0.0);
                 stretch += 1.0 + pull.strain;
                 angle += pull.direction[0].hypot(pull.direction[1]).atan2(pull.direction[2].abs());
                 tension += pull.tension;
