@@ -9,14 +9,13 @@ use super::model::Axisymmetric;
 use super::results::{from_cylinder, strands, unknowns};
 use crate::FemError;
 use crate::element::plane::{self, AnyPlaneLaw, Gradient};
-use crate::element::q2::{GAUSS2, GAUSS3, NODES, POINTS, Point, quadratic};
+use crate::element::q2::{GAUSS2, GAUSS3, NODES, Point, quadratic};
 use crate::element::softened::soften;
 use crate::element::solid::{Unknowns, gradient};
 use crate::results::StrandState;
 use crate::solver::body::State;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben::rubber::over_time::OgdenRoxburgh;
 
 /// A node of the section.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -116,9 +115,7 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
     let mut shares = vec![0.0; out.len()];
     for slab in 0..l.along {
         for e in 0..l.through {
-            let index = slab * l.through + e;
-            let seen = d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index]));
-            let stress = stresses(d, index, &nodes(&d.mesh, slab, e), &unknowns(d, s, slab, e), law, seen);
+            let stress = stresses(law, d, s, slab, e);
             let (rest, u) = from_cylinder(d, s, slab, e);
             for a in 0..NODES {
                 let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
@@ -164,25 +161,19 @@ fn between(values: impl Iterator<Item = f64>, xi: f64, eta: f64) -> f64 {
 }
 
 /// Cauchy stress at the 2 × 2 points, ξ running first.
-fn stresses(
-    d: &Discretisation,
-    index: usize,
-    rest: &[[f64; 2]; NODES],
-    u: &Unknowns,
-    law: &dyn AnyPlaneLaw,
-    seen: Option<(OgdenRoxburgh, &[f64; POINTS])>,
-) -> [[f64; 4]; 4] {
+fn stresses(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State, slab: usize, e: usize) -> [[f64; 4]; 4] {
+    let (index, rest, u) = (slab * d.layout.through + e, nodes(&d.mesh, slab, e), unknowns(d, s, slab, e));
     std::array::from_fn(|k| {
         let (xi, eta) = (GAUSS2[k % 2].0, GAUSS2[k / 2].0);
-        let Some(at) = d.point(rest, xi, eta) else { return [0.0; 4] };
-        let f = gradient(&at, u);
-        let p = pressure(&d.elements[index].points, u, xi, eta);
-        let first = match seen {
+        let Some(at) = d.point(&rest, xi, eta) else { return [0.0; 4] };
+        let f = gradient(&at, &u);
+        let p = pressure(&d.elements[index].points, &u, xi, eta);
+        let first = match &d.memory {
             None => law.stress_at(&f, p),
-            Some((softening, seen_mpa)) => {
+            Some(memory) => {
                 let mut s = law.stress_at(&f, 0.0);
-                let here = between(seen_mpa.iter().copied(), xi, eta);
-                soften::<false>(&softening, here, &f, p, &mut s);
+                let seen_mpa = between(memory.seen_mpa[index].iter().copied(), xi, eta);
+                soften::<false>(&memory.softening, seen_mpa, &f, p, &mut s);
                 s
             }
         };

@@ -73,8 +73,8 @@ pub fn assemble<const TANGENT: bool>(
         let (start, end) = (m.bricks.start, m.bricks.end);
         for first in (start..end).step_by(PIECE) {
             cancel::check()?;
-            let of = (d, m, first..(first + PIECE).min(end));
-            with(&m.law, |law| bricks::<TANGENT>(of, s, law, work, &mut totals))?;
+            let bricks = first..(first + PIECE).min(end);
+            with(&m.law, |law| add::<TANGENT>(Piece { d, s, m, law, bricks }, work, &mut totals))?;
         }
     }
     trusses::<TANGENT>(d, s, work, &mut totals);
@@ -100,19 +100,19 @@ pub fn assemble<const TANGENT: bool>(
 }
 
 /// Some bricks of one material.
-type Piece<'a> = (&'a Discretisation, &'a Material, Range<usize>);
+struct Piece<'a> {
+    d: &'a Discretisation,
+    s: &'a State,
+    m: &'a Material,
+    law: SpatialLaw<'a>,
+    bricks: Range<usize>,
+}
 
-/// Adds up bricks of one material; the first that is turned inside out, with its volume ratio.
-fn bricks<const TANGENT: bool>(
-    of: Piece<'_>,
-    s: &State,
-    law: SpatialLaw<'_>,
-    work: &mut Assembled,
-    totals: &mut Totals,
-) -> Result<(), Stopped> {
-    match of.0.problem.brick {
-        Brick::Linear => wide::<8, 1, TANGENT>(of.0.width, &POINTS8, of, s, law, work, totals),
-        Brick::Quadratic => wide::<27, 4, TANGENT>(of.0.width, &POINTS27, of, s, law, work, totals),
+/// Adds up bricks of one material until one is turned inside out.
+fn add<const TANGENT: bool>(of: Piece<'_>, work: &mut Assembled, totals: &mut Totals) -> Result<(), Stopped> {
+    match of.d.problem.brick {
+        Brick::Linear => wide::<8, 1, TANGENT>(of.d.width, &POINTS8, of, work, totals),
+        Brick::Quadratic => wide::<27, 4, TANGENT>(of.d.width, &POINTS27, of, work, totals),
     }
 }
 
@@ -120,8 +120,6 @@ on_lanes! {
     fn wide[NN: usize, NM: usize, TANGENT: bool](
         points: &[ShapePoint<NN>],
         of: Piece<'_>,
-        s: &State,
-        law: SpatialLaw<'_>,
         work: &mut Assembled,
         totals: &mut Totals,
     ) -> Result<(), Stopped> = all
@@ -131,14 +129,12 @@ on_lanes! {
 fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
     of: Piece<'_>,
-    s: &State,
-    law: SpatialLaw<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
 ) -> Result<(), Stopped> {
     let mut input = Input::<R, NN, NM>::zero();
     let mut out = Output::<R, NN, NM>::zero();
-    let (d, m, Range { start, end: count }) = of;
+    let Piece { d, s, m, law, bricks: Range { start, end: count } } = of;
     (input.compliance, input.augment) = (m.compliance, m.augment);
     let per_map = d.per_map();
     let mut twice = d.twice[d.twice.partition_point(|t| (t.0 as usize) < start)..].iter().peekable();

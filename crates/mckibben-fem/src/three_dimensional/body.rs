@@ -215,7 +215,8 @@ impl Body {
         let free = d.place.iter().map(|&i| self.assembled.force[i as usize].abs()).fold(0.0, f64::max);
         let held = self.control.missed(&self.state, self.totals.pull, d.radius, scale);
         // Where the multipliers are iterated, what is left of the constraints counts as well.
-        let left = if share(d.compliance, d.augment) > 0.0 { self.totals.defect } else { 0.0 };
+        let rubber = &d.materials[0];
+        let left = if share(rubber.compliance, rubber.augment) > 0.0 { self.totals.defect } else { 0.0 };
         let scale = scale.max(d.rounding_n / ROUNDING);
         (free / scale).max(held).max(left)
     }

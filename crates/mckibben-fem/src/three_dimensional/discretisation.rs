@@ -57,10 +57,6 @@ pub struct Discretisation {
     pub truss_map: Vec<[u32; 21]>,
     /// Where the blocks of faces go: nine numbers for every pair a < b.
     pub face_map: Vec<u32>,
-    /// 1/K in 1/MPa.
-    pub compliance: f64,
-    /// γ in MPa.
-    pub augment: f64,
     /// Materials, the rubber first.
     pub materials: Vec<Material>,
     /// Material of every brick.
@@ -139,7 +135,6 @@ impl Discretisation {
         let analysis = Arc::new(Analysis::new(pattern).ok_or_else(|| FemError::too_large(free))?);
         let shear = problem.law.shear_modulus_mpa();
         let materials = Material::all(&problem);
-        let (compliance, augment) = (materials[0].compliance, materials[0].augment);
         let mut material = vec![0u8; problem.bricks.len()];
         for (m, one) in materials.iter().enumerate() {
             material[one.bricks.clone()].fill(m as u8);
@@ -168,8 +163,6 @@ impl Discretisation {
             twice: vec![],
             truss_map: vec![],
             face_map: vec![],
-            compliance,
-            augment,
             materials,
             material,
             rounding_n,

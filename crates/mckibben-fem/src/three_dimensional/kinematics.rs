@@ -29,10 +29,11 @@ pub(super) fn largest_principal(f: &[[f64; 3]; 3]) -> f64 {
 pub(super) fn gradient<const NN: usize>(
     body: &Body,
     brick: usize,
-    nodes: &[u32],
     p: &ShapePoint<NN>,
 ) -> Option<([[f64; 3]; 3], [f64; 3])> {
-    let rest: [[f64; 3]; NN] = std::array::from_fn(|a| body.discretisation.problem.rest(brick, nodes[a]));
+    let problem = &body.discretisation.problem;
+    let nodes = &problem.bricks[brick];
+    let rest: [[f64; 3]; NN] = std::array::from_fn(|a| problem.rest(brick, nodes[a]));
     let here: [[f64; 3]; NN] = std::array::from_fn(|a| now(body, nodes[a] as usize));
     let (before, after) = (jacobian(&rest, &p.dn), jacobian(&here, &p.dn));
     let (volume, inverse) = (determinant(&before), adjugate(&before));

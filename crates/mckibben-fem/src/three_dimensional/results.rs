@@ -167,7 +167,7 @@ fn look<const NN: usize>(body: &Body, points: &[ShapePoint<NN>]) -> Vec<StretchO
     let mut list = vec![];
     for (e, nodes) in d.problem.bricks[d.materials[0].bricks.clone()].iter().enumerate() {
         for p in points {
-            let Some((f, _)) = gradient(body, e, nodes, p) else { continue };
+            let Some((f, _)) = gradient(body, e, p) else { continue };
             let rest: [[f64; 3]; NN] = std::array::from_fn(|a| d.problem.nodes[nodes[a] as usize]);
             let at = [0, 1, 2].map(|i| rest.iter().zip(p.n).map(|(x, share)| share * x[i]).sum::<f64>());
             let at = StretchAt { value: largest_principal(&f), rest_mm: [at[0].hypot(at[1]), at[2]] };
