@@ -8,12 +8,12 @@ use super::plug::Plug;
 use super::problem::Problem;
 use crate::FemError;
 use crate::axisymmetric::{self, Axisymmetric, Section};
+use crate::simulation::Divided;
 use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{NewtonOptions, NewtonSystem, Stopped};
-use mckibben::model::{ForceModel, Workspace};
+use mckibben::model::ForceModel;
 use mckibben::muscle::{BraidStiffness, Muscle};
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// What of a muscle in bricks does not change.
@@ -51,7 +51,6 @@ impl MuscleMesh {
                 "three-dimensional elements have no {key}: their strands are trusses on the cylinder of the tube's surface, their rubber is that of a first inflation; take fe, or leave the key out"
             )));
         }
-        let angle = braid.angle_rad();
         // How far the plug reaches into the tube is the muscle's to say.
         let insertion = muscle.terminals().insertion_mm();
         let stated = |p: &Plug| p.insertion_mm.is_some() || muscle.terminals().insertion_mm.is_some();
@@ -62,7 +61,7 @@ impl MuscleMesh {
         Ok(Self {
             limit: Axisymmetric::new(muscle)?,
             axisymmetric: same_muscle(muscle, &mesh),
-            width: PI * muscle.outer_diameter_mm() * angle.cos() / (4 * (mesh.grid()[1] - 1)) as f64,
+            width: mesh.strand_width_mm(muscle),
             discretisation: Arc::new(Discretisation::new(Problem::of(muscle, &mesh))?),
             mesh: Arc::new(mesh),
             insertion_assumed,
@@ -75,8 +74,7 @@ impl MuscleMesh {
     /// [`FemError::Refused`] where there is not enough memory.
     pub fn at_rest(&self) -> Result<MuscleInBricks, FemError> {
         let section = self.axisymmetric.as_ref().map(|model| {
-            let mut workspace = Workspace::new();
-            let section = model.continuation(&mut workspace).map(|c| c.clone());
+            let section = model.divided.at_rest().map(Continuation::new);
             section.map(|section| (model.muscle().clone(), section))
         });
         Ok(MuscleInBricks {

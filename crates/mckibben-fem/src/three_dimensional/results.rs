@@ -113,7 +113,7 @@ fn profile(body: &Body, mesh: &BrickMesh) -> Vec<ProfilePoint> {
 fn strands(body: &Body, mesh: &BrickMesh, muscle: &Muscle) -> Vec<StrandState> {
     let [_, nj, nk] = mesh.grid();
     let (row, family) = (nj - 1, (nj - 1) * (nk - 1));
-    let width = PI * muscle.outer_diameter_mm() * muscle.braid().angle_rad().cos() / (4 * row) as f64;
+    let width = mesh.strand_width_mm(muscle);
     let spacing = muscle.braid().strands.map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
     (0..mesh.free_rows())
         .map(|k| {
