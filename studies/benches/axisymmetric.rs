@@ -10,7 +10,7 @@ use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
 use mckibben_fem::axisymmetric::{Axisymmetric, Body, Discretisation, Mesh, MeshSpec, Problem};
-use mckibben_fem::simulation::{Detail, Discretised, Given, Simulation};
+use mckibben_fem::simulation::{Detail, Given, Simulation};
 use mckibben_fem::solver::continuation::Continuation;
 use mckibben_fem::solver::curve::{Curve, Test};
 use mckibben_fem::solver::newton::NewtonSystem;

@@ -32,19 +32,8 @@ fn for_whole_muscle(of: &Whole, displacement_mm: f64, mut error: FemError) -> Fe
 
 /// One equilibrium of the muscle between its ends.
 fn inner(of: &Whole, w: &mut Workspace, p: f64, x: f64, detail: Detail) -> Result<CurvePoint, FemError> {
-    alone(of, w, Test::Isometric(x), (p, p, x), detail)
-}
-
-/// The only point of a test at a value; of (P, ε), or what is held in place of it.
-fn alone(
-    of: &Whole,
-    w: &mut Workspace,
-    test: Test,
-    (value, pressure_mpa, contraction): (f64, f64, f64),
-    detail: Detail,
-) -> Result<CurvePoint, FemError> {
-    let points = of.inner().run(w, test, &[value], detail, &Silent);
-    points.into_iter().next().unwrap_or(Err(FemError::Question { pressure_mpa, contraction }))
+    let points = of.inner().run(w, Test::Isometric(x), &[p], detail, &Silent);
+    points.into_iter().next().unwrap_or(Err(FemError::Question { pressure_mpa: p, contraction: x }))
 }
 
 /// x of the ends at a pressure and a contraction of the whole.

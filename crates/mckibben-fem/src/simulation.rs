@@ -5,7 +5,10 @@ use crate::results::{Sensitivity, Solution};
 use crate::solver::body::Body;
 use crate::solver::continuation::Continuation;
 use crate::solver::curve::{Curve, CurvePoint, Test, run};
-use mckibben::model::{ForceModel, Response, Workspace};
+use mckibben::model::{
+    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange,
+    Response, Workspace,
+};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 
@@ -70,29 +73,76 @@ pub trait MuscleBody: Body {
     }
 }
 
-/// A model whose workspace holds a continuation.
-pub trait Discretised: ForceModel {
+/// What of a muscle that is divided into elements does not change.
+pub trait Divided: Send + Sync + Sized {
     /// The body that is led from equilibrium to equilibrium.
-    type Body: MuscleBody;
+    type Body: MuscleBody + Send + 'static;
+
+    /// The muscle at rest.
+    ///
+    /// # Errors
+    /// [`FemError::Refused`] where there is not enough memory.
+    fn at_rest(&self) -> Result<Self::Body, FemError>;
+
+    /// What its model can do.
+    fn extensions(model: &FiniteElements<Self>) -> Extensions<'_>;
+
+    /// A pressure in MPa below the one that was found for a pull in N at a contraction, where there may be one.
+    fn smaller_pressure(
+        &self,
+        _c: &mut Continuation<Self::Body>,
+        _found_mpa: f64,
+        _force_n: f64,
+        _contraction: f64,
+    ) -> Option<f64> {
+        None
+    }
+}
+
+/// A force model by finite elements. The last equilibria are kept in the workspace, so that neighbouring questions are cheap.
+#[derive(Debug, Clone)]
+pub struct FiniteElements<D> {
+    id: ModelId,
+    info: ModelInfo,
+    /// The muscle in elements.
+    pub divided: D,
+}
+
+impl<D: Divided> FiniteElements<D> {
+    pub(crate) fn of(
+        divided: D,
+        muscle: &Muscle,
+        entry: &ModelEntry,
+        accuracy: Accuracy,
+        notes: Vec<String>,
+    ) -> Self {
+        let range = ModelRange::open().stretched(muscle.braid().angle_deg);
+        let info = ModelInfo { range, accuracy, costly: true, notes, ..ModelInfo::new(entry, muscle) };
+        Self { id: ModelId::new(), info, divided }
+    }
 
     /// The states and memory of this model in a workspace.
     ///
     /// # Errors
     /// [`FemError::Refused`] where there is not enough memory.
-    fn continuation<'w>(
+    pub fn continuation<'w>(
         &self,
         workspace: &'w mut Workspace,
-    ) -> Result<&'w mut Continuation<Self::Body>, FemError>;
+    ) -> Result<&'w mut Continuation<D::Body>, FemError> {
+        workspace.try_of(&self.id, || self.divided.at_rest().map(Continuation::new))
+    }
 
     /// The same where the workspace has them already.
-    fn known<'w>(&self, workspace: &'w Workspace) -> Option<&'w Continuation<Self::Body>>;
+    pub fn known<'w>(&self, workspace: &'w Workspace) -> Option<&'w Continuation<D::Body>> {
+        workspace.get(&self.id)
+    }
 
     /// The body in an equilibrium.
     fn led_to<'w>(
         &self,
         workspace: &'w mut Workspace,
         given: Given,
-    ) -> Result<&'w mut Continuation<Self::Body>, FemError> {
+    ) -> Result<&'w mut Continuation<D::Body>, FemError> {
         let c = self.continuation(workspace)?;
         match given {
             Given::PressureAndContraction { pressure_mpa, contraction } => c.reach(pressure_mpa, contraction),
@@ -100,6 +150,49 @@ pub trait Discretised: ForceModel {
             Given::ContractionAndPull { contraction, force_n } => c.reach_pressure(force_n, contraction),
         }?;
         Ok(c)
+    }
+}
+
+impl<D: Divided> ForceModel for FiniteElements<D> {
+    fn info(&self) -> &ModelInfo {
+        &self.info
+    }
+
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.body.response(self.muscle())?)
+    }
+
+    fn force_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.pull())
+    }
+
+    fn extensions(&self) -> Extensions<'_> {
+        D::extensions(self)
+    }
+}
+
+impl<D: Divided> Inverse for FiniteElements<D> {
+    fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
+        let found = self.reach(workspace, Given::ContractionAndPull { contraction, force_n });
+        let found = found.ok().map(|found| found.pressure_mpa).filter(|p| *p >= 0.0)?;
+        let c = self.continuation(workspace).ok()?;
+        let smaller = self.divided.smaller_pressure(c, found, force_n, contraction).filter(|p| *p >= 0.0);
+        Some(smaller.map_or(found, |p| p.min(found)))
+    }
+
+    fn contraction_at_pull(&self, workspace: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+        let found = self.reach(workspace, Given::PressureAndPull { pressure_mpa, force_n });
+        found.ok().map(|found| found.contraction)
     }
 }
 
@@ -125,7 +218,7 @@ pub trait Simulation: ForceModel {
     ) -> Curve;
 }
 
-impl<M: Discretised> Simulation for M {
+impl<D: Divided> Simulation for FiniteElements<D> {
     fn solve(&self, workspace: &mut Workspace, given: Given) -> Result<Solution, FemError> {
         self.led_to(workspace, given)?.body.solution(self.muscle())
     }

@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let bricks = ThreeDimensional::with_mesh(&muscle, &spec)?;
     // Their mesh is a little longer than the muscle.
     let mut tube = muscle.tube().clone();
-    tube.length_mm = 2.0 * bricks.mesh().tube.half_mm;
+    tube.length_mm = 2.0 * bricks.divided.mesh.tube.half_mm;
     let muscle = muscle.with_tube(tube)?;
     let section = Axisymmetric::new(&muscle)?;
     let ideal = Ideal::new(&muscle);

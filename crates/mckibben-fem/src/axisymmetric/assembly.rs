@@ -68,7 +68,7 @@ fn sum<const TANGENT: bool>(
         w.chain.begin();
     }
     let mut totals = Totals { smallest_j: f64::INFINITY, ..Totals::default() };
-    let scale = Scale::new(d, s.pressure);
+    let share = 1.0 / d.force_scale(s.pressure);
     for slab in 0..d.layout.along {
         if TANGENT {
             w.chain.slab_mut(slab).fill(0.0);
@@ -86,63 +86,52 @@ fn sum<const TANGENT: bool>(
             }
             w.chain.eliminate(slab)?;
         }
-        scale.slab(d, w, slab, &mut totals)?;
+        measure(d, w, slab, share, &mut totals)?;
     }
     let end = d.layout.end();
     totals.pull = (0..d.layout.nodes()).map(|i| w.residual[end + 2 * i + 1]).sum();
     if totals.pull.is_finite() { Ok(totals) } else { Err(Stopped::NotFinite) }
 }
 
-/// What residuals are compared with.
-struct Scale {
-    force: f64,
-}
-
-impl Scale {
-    fn new(d: &Discretisation, pressure: f64) -> Self {
-        Self { force: 1.0 / d.force_scale(pressure) }
+/// Largest residual of what is complete after slab `slab`, forces as a `share` of one N.
+fn measure(
+    d: &Discretisation,
+    w: &Assembled,
+    slab: usize,
+    share: f64,
+    totals: &mut Totals,
+) -> Result<(), Stopped> {
+    let l = d.layout;
+    let (m, start) = (l.station(), slab * l.stride());
+    let r = &w.residual;
+    // A sum so that numbers which are none show.
+    let mut largest = 0.0_f64;
+    let mut sum = 0.0;
+    for i in 0..2 * m {
+        let fixed = slab == 0 && i < m && i % 2 == 1;
+        if !fixed {
+            largest = largest.max(r[start + i].abs());
+            sum += r[start + i];
+        }
     }
-
-    /// Largest residual of what is complete after slab `slab`.
-    fn slab(
-        &self,
-        d: &Discretisation,
-        w: &Assembled,
-        slab: usize,
-        totals: &mut Totals,
-    ) -> Result<(), Stopped> {
-        let l = d.layout;
-        let (m, start) = (l.station(), slab * l.stride());
-        let r = &w.residual;
-        // A sum so that numbers which are none show.
-        let mut largest = 0.0_f64;
-        let mut sum = 0.0;
-        for i in 0..2 * m {
-            let fixed = slab == 0 && i < m && i % 2 == 1;
-            if !fixed {
-                largest = largest.max(r[start + i].abs());
-                sum += r[start + i];
-            }
+    let mut defect = 0.0_f64;
+    for i in 0..l.through {
+        let volume = d.elements[slab * l.through + i].volume;
+        for k in 0..MODES {
+            let g = r[l.pressure(slab, i) + k];
+            defect = defect.max(g.abs() / volume);
+            sum += g;
         }
-        let mut defect = 0.0_f64;
-        for i in 0..l.through {
-            let volume = d.elements[slab * l.through + i].volume;
-            for k in 0..MODES {
-                let g = r[l.pressure(slab, i) + k];
-                defect = defect.max(g.abs() / volume);
-                sum += g;
-            }
-        }
-        if l.multipliers {
-            for g in 0..STRAND_POINTS {
-                let c = r[l.tension(slab) + g];
-                defect = defect.max(c.abs() / d.strands[slab][g].area);
-                sum += c;
-            }
-        }
-        totals.defect = totals.defect.max(largest * self.force).max(defect);
-        if sum.is_finite() { Ok(()) } else { Err(Stopped::NotFinite) }
     }
+    if l.multipliers {
+        for g in 0..STRAND_POINTS {
+            let c = r[l.tension(slab) + g];
+            defect = defect.max(c.abs() / d.strands[slab][g].area);
+            sum += c;
+        }
+    }
+    totals.defect = totals.defect.max(largest * share).max(defect);
+    if sum.is_finite() { Ok(()) } else { Err(Stopped::NotFinite) }
 }
 
 /// At Z = 0: u_z = 0.
@@ -168,10 +157,9 @@ struct Places {
 impl Places {
     fn new(d: &Discretisation, slab: usize, node: usize) -> Self {
         let l = d.layout;
-        let (m, n, start) = (l.station(), l.inside(), slab * l.stride());
-        let first = 2 * node;
+        let (m, n, first) = (l.station(), l.inside(), 2 * node);
         Self {
-            vector: [start + m + first, start + first, start + l.stride() + first],
+            vector: l.stations(slab).map(|start| start + first),
             matrix: [first, n + first, n + m + first],
         }
     }

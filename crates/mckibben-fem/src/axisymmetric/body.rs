@@ -23,13 +23,13 @@ use std::sync::Arc;
 
 /// The last station after everything else was condensed.
 #[derive(Debug, Clone)]
-struct EndSystem {
+pub(super) struct EndSystem {
     /// Unknowns of the last station that are free.
-    free: Vec<usize>,
+    pub(super) free: Vec<usize>,
     /// Those that follow the terminal.
     tied: Vec<usize>,
     /// Factorised (free, w).
-    matrix: Vec<f64>,
+    pub(super) matrix: Vec<f64>,
     y: Vec<f64>,
 }
 
@@ -45,7 +45,7 @@ impl EndSystem {
         Self { free, tied, matrix: vec![0.0; size * size], y: vec![0.0; size] }
     }
 
-    fn size(&self) -> usize {
+    pub(super) fn size(&self) -> usize {
         self.free.len() + 1
     }
 
@@ -65,7 +65,7 @@ impl EndSystem {
     }
 
     /// S = dF/dw.
-    fn stiffness(&self) -> f64 {
+    pub(super) fn stiffness(&self) -> f64 {
         self.matrix[self.matrix.len() - 1]
     }
 
@@ -106,8 +106,8 @@ pub struct Body {
     pub control: Control,
     /// Sums of the last assembly.
     pub totals: Totals,
-    assembled: Assembled,
-    end: EndSystem,
+    pub(crate) assembled: Assembled,
+    pub(super) end: EndSystem,
     step: Vec<f64>,
     step_q: Vec<f64>,
     /// Last step of (terminal, pressure).
@@ -149,10 +149,6 @@ impl Body {
         Self { endless: Some(endless), ..Self::new(discretisation) }
     }
 
-    fn station(&self) -> usize {
-        self.discretisation.layout.station()
-    }
-
     /// Residual of the present state, without a tangent.
     pub fn evaluate(&mut self) -> Result<Totals, Stopped> {
         self.totals = assemble::<false>(&self.discretisation, &self.state, &mut self.assembled)?;
@@ -163,7 +159,7 @@ impl Body {
     pub fn factorise(&mut self) -> Result<Totals, Stopped> {
         self.linearised = false;
         self.totals = assemble::<true>(&self.discretisation, &self.state, &mut self.assembled)?;
-        let m = self.station();
+        let m = self.discretisation.layout.station();
         self.end.factorise(self.assembled.chain.end(), m).map_err(|_| Stopped::Singular)?;
         self.linearised = true;
         Ok(self.totals)
@@ -172,35 +168,6 @@ impl Body {
     /// The same; nothing is done where the last tangent is that of the present state.
     pub fn factorised(&mut self) -> Result<Totals, Stopped> {
         if self.linearised { Ok(self.totals) } else { self.factorise() }
-    }
-
-    /// ∂Π/∂x as of the last assembly.
-    pub fn residual_vector(&self) -> &[f64] {
-        &self.assembled.residual
-    }
-
-    /// Number of negative eigenvalues of the tangent beyond those of the multipliers, with the terminal held:
-    /// zero for a stable equilibrium.
-    pub fn unstable_directions(&self) -> usize {
-        let l = self.discretisation.layout;
-        let negative_end =
-            (0..self.end.free.len()).filter(|&i| self.end.matrix[i * (self.end.size() + 1)] < 0.0).count();
-        let multipliers = l.inside() - l.station();
-        (self.assembled.chain.negative() + negative_end).saturating_sub(multipliers * l.along)
-    }
-
-    /// dF/dw of the last tangent: twice the stiffness ∂F/∂L, in N/mm.
-    pub fn terminal_stiffness(&self) -> f64 {
-        self.end.stiffness()
-    }
-
-    /// ∂F/∂P at fixed length in mm², of the last tangent: one forward substitution.
-    pub fn force_per_pressure(&mut self) -> f64 {
-        let mut rhs = std::mem::take(&mut self.second);
-        rhs.copy_from_slice(&self.assembled.volume);
-        let b = self.condense(&mut rhs);
-        self.second = rhs;
-        -b
     }
 
     /// Half of ∂V/∂P at fixed length in mm³/MPa, of the last tangent, and ∂F/∂P as [`Self::force_per_pressure`] has it.
@@ -249,8 +216,7 @@ impl Body {
         let (d, l) = (&self.discretisation, self.discretisation.layout);
         let beta = 1.0 - d.augment * d.compliance;
         for slab in 0..l.along {
-            let start = slab * l.stride();
-            let stations = [start + l.station(), start, start + l.stride()];
+            let stations = l.stations(slab);
             for i in 0..l.through {
                 let index = slab * l.through + i;
                 let share = d.augment / d.elements[index].volume;
@@ -285,13 +251,7 @@ impl Body {
         let scale = d.force_scale(self.state.pressure);
         let last = d.layout.end();
         let free = self.end.free.iter().map(|&i| self.assembled.residual[last + i].abs()).fold(0.0, f64::max);
-        let held = match self.control {
-            Control::Length(w) => (w - self.state.terminal).abs() / d.radius,
-            Control::Force(f) => (self.totals.pull - f).abs() / scale,
-            Control::Pressure { terminal, force } => {
-                (terminal - self.state.terminal).abs() / d.radius + (self.totals.pull - force).abs() / scale
-            }
-        };
+        let held = self.control.missed(&self.state, self.totals.pull, d.radius, scale);
         self.totals.defect.max(free / scale).max(held)
     }
 
@@ -314,8 +274,7 @@ impl Body {
         let Some((braid, k)) = d.problem.braid.and_then(|b| Some((b, b.stiffness?))) else { return };
         for (slab, points) in d.strands.iter().enumerate() {
             let u = l.line(&self.state.u, slab, 2 * l.through);
-            let start = slab * l.stride();
-            let stations = [start + l.station(), start, start + l.stride()];
+            let stations = l.stations(slab);
             for (g, point) in points.iter().enumerate() {
                 let index = slab * STRAND_POINTS + g;
                 let first = &self.assembled.strand[index];

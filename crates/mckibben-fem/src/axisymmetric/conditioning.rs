@@ -5,8 +5,7 @@
 //! is there the one of the first inflation.
 
 use super::body::Body;
-use super::discretisation::Discretisation;
-use super::memory::Memory;
+use super::discretisation::{Discretisation, Memory};
 use super::results::elements;
 use crate::FemError;
 use crate::element::plane::{self, AnyPlaneLaw};

@@ -2,14 +2,14 @@
 
 use super::body::Body;
 use super::layout::Layout;
-use super::memory::Memory;
 use super::mesh::Mesh;
 use crate::FemError;
-use crate::element::q2::{Geometry, NODES, Point, point};
+use crate::element::q2::{Geometry, NODES, POINTS, Point, point};
 use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
 use crate::solver::body::{Control, State};
 use crate::solver::continuation::Continuation;
 use mckibben::muscle::{Bulk, Crimp, Muscle, Parts, StrandLay};
+use mckibben::rubber::over_time::OgdenRoxburgh;
 use mckibben::rubber::{Law, RubberLaw};
 
 /// Length ℓ of the layer beside a terminal over the outer radius.
@@ -84,6 +84,15 @@ impl Problem {
     pub fn new(law: Law, bulk: Bulk, braid: Option<BraidSpec>, ends: Ends) -> Self {
         Self { law, bulk, braid, ends, prestretch: 1.0, plug_mm2: 0.0 }
     }
+}
+
+/// How the rubber softens, and what each of its points has seen.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Memory {
+    /// Softening constants.
+    pub softening: OgdenRoxburgh,
+    /// W_m in MPa of every integration point of every element.
+    pub seen_mpa: Vec<[f64; POINTS]>,
 }
 
 /// A body divided into elements.

@@ -44,6 +44,13 @@ impl Layout {
         self.along * self.stride() + self.station()
     }
 
+    /// Where the three stations of a slab begin: middle, left, right.
+    #[inline(always)]
+    pub fn stations(&self, slab: usize) -> [usize; 3] {
+        let start = slab * self.stride();
+        [start + self.station(), start, start + self.stride()]
+    }
+
     /// Offset of station `j` = 0 … 2·along.
     pub fn at(&self, j: usize) -> usize {
         (j / 2) * self.stride() + (j % 2) * self.station()

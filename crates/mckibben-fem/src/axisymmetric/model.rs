@@ -1,17 +1,15 @@
 //! The axisymmetric muscle as a force model.
 
 use super::body::Body;
-use super::discretisation::{Discretisation, Problem};
-use super::memory::Memory;
+use super::discretisation::{Discretisation, Memory, Problem};
 use super::mesh::{Mesh, MeshSpec};
-use super::{results, sensitivity};
+use super::sensitivity;
 use crate::FemError;
-use crate::results::{Sensitivity, Solution};
-use crate::simulation::{Discretised, Given, MuscleBody, Simulation};
+use crate::simulation::{Divided, FiniteElements};
 use crate::solver::continuation::Continuation;
 use mckibben::model::{
-    self, Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange,
-    Reference, Response, Slopes, ThickWall, Workspace,
+    self, Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, Reference, Slopes, ThickWall,
+    Workspace,
 };
 use mckibben::muscle::Muscle;
 use std::sync::Arc;
@@ -32,13 +30,13 @@ const FAR: f64 = 2.0;
 
 /// Axisymmetric finite elements (`--model fe`): Q2/P−1 rubber of any law, two strand families bonded to the outer
 /// surface, rigid terminals, pressure as −P·V.
-///
-/// The last equilibria are kept in the workspace, so that neighbouring questions are cheap.
+pub type Axisymmetric = FiniteElements<MuscleSection>;
+
+/// What of the axisymmetric muscle does not change.
 #[derive(Debug, Clone)]
-pub struct Axisymmetric {
-    id: ModelId,
-    info: ModelInfo,
-    discretisation: Arc<Discretisation>,
+pub struct MuscleSection {
+    /// The unknowns and what they are made of.
+    pub discretisation: Arc<Discretisation>,
     thick_wall: Arc<ThickWall>,
     /// The default mesh, for one that was said.
     default: Option<Box<Axisymmetric>>,
@@ -73,19 +71,12 @@ impl Axisymmetric {
             }
             None => Memory::of(muscle, &discretisation, &thick_wall)?,
         };
-        Ok(Self {
-            id: ModelId::new(),
+        let section = MuscleSection {
             discretisation: Arc::new(discretisation),
             thick_wall,
             default: if *spec == MeshSpec::default() { None } else { Some(Box::new(Self::new(muscle)?)) },
-            info: ModelInfo {
-                range: ModelRange::open().stretched(muscle.braid().angle_deg),
-                accuracy: Accuracy::share(0.0, Reference::Equations),
-                costly: true,
-                notes: vec![],
-                ..ModelInfo::new(&ENTRY, muscle)
-            },
-        })
+        };
+        Ok(Self::of(section, muscle, &ENTRY, Accuracy::share(0.0, Reference::Equations), vec![]))
     }
 
     /// How far a pull in N that another mesh gave is from this one's; 0 where the muscle hangs slack, which leaves nothing to compare.
@@ -100,13 +91,6 @@ impl Axisymmetric {
         if force_n > 0.0 { (force_n - own).abs() } else { 0.0 }
     }
 
-    /// The unknowns and what they are made of.
-    pub fn discretisation(&self) -> &Discretisation {
-        &self.discretisation
-    }
-}
-
-impl Axisymmetric {
     /// At a pressure in MPa and a contraction, with the tangent of this very state factorised.
     pub(super) fn factorised<'w>(
         &self,
@@ -122,84 +106,33 @@ impl Axisymmetric {
     }
 }
 
-impl Discretised for Axisymmetric {
+impl Divided for MuscleSection {
     type Body = Body;
 
-    fn continuation<'w>(&self, workspace: &'w mut Workspace) -> Result<&'w mut Continuation<Body>, FemError> {
-        Ok(workspace.of(&self.id, || {
-            Continuation::new(Body::of_muscle(self.discretisation.clone(), self.thick_wall.clone()))
-        }))
+    fn at_rest(&self) -> Result<Body, FemError> {
+        Ok(Body::of_muscle(self.discretisation.clone(), self.thick_wall.clone()))
     }
 
-    fn known<'w>(&self, workspace: &'w Workspace) -> Option<&'w Continuation<Body>> {
-        workspace.get(&self.id)
-    }
-}
-
-impl MuscleBody for Body {
-    fn response(&mut self, muscle: &Muscle) -> Result<Response, FemError> {
-        results::response(self, muscle)
+    fn extensions(model: &Axisymmetric) -> Extensions<'_> {
+        let slopes = model.divided.discretisation.has_slopes().then_some(model as &dyn Slopes);
+        let inverse = Some(model as &dyn Inverse);
+        Extensions { inverse, slopes, mesh: Some(model), contact: Some(model), ..Extensions::default() }
     }
 
-    fn solution(&mut self, muscle: &Muscle) -> Result<Solution, FemError> {
-        results::solution(self, muscle)
-    }
-
-    fn sensitivities(&mut self, muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
-        if self.discretisation.has_slopes() { sensitivity::all(self, muscle) } else { Ok(vec![]) }
-    }
-}
-
-impl ForceModel for Axisymmetric {
-    fn info(&self) -> &ModelInfo {
-        &self.info
-    }
-
-    fn response(
+    /// Soft strands let the pull rise and fall again with the pressure; the smaller of two is near that of the infinitely long muscle.
+    fn smaller_pressure(
         &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
+        c: &mut Continuation<Body>,
+        found_mpa: f64,
+        force_n: f64,
         contraction: f64,
-    ) -> Result<Response, ModelError> {
-        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.body.response(self.muscle())?)
-    }
-
-    fn force_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<f64, ModelError> {
-        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.pull())
-    }
-
-    fn extensions(&self) -> Extensions<'_> {
-        let slopes = self.discretisation.has_slopes().then_some(self as &dyn Slopes);
-        let inverse = Some(self as &dyn Inverse);
-        Extensions { inverse, slopes, mesh: Some(self), contact: Some(self), ..Extensions::default() }
-    }
-}
-
-impl Inverse for Axisymmetric {
-    fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        let found = self.reach(workspace, Given::ContractionAndPull { contraction, force_n });
-        let found = found.ok().map(|found| found.pressure_mpa).filter(|p| *p >= 0.0);
-        // Soft strands let the pull rise and fall again with the pressure; the smaller of two is near that of the infinitely long muscle.
-        let near = found.and_then(|p| {
-            let near = self.thick_wall.pressure_at_pull(&mut Workspace::new(), force_n, contraction)?;
-            Some(near).filter(|near| p > FAR * near)
-        });
-        let smaller = near.and_then(|near| {
-            let c = self.continuation(workspace).ok()?;
-            c.reach_pressure_from(near, force_n, contraction).ok()?;
-            Some(c.body.state.pressure).filter(|p| *p >= 0.0)
-        });
-        smaller.into_iter().chain(found).reduce(f64::min)
-    }
-
-    fn contraction_at_pull(&self, workspace: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
-        let found = self.reach(workspace, Given::PressureAndPull { pressure_mpa, force_n });
-        found.ok().map(|found| found.contraction)
+    ) -> Option<f64> {
+        let near = self.thick_wall.pressure_at_pull(&mut Workspace::new(), force_n, contraction)?;
+        if found_mpa <= FAR * near {
+            return None;
+        }
+        c.reach_pressure_from(near, force_n, contraction).ok()?;
+        Some(c.body.state.pressure)
     }
 }
 
@@ -239,8 +172,11 @@ impl model::Mesh for Axisymmetric {
     ) -> Option<f64> {
         let own =
             if contraction < 0.0 { MESH_ERROR_STRETCHED * force_n.abs() } else { MESH_ERROR * blocked_n };
-        let off =
-            self.default.as_deref().map(|m| m.difference_n(workspace, pressure_mpa, contraction, force_n));
+        let off = self
+            .divided
+            .default
+            .as_deref()
+            .map(|m| m.difference_n(workspace, pressure_mpa, contraction, force_n));
         Some(own + off.unwrap_or(0.0))
     }
 }

@@ -7,7 +7,7 @@ use crate::FemError;
 use crate::element::strand::STRAND_POINTS;
 use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::continuation::TAUT;
-use crate::solver::newton::NewtonOptions;
+use crate::solver::newton::{NewtonOptions, NewtonSystem};
 use mckibben::model::{ForceModel, Ideal, Workspace};
 use std::f64::consts::PI;
 
@@ -29,6 +29,10 @@ impl body::Body for Body {
         take_unstable: false,
     };
     const COPIES: f64 = 2.0;
+
+    fn system(&mut self) -> &mut dyn NewtonSystem {
+        self
+    }
 
     fn state(&self) -> &State {
         &self.state
@@ -60,15 +64,19 @@ impl body::Body for Body {
     }
 
     fn unstable_directions(&self) -> usize {
-        Self::unstable_directions(self)
+        let l = self.discretisation.layout;
+        let negative_end =
+            (0..self.end.free.len()).filter(|&i| self.end.matrix[i * (self.end.size() + 1)] < 0.0).count();
+        let multipliers = l.inside() - l.station();
+        (self.assembled.chain.negative() + negative_end).saturating_sub(multipliers * l.along)
     }
 
     fn terminal_stiffness(&mut self) -> f64 {
-        Self::terminal_stiffness(self)
+        self.end.stiffness()
     }
 
     fn force_per_pressure(&mut self) -> f64 {
-        Self::force_per_pressure(self)
+        self.by_pressure().1
     }
 
     fn smallest_pressure(&self) -> f64 {

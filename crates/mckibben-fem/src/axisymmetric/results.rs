@@ -7,64 +7,73 @@ use crate::FemError;
 use crate::element::q2::{MODES, NODES};
 use crate::element::solid::{Unknowns, gradient};
 use crate::element::strand::{STRAND_POINTS, Stretch};
-use crate::results::{Energies, ProfilePoint, Solution, StrandState, StretchAt, StretchOf, largest_of_most};
-use crate::solver::body::State;
+use crate::results::{
+    Energies, ProfilePoint, Sensitivity, Solution, StrandState, StretchAt, StretchOf, largest_of_most,
+};
+use crate::simulation::MuscleBody;
+use crate::solver::body::{Body as _, State};
 use mckibben::model::Response;
 use mckibben::muscle::Muscle;
 
-/// Everything the body's present equilibrium tells; factorises its tangent.
-pub fn solution(body: &mut Body, muscle: &Muscle) -> Result<Solution, FemError> {
-    let response = response(body, muscle)?;
-    let has_slopes = body.discretisation.has_slopes();
-    let sensitivities = if has_slopes { sensitivity::all(body, muscle)? } else { vec![] };
-    let (d, s) = (&body.discretisation, &body.state);
-    let rest_volume = muscle.rest_volume_mm3();
-    let totals = body.totals;
-    let energies = Energies {
-        rubber_n_mm: 2.0 * totals.rubber,
-        braid_n_mm: 2.0 * totals.braid,
-        ends_n_mm: 0.0,
-        pressure_n_mm: s.pressure * (2.0 * totals.volume - rest_volume),
-    };
-    Ok(Solution {
-        profile: profile(d, s),
-        strands: strands(d, s, muscle),
-        max_stretch: largest_stretch(d, s),
-        energies,
-        unstable_directions: body.unstable_directions(),
-        smallest_j: totals.smallest_j,
-        sensitivities,
-        response,
-    })
-}
+impl MuscleBody for Body {
+    /// Everything the body's present equilibrium tells; factorises its tangent.
+    fn solution(&mut self, muscle: &Muscle) -> Result<Solution, FemError> {
+        let response = self.response(muscle)?;
+        let sensitivities = self.sensitivities(muscle)?;
+        let (d, s) = (&self.discretisation, &self.state);
+        let rest_volume = muscle.rest_volume_mm3();
+        let totals = self.totals;
+        let energies = Energies {
+            rubber_n_mm: 2.0 * totals.rubber,
+            braid_n_mm: 2.0 * totals.braid,
+            ends_n_mm: 0.0,
+            pressure_n_mm: s.pressure * (2.0 * totals.volume - rest_volume),
+        };
+        Ok(Solution {
+            profile: profile(d, s),
+            strands: strands(d, s, muscle),
+            max_stretch: largest_stretch(d, s),
+            energies,
+            unstable_directions: self.unstable_directions(),
+            smallest_j: totals.smallest_j,
+            sensitivities,
+            response,
+        })
+    }
 
-/// The part that every model tells; factorises the tangent.
-pub fn response(body: &mut Body, muscle: &Muscle) -> Result<Response, FemError> {
-    let totals = body.factorised().map_err(|reason| FemError::at_force(body.totals.pull, reason))?;
-    let (half_volume_per_pressure, force_per_pressure) = body.by_pressure();
-    let (d, s) = (&body.discretisation, &body.state);
-    let l = d.layout;
-    let outer = |j: usize| d.mesh.node(2 * l.through, j)[0] + s.u[l.at(j) + 4 * l.through];
-    let bulge = (0..l.along).map(|slab| highest([0, 1, 2].map(|a| outer(2 * slab + a)))).fold(0.0, f64::max);
-    let largest = tensions(d, s).fold(0.0, f64::max);
-    let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
-    let all = 2.0 * std::f64::consts::PI * (2.0 * muscle.strand_lay().radius_mm) * cos * largest;
-    Ok(Response {
-        // Zeros without a sign.
-        pressure_mpa: s.pressure + 0.0,
-        contraction: 0.0 - s.terminal / d.half_length(),
-        force_n: totals.pull,
-        volume_mm3: Some(2.0 * totals.volume),
-        volume_per_pressure_mm3_per_mpa: Some(2.0 * half_volume_per_pressure),
-        volume_per_contraction_mm3: Some(muscle.length_mm() * force_per_pressure),
-        stiffness_n_per_mm: Some(0.5 * body.terminal_stiffness()),
-        force_per_pressure_mm2: Some(force_per_pressure),
-        braid_tension_n: Some(all),
-        strand_tension_n: count.map(|n| all / f64::from(n)),
-        bulged_diameter_mm: Some(2.0 * bulge),
-        middle_stretch: Some(middle_stretch(d, s)),
-        max_stretch: Some(largest_stretch(d, s).value),
-    })
+    /// The part that every model tells; factorises the tangent.
+    fn response(&mut self, muscle: &Muscle) -> Result<Response, FemError> {
+        let totals = self.factorised().map_err(|reason| FemError::at_force(self.totals.pull, reason))?;
+        let (half_volume_per_pressure, force_per_pressure) = self.by_pressure();
+        let (d, s) = (&self.discretisation, &self.state);
+        let l = d.layout;
+        let outer = |j: usize| d.mesh.node(2 * l.through, j)[0] + s.u[l.at(j) + 4 * l.through];
+        let bulge =
+            (0..l.along).map(|slab| highest([0, 1, 2].map(|a| outer(2 * slab + a)))).fold(0.0, f64::max);
+        let largest = tensions(d, s).fold(0.0, f64::max);
+        let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
+        let all = 2.0 * std::f64::consts::PI * (2.0 * muscle.strand_lay().radius_mm) * cos * largest;
+        Ok(Response {
+            // Zeros without a sign.
+            pressure_mpa: s.pressure + 0.0,
+            contraction: 0.0 - s.terminal / d.half_length(),
+            force_n: totals.pull,
+            volume_mm3: Some(2.0 * totals.volume),
+            volume_per_pressure_mm3_per_mpa: Some(2.0 * half_volume_per_pressure),
+            volume_per_contraction_mm3: Some(muscle.length_mm() * force_per_pressure),
+            stiffness_n_per_mm: Some(0.5 * self.end.stiffness()),
+            force_per_pressure_mm2: Some(force_per_pressure),
+            braid_tension_n: Some(all),
+            strand_tension_n: count.map(|n| all / f64::from(n)),
+            bulged_diameter_mm: Some(2.0 * bulge),
+            middle_stretch: Some(middle_stretch(d, s)),
+            max_stretch: Some(largest_stretch(d, s).value),
+        })
+    }
+
+    fn sensitivities(&mut self, muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
+        if self.discretisation.has_slopes() { sensitivity::all(self, muscle) } else { Ok(vec![]) }
+    }
 }
 
 /// The highest place of the quadratic edge of an element through its three nodes, which may lie between them.

@@ -9,15 +9,13 @@ use super::model::Axisymmetric;
 use super::results::{from_cylinder, strands, unknowns};
 use crate::FemError;
 use crate::element::plane::{self, AnyPlaneLaw, Gradient};
-use crate::element::q2::{GAUSS2, GAUSS3, NODES, POINTS, Point, quadratic};
+use crate::element::q2::{GAUSS2, GAUSS3, NODES, Point, quadratic};
 use crate::element::softened::soften;
 use crate::element::solid::{Unknowns, gradient};
 use crate::results::StrandState;
-use crate::simulation::Discretised;
 use crate::solver::body::State;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben::rubber::over_time::OgdenRoxburgh;
 
 /// A node of the section.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -39,51 +37,24 @@ pub struct SectionNode {
 /// The half section of a muscle, from the middle (z = 0) to the terminal; the other half is its mirror image.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
-    through: usize,
-    along: usize,
-    nodes: Vec<SectionNode>,
-    strands: Vec<StrandState>,
-    angle_rad: f64,
-    count: Option<u32>,
+    /// Elements through the wall.
+    pub through: usize,
+    /// Elements along the half length.
+    pub along: usize,
+    /// Station by station from the middle to the terminal, each from the inner to the outer surface.
+    pub nodes: Vec<SectionNode>,
+    /// The strands along the half, from the middle to the terminal.
+    pub strands: Vec<StrandState>,
+    /// θ0 in radians.
+    pub angle_rad: f64,
+    /// Number of strands of both families, where it is known.
+    pub count: Option<u32>,
 }
 
 impl Section {
-    /// Elements through the wall and along the half length.
-    pub fn elements(&self) -> (usize, usize) {
-        (self.through, self.along)
-    }
-
-    /// Nodes, station by station from the middle to the terminal, each from the inner surface outwards.
-    pub fn nodes(&self) -> &[SectionNode] {
-        &self.nodes
-    }
-
     /// Index of node `i` = 0 … 2·through (from the inner surface outwards) of station `j` = 0 … 2·along.
     pub fn index(&self, i: usize, j: usize) -> usize {
         j * (2 * self.through + 1) + i
-    }
-
-    /// The nine nodes of every element, row by row along the muscle, each row from the inner surface outwards.
-    pub fn connectivity(&self) -> Vec<[usize; NODES]> {
-        (0..self.along)
-            .flat_map(|slab| (0..self.through).map(move |e| (slab, e)))
-            .map(|(slab, e)| std::array::from_fn(|a| self.index(2 * e + a % 3, 2 * slab + a / 3)))
-            .collect()
-    }
-
-    /// The strands, from the middle to the terminal.
-    pub fn strands(&self) -> &[StrandState] {
-        &self.strands
-    }
-
-    /// θ0 in radians.
-    pub fn braid_angle_rad(&self) -> f64 {
-        self.angle_rad
-    }
-
-    /// Strands of both families, where their number is known.
-    pub fn strand_count(&self) -> Option<u32> {
-        self.count
     }
 
     /// (R, Z) at rest and (r, z) now of the outer surface in slab `slab` at −1 ≤ `eta` ≤ 1, as its element has it.
@@ -144,9 +115,7 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
     let mut shares = vec![0.0; out.len()];
     for slab in 0..l.along {
         for e in 0..l.through {
-            let index = slab * l.through + e;
-            let seen = d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index]));
-            let stress = stresses(d, index, &nodes(&d.mesh, slab, e), &unknowns(d, s, slab, e), law, seen);
+            let stress = stresses(law, d, s, slab, e);
             let (rest, u) = from_cylinder(d, s, slab, e);
             for a in 0..NODES {
                 let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
@@ -192,25 +161,19 @@ fn between(values: impl Iterator<Item = f64>, xi: f64, eta: f64) -> f64 {
 }
 
 /// Cauchy stress at the 2 × 2 points, ξ running first.
-fn stresses(
-    d: &Discretisation,
-    index: usize,
-    rest: &[[f64; 2]; NODES],
-    u: &Unknowns,
-    law: &dyn AnyPlaneLaw,
-    seen: Option<(OgdenRoxburgh, &[f64; POINTS])>,
-) -> [[f64; 4]; 4] {
+fn stresses(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State, slab: usize, e: usize) -> [[f64; 4]; 4] {
+    let (index, rest, u) = (slab * d.layout.through + e, nodes(&d.mesh, slab, e), unknowns(d, s, slab, e));
     std::array::from_fn(|k| {
         let (xi, eta) = (GAUSS2[k % 2].0, GAUSS2[k / 2].0);
-        let Some(at) = d.point(rest, xi, eta) else { return [0.0; 4] };
-        let f = gradient(&at, u);
-        let p = pressure(&d.elements[index].points, u, xi, eta);
-        let first = match seen {
+        let Some(at) = d.point(&rest, xi, eta) else { return [0.0; 4] };
+        let f = gradient(&at, &u);
+        let p = pressure(&d.elements[index].points, &u, xi, eta);
+        let first = match &d.memory {
             None => law.stress_at(&f, p),
-            Some((softening, seen_mpa)) => {
+            Some(memory) => {
                 let mut s = law.stress_at(&f, 0.0);
-                let here = between(seen_mpa.iter().copied(), xi, eta);
-                soften::<false>(&softening, here, &f, p, &mut s);
+                let seen_mpa = between(memory.seen_mpa[index].iter().copied(), xi, eta);
+                soften::<false>(&memory.softening, seen_mpa, &f, p, &mut s);
                 s
             }
         };

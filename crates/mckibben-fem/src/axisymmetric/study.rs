@@ -3,7 +3,6 @@
 use super::mesh::MeshSpec;
 use super::model::Axisymmetric;
 use crate::FemError;
-use crate::simulation::Discretised;
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 

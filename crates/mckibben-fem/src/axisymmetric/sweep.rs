@@ -2,7 +2,6 @@
 
 use super::model::Axisymmetric;
 use crate::FemError;
-use crate::simulation::Discretised;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::random::Random;

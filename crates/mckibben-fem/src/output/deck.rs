@@ -10,8 +10,6 @@ use mckibben::model::ForceModel;
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, RubberLaw};
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
-use thiserror::Error;
 
 /// Bulk modulus over shear modulus that an incompressible rubber gets.
 const BULK: f64 = 1000.0;
@@ -19,17 +17,6 @@ const BULK: f64 = 1000.0;
 const FILL: f64 = 0.05;
 /// Largest step of the contraction.
 const CONTRACTION: f64 = 0.005;
-
-/// Why there is no deck.
-#[derive(Debug, Error)]
-pub enum DeckError {
-    /// Refused: field, value, what it must be.
-    #[error("{0}")]
-    Refused(String),
-    /// A muscle without a mesh.
-    #[error(transparent)]
-    Fem(#[from] FemError),
-}
 
 /// Increments of equal size to a contraction and a pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,7 +27,7 @@ struct Step {
 }
 
 /// Every increment of a deck: contraction and pressure in MPa at its end.
-pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<(f64, f64)>, DeckError> {
+pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<(f64, f64)>, FemError> {
     let mut out = vec![];
     let (mut e, mut p) = (0.0, 0.0);
     for s in steps(contraction, pressures_mpa)? {
@@ -54,39 +41,23 @@ pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<(f64, f
 }
 
 /// The deck of an isometric test: filled up to 0.05 MPa (or the next of the pressures), shortened, filled further.
-pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -> Result<String, DeckError> {
-    let mesh = model.mesh();
-    if mesh.brick != Brick::Linear {
-        return Err(DeckError::Refused("an input deck needs eight-node bricks".into()));
-    }
-    if mesh.plug.is_some() {
-        return Err(DeckError::Refused(
-            "an input deck has a rigid plane as the terminal: leave out `terminal`".into(),
-        ));
-    }
-    if model.muscle().tube().prestretch != 1.0 {
-        return Err(DeckError::Refused(
-            "an input deck starts from unstressed rubber: leave out tube.prestretch".into(),
-        ));
-    }
-    if model.muscle().terminals().plug_diameter_mm.is_some() {
-        return Err(DeckError::Refused(
-            "an input deck has plugs with the diameter of the bore: leave out terminals.plug_diameter".into(),
-        ));
+pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -> Result<String, FemError> {
+    let (mesh, muscle) = (&model.divided.mesh, model.muscle());
+    let refused = [
+        (mesh.brick != Brick::Linear, "needs eight-node bricks"),
+        (mesh.plug.is_some(), "has a rigid plane as the terminal: leave out `terminal`"),
+        (muscle.tube().prestretch != 1.0, "starts from unstressed rubber: leave out tube.prestretch"),
+        (
+            muscle.terminals().plug_diameter_mm.is_some(),
+            "has plugs with the diameter of the bore: leave out terminals.plug_diameter",
+        ),
+    ];
+    if let Some((_, why)) = refused.into_iter().find(|(stated, _)| *stated) {
+        return Err(FemError::Refused(format!("an input deck {why}")));
     }
     let steps = steps(contraction, pressures_mpa)?;
-    let muscle = model.muscle();
-    let mut out = String::new();
-    let line = |out: &mut String, text: std::fmt::Arguments<'_>| {
-        let _ = writeln!(out, "{text}");
-    };
-    line(
-        &mut out,
-        format_args!(
-            "*HEADING\nOne eighth of a McKibben muscle: mm, MPa, N; mckibben {}",
-            env!("CARGO_PKG_VERSION")
-        ),
-    );
+    let version = env!("CARGO_PKG_VERSION");
+    let mut out = format!("*HEADING\nOne eighth of a McKibben muscle: mm, MPa, N; mckibben {version}\n");
     for (key, value) in [
         ("outer_radius_mm", mesh.tube.outer_mm),
         ("inner_radius_mm", mesh.tube.inner_mm),
@@ -94,42 +65,31 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
         ("angle_deg", mesh.tube.angle_rad.to_degrees()),
         ("contraction", contraction),
     ] {
-        line(&mut out, format_args!("** {key} = {value:?}"));
+        out += &format!("** {key} = {value:?}\n");
     }
-    line(
-        &mut out,
-        format_args!(
-            "** pull of the whole muscle = 4 x (sum of the reactions of NEND along z, less their share of the pressure) - P x area of the bore"
-        ),
-    );
-    line(&mut out, format_args!("*NODE, NSET=NALL"));
+    out += "** pull of the whole muscle = 4 x (sum of the reactions of NEND along z, less their share of the pressure) - P x area of the bore\n";
+    out += "*NODE, NSET=NALL\n";
     for (i, x) in mesh.nodes.iter().enumerate() {
-        line(&mut out, format_args!("{}, {:?}, {:?}, {:?}", i + 1, x[0], x[1], x[2]));
+        out += &format!("{}, {:?}, {:?}, {:?}\n", i + 1, x[0], x[1], x[2]);
     }
-    line(&mut out, format_args!("*ELEMENT, TYPE=C3D8, ELSET=TUBE"));
+    out += "*ELEMENT, TYPE=C3D8, ELSET=TUBE\n";
     let bricks = mesh.bricks();
     // Ours run through the wall, around, along; theirs around the face.
     const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
     for (e, nodes) in bricks.iter().enumerate() {
         let list: Vec<String> = ORDER.iter().map(|&a| (nodes[a] + 1).to_string()).collect();
-        line(&mut out, format_args!("{}, {}", e + 1, list.join(", ")));
+        out += &format!("{}, {}\n", e + 1, list.join(", "));
     }
     strands(&mut out, model, bricks.len())?;
     sets(&mut out, model);
     rubber(&mut out, &muscle.rubber().law, muscle.rubber().bulk)?;
-    line(&mut out, format_args!("*BOUNDARY\nSX, 1, 1\nSY, 2, 2\nSZ, 3, 3\nNEND, 1, 2"));
+    out += "*BOUNDARY\nSX, 1, 1\nSY, 2, 2\nSZ, 3, 3\nNEND, 1, 2\n";
     for s in steps {
-        let end = -s.contraction * mesh.tube.half_mm;
-        line(
-            &mut out,
-            format_args!("*STEP, NLGEOM, INC=2000\n*STATIC, DIRECT\n{:?}, 1.", 1.0 / s.increments as f64),
-        );
-        line(&mut out, format_args!("*CONTROLS, PARAMETERS=FIELD\n1e-5, 1e-5"));
-        line(&mut out, format_args!("*BOUNDARY\nNEND, 3, 3, {end:?}\n*DLOAD\nEIN, P6, {:?}", s.pressure_mpa));
-        line(
-            &mut out,
-            format_args!("*NODE PRINT, NSET=NEND, TOTALS=ONLY\nRF\n*NODE PRINT, NSET=NIN\nU\n*END STEP"),
-        );
+        let (share, end, p) = (1.0 / s.increments as f64, -s.contraction * mesh.tube.half_mm, s.pressure_mpa);
+        out += &format!("*STEP, NLGEOM, INC=2000\n*STATIC, DIRECT\n{share:?}, 1.\n");
+        out += "*CONTROLS, PARAMETERS=FIELD\n1e-5, 1e-5\n";
+        out += &format!("*BOUNDARY\nNEND, 3, 3, {end:?}\n*DLOAD\nEIN, P6, {p:?}\n");
+        out += "*NODE PRINT, NSET=NEND, TOTALS=ONLY\nRF\n*NODE PRINT, NSET=NIN\nU\n*END STEP\n";
     }
     Ok(out)
 }
@@ -151,13 +111,13 @@ fn rising(pressures: &[f64], contraction: f64, start: f64, out: &mut Vec<Step>) 
     }
 }
 
-fn steps(contraction: f64, pressures: &[f64]) -> Result<Vec<Step>, DeckError> {
+fn steps(contraction: f64, pressures: &[f64]) -> Result<Vec<Step>, FemError> {
     let first_mpa = pressures.first().copied().unwrap_or(0.0);
     let fine = first_mpa > 0.0
         && pressures.windows(2).all(|p| p[1] > p[0])
         && pressures.iter().all(|p| p.is_finite());
     if !fine {
-        return Err(DeckError::Refused(format!(
+        return Err(FemError::Refused(format!(
             "an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here"
         )));
     }
@@ -176,8 +136,8 @@ fn steps(contraction: f64, pressures: &[f64]) -> Result<Vec<Step>, DeckError> {
     Ok(out)
 }
 
-fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<(), DeckError> {
-    let trusses = &model.discretisation().problem.trusses;
+fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<(), FemError> {
+    let trusses = &model.divided.discretisation.problem.trusses;
     // One set for each length, in the order in which they appear.
     let mut groups: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
     for (i, (_, truss)) in trusses.iter().enumerate() {
@@ -188,26 +148,21 @@ fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<
         let truss = trusses[members[0]].1;
         let k = truss.stiffness_n / truss.length_mm;
         if !k.is_finite() {
-            return Err(DeckError::Refused(
+            return Err(FemError::Refused(
                 "an input deck needs strands that stretch: give the braid a stiffness".into(),
             ));
         }
-        let _ = writeln!(out, "*ELEMENT, TYPE=SPRINGA, ELSET=STRANDS{}", number + 1);
+        let set = format!("ELSET=STRANDS{}", number + 1);
+        *out += &format!("*ELEMENT, TYPE=SPRINGA, {set}\n");
         for &i in members {
             let [a, b] = trusses[i].0;
-            let _ = writeln!(out, "{}, {}, {}", before + i + 1, a + 1, b + 1);
+            *out += &format!("{}, {}, {}\n", before + i + 1, a + 1, b + 1);
         }
-        // A spring table from force and elongation; a trace of stiffness is left in compression.
-        let _ = if truss.compression {
-            writeln!(springs, "*SPRING, ELSET=STRANDS{}\n\n{k:?}", number + 1)
+        springs += &if truss.compression {
+            format!("*SPRING, {set}\n\n{k:?}\n")
         } else {
-            writeln!(
-                springs,
-                "*SPRING, ELSET=STRANDS{}, NONLINEAR\n\n{:?}, -10.\n0., 0.\n{:?}, 10.",
-                number + 1,
-                -1e-3 * k,
-                10.0 * k
-            )
+            let (less, more) = (-1e-3 * k, 10.0 * k);
+            format!("*SPRING, {set}, NONLINEAR\n\n{less:?}, -10.\n0., 0.\n{more:?}, 10.\n")
         };
     }
     out.push_str(&springs);
@@ -215,7 +170,7 @@ fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<
 }
 
 fn sets(out: &mut String, model: &ThreeDimensional) {
-    let mesh = model.mesh();
+    let mesh = &model.divided.mesh;
     let [ni, nj, nk] = mesh.grid();
     let all = |keep: &dyn Fn(usize, usize, usize) -> bool| {
         let mut list = vec![];
@@ -228,10 +183,10 @@ fn sets(out: &mut String, model: &ThreeDimensional) {
     };
     let last = nk - 1;
     let mut write = |head: &str, list: Vec<usize>| {
-        let _ = writeln!(out, "{head}");
+        *out += &format!("{head}\n");
         for part in list.chunks(12) {
             let words: Vec<String> = part.iter().map(usize::to_string).collect();
-            let _ = writeln!(out, "{},", words.join(", "));
+            *out += &format!("{},\n", words.join(", "));
         }
     };
     // No displacement is held twice.
@@ -245,19 +200,18 @@ fn sets(out: &mut String, model: &ThreeDimensional) {
     write("*ELSET, ELSET=EIN", (0..around * along).map(|e| e * through + 1).collect());
 }
 
-fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<(), DeckError> {
+fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<(), FemError> {
     let k = match bulk {
         Bulk::Modulus(k) => k,
         Bulk::Incompressible => BULK * law.shear_modulus_mpa(),
     };
     if bulk == Bulk::Incompressible {
-        let _ = writeln!(
-            out,
-            "** the rubber is incompressible; here its bulk modulus is {BULK} times the shear modulus"
+        *out += &format!(
+            "** the rubber is incompressible; here its bulk modulus is {BULK} times the shear modulus\n"
         );
     }
     let card = law.card().ok_or_else(|| {
-        DeckError::Refused(format!(
+        FemError::Refused(format!(
             "an input deck cannot describe the law \"{law}\"; it can describe {}",
             known(),
             law = law.name()
@@ -266,8 +220,12 @@ fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<(), DeckError> {
     // One constant of compression counts, D1 = 2/K.
     let more = std::iter::repeat_n(0.0, card.compressions.saturating_sub(1));
     let numbers: Vec<f64> = card.constants.into_iter().chain([2.0 / k]).chain(more).collect();
-    let _ = writeln!(out, "*MATERIAL, NAME=RUBBER\n*HYPERELASTIC, {}", card.form);
-    write_numbers(out, &numbers);
+    *out += &format!("*MATERIAL, NAME=RUBBER\n*HYPERELASTIC, {}\n", card.form);
+    for part in numbers.chunks(8) {
+        let words: Vec<String> = part.iter().map(|x| format!("{x:?}")).collect();
+        *out += &format!("{}\n", words.join(", "));
+    }
+    *out += "*SOLID SECTION, ELSET=TUBE, MATERIAL=RUBBER\n";
     Ok(())
 }
 
@@ -277,14 +235,6 @@ fn known() -> String {
     let mut names: Vec<&str> = laws.iter().filter(|l| l.card().is_some()).map(Law::name).collect();
     let last = names.pop().unwrap_or_default();
     format!("{} and {last}", names.join(", "))
-}
-
-fn write_numbers(out: &mut String, numbers: &[f64]) {
-    for part in numbers.chunks(8) {
-        let words: Vec<String> = part.iter().map(|x| format!("{x:?}")).collect();
-        let _ = writeln!(out, "{}", words.join(", "));
-    }
-    let _ = writeln!(out, "*SOLID SECTION, ELSET=TUBE, MATERIAL=RUBBER");
 }
 
 #[cfg(test)]

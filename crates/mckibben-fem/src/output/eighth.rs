@@ -4,8 +4,8 @@
 //! σij → si sj σij with the signs s of the copy.
 
 use super::Shape;
-use super::vtu::{Grid, POLY_LINE, PointData};
-use crate::three_dimensional::{Field, NodeField, PlugField};
+use super::vtu::{Grid, PointData};
+use crate::three_dimensional::{Field, NodeField, PieceField, PlugField};
 use std::collections::HashMap;
 
 /// How much of the muscle is shown.
@@ -145,10 +145,8 @@ fn grid(nodes: &[NodeField], copies: &[Copy], connectivity: Vec<i64>) -> Grid {
     let vector = |value: &dyn Fn(&NodeField) -> [f64; 3]| -> Vec<[f64; 3]> {
         copies.iter().map(|c| c.mirrored(value(&nodes[c.node]))).collect()
     };
-    let scalar = |name, value: &dyn Fn(&NodeField) -> f64| PointData {
-        name,
-        components: 1,
-        values: copies.iter().map(|c| value(&nodes[c.node])).collect(),
+    let scalar = |name, value: &dyn Fn(&NodeField) -> f64| {
+        PointData::scalar(name, copies.iter().map(|c| value(&nodes[c.node])).collect())
     };
     // VTK's order: xx, yy, zz, xy, yz, xz.
     let tensor = copies.iter().flat_map(|c| {
@@ -156,11 +154,7 @@ fn grid(nodes: &[NodeField], copies: &[Copy], connectivity: Vec<i64>) -> Grid {
         [s[0], s[1], s[2], s[3] * sign[0] * sign[1], s[4] * sign[1] * sign[2], s[5] * sign[2] * sign[0]]
     });
     let data = vec![
-        PointData {
-            name: "displacement",
-            components: 3,
-            values: vector(&|n| [0, 1, 2].map(|i| n.now_mm[i] - n.rest_mm[i])).concat(),
-        },
+        PointData::vector("displacement", vector(&|n| [0, 1, 2].map(|i| n.now_mm[i] - n.rest_mm[i]))),
         PointData { name: "cauchy_stress_mpa", components: 6, values: tensor.collect() },
         scalar("hoop_stretch", &|n| n.hoop_stretch),
         scalar("meridional_stretch", &|n| n.meridional_stretch),
@@ -209,23 +203,16 @@ fn braid(field: &Field, l: &Lattice) -> Grid {
         let c = l.copies[p];
         c.mirrored(field.nodes[c.node].now_mm)
     });
-    let scalar = |name, value: &dyn Fn(&crate::three_dimensional::PieceField) -> f64| PointData {
-        name,
-        components: 1,
-        values: pieces.iter().flat_map(|&p| [p.map_or(0.0, |p| value(&field.pieces[p])); 2]).collect(),
+    let scalar = |name, value: fn(&PieceField) -> f64| {
+        let at = |p: &Option<usize>| [p.map_or(0.0, |p| value(&field.pieces[p])); 2];
+        PointData::scalar(name, pieces.iter().flat_map(at).collect())
     };
-    Grid {
-        kind: POLY_LINE,
-        points: points.collect(),
-        connectivity: (0..2 * ends.len() as i64).collect(),
-        offsets: (1..=ends.len() as i64).map(|c| 2 * c).collect(),
-        data: vec![
-            scalar("stretch", &|p| p.stretch),
-            scalar("angle_deg", &|p| p.angle_deg),
-            scalar("mesh_strand_tension_n", &|p| p.tension_n),
-        ],
-        field: vec![],
-    }
+    let data = vec![
+        scalar("stretch", |p| p.stretch),
+        scalar("angle_deg", |p| p.angle_deg),
+        scalar("mesh_strand_tension_n", |p| p.tension_n),
+    ];
+    Grid::of_lines(points.collect(), 2, data)
 }
 
 /// Number of the strand piece between two nodes of the outer grid.

@@ -3,7 +3,7 @@
 //! A strand at rest is the helix φ = φ0 ± Z tanθ0/Ro. Without torsion its points keep φ while r and z follow the tube.
 
 use super::revolve::directions;
-use super::vtu::{Grid, POLY_LINE, PointData};
+use super::vtu::{Grid, PointData};
 use crate::axisymmetric::Section;
 use crate::results::StrandState;
 
@@ -14,71 +14,58 @@ const TURN: f64 = 0.0873;
 
 /// Strands of one family that are drawn.
 pub fn drawn(section: &Section) -> u32 {
-    section.strand_count().map_or(DRAWN, |n| n / 2)
-}
-
-/// A place along a strand.
-struct StrandPoint {
-    turn: f64,
-    now: [f64; 2],
-    state: [f64; 4],
+    section.count.map_or(DRAWN, |n| n / 2)
 }
 
 /// A place along the half muscle: where in its slab of elements, Z at rest, and the turn of a strand from the middle.
+#[derive(Clone, Copy)]
 pub(super) struct Along {
     pub(super) slab: usize,
     pub(super) eta: f64,
-    pub(super) rest_z_mm: f64,
     pub(super) turn: f64,
     /// r and z of the outer surface now, mm.
     now: [f64; 2],
+    /// Stretch, angle, tension per width and tension of a strand.
+    pub(super) state: [f64; 4],
 }
 
 /// Both families.
 pub fn braid(section: &Section) -> Grid {
     let places = places(section);
     let lines = directions(drawn(section) as usize);
-    let mut grid = Grid {
-        kind: POLY_LINE,
-        points: Vec::with_capacity(2 * lines.len() * places.len()),
-        connectivity: vec![],
-        offsets: vec![],
-        data: vec![],
-        field: vec![],
-    };
+    let (mut points, mut data) = (Vec::with_capacity(2 * lines.len() * places.len()), vec![]);
     for family in [1.0, -1.0] {
         for (c, s) in &lines {
-            for StrandPoint { turn, now: [r, z], .. } in &places {
+            for Along { turn, now: [r, z], .. } in &places {
                 let (sin, cos) = (family * turn).sin_cos();
-                grid.points.push([r * (c * cos - s * sin), r * (s * cos + c * sin), *z]);
+                points.push([r * (c * cos - s * sin), r * (s * cos + c * sin), *z]);
             }
-            grid.offsets.push(grid.points.len() as i64);
         }
     }
-    grid.connectivity = (0..grid.points.len() as i64).collect();
     let all = 2 * lines.len();
     let mut add = |name, k: usize| {
         let line: Vec<f64> = places.iter().map(|p| p.state[k]).collect();
-        grid.data.push(PointData { name, components: 1, values: line.repeat(all) });
+        data.push(PointData::scalar(name, line.repeat(all)));
     };
     add("stretch", 0);
     add("angle_deg", 1);
     add("tension_per_width_n_per_mm", 2);
-    if section.strand_count().is_some() {
+    if section.count.is_some() {
         add("tension_n", 3);
     }
     let half = lines.len() * places.len();
     let values = [vec![1.0; half], vec![-1.0; half]].concat();
-    grid.data.push(PointData { name: "family", components: 1, values });
-    grid
+    data.push(PointData::scalar("family", values));
+    Grid::of_lines(points, places.len(), data)
 }
 
 /// Places from the middle to the terminal, so close that no strand turns by more than [`TURN`] between them.
 pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
-    let (tan, (_, along)) = (section.braid_angle_rad().tan(), section.elements());
+    let (tan, along) = (section.angle_rad.tan(), section.along);
     let place = |slab: usize, eta: f64| {
         let (rest, now) = section.outer(slab, eta);
-        Along { slab, eta, rest_z_mm: rest[1], turn: rest[1] * tan / rest[0], now }
+        let state = state(&section.strands, rest[1]);
+        Along { slab, eta, turn: rest[1] * tan / rest[0], now, state }
     };
     let mut half = vec![place(0, -1.0)];
     for slab in 0..along {
@@ -90,20 +77,17 @@ pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
 }
 
 /// Places from end to end.
-fn places(section: &Section) -> Vec<StrandPoint> {
-    let place =
-        |p: Along| StrandPoint { turn: p.turn, now: p.now, state: state(section.strands(), p.rest_z_mm) };
-    let mut half: Vec<StrandPoint> = places_of_half(section).into_iter().map(place).collect();
-    let mirrored =
-        |p: &StrandPoint| StrandPoint { turn: -p.turn, now: [p.now[0], -p.now[1]], state: p.state };
-    let mut all: Vec<StrandPoint> = half.iter().skip(1).rev().map(mirrored).collect();
+fn places(section: &Section) -> Vec<Along> {
+    let mut half = places_of_half(section);
+    let mirrored = |p: &Along| Along { turn: -p.turn, now: [p.now[0], -p.now[1]], ..*p };
+    let mut all: Vec<Along> = half.iter().skip(1).rev().map(mirrored).collect();
     all.append(&mut half);
     all
 }
 
 /// (stretch, angle, tension per width, tension of a strand) at Z between the points where the model has them; before
 /// the first and beyond the last point theirs.
-pub(super) fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
+fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
     let values = |s: &StrandState| [s.stretch, s.angle_deg, s.tension_n_per_mm, s.tension_n.unwrap_or(0.0)];
     let after = strands.partition_point(|s| s.rest_mm < rest);
     match (after.checked_sub(1).and_then(|k| strands.get(k)), strands.get(after)) {

@@ -5,19 +5,45 @@
 
 mod deck;
 mod eighth;
-mod error;
-mod fields;
 mod helices;
 mod revolve;
 mod series;
-mod shape;
 mod stations;
 pub mod vtu;
 
-pub use deck::{DeckError, deck, increments};
+pub use deck::{deck, increments};
 pub use eighth::Extent;
-pub use error::VtuError;
-pub use fields::{FIELDS, Field};
 pub use series::{VtuFile, VtuSeries};
-pub use shape::Shape;
-pub use stations::Stations;
+pub use stations::{FIELDS, Field, Stations};
+pub use vtu::VtuError;
+
+use crate::axisymmetric::Section;
+use vtu::Grid;
+
+/// Tube and strands of one equilibrium.
+#[derive(Debug, Clone)]
+pub struct Shape {
+    /// Hexahedra.
+    pub tube: Grid,
+    /// Lines.
+    pub braid: Grid,
+    /// The terminals as hexahedra, where they are bodies.
+    pub plug: Option<Grid>,
+    /// Strands of both families that are drawn, where not every one of a mesh is.
+    pub strands_drawn: Option<u32>,
+    /// Whether the number of strands is not the muscle's but for display.
+    pub for_display: bool,
+}
+
+impl Shape {
+    /// The whole muscle from the half section of the axisymmetric model.
+    pub fn of_section(section: &Section) -> Self {
+        Self {
+            tube: revolve::tube(section),
+            braid: helices::braid(section),
+            plug: None,
+            strands_drawn: Some(2 * helices::drawn(section)),
+            for_display: section.count.is_none(),
+        }
+    }
+}

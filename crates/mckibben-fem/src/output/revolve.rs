@@ -1,6 +1,6 @@
 //! The whole tube: the half section mirrored at z = 0 and turned about the axis.
 
-use super::fields::FIELDS;
+use super::stations::FIELDS;
 use super::vtu::{Grid, PointData};
 use crate::axisymmetric::{Section, SectionNode};
 use std::f64::consts::TAU;
@@ -25,15 +25,15 @@ pub fn directions(count: usize) -> Vec<(f64, f64)> {
 
 /// Every element as 2 × 2 linear ones through its nine nodes, all turned about the axis.
 pub fn tube(section: &Section) -> Grid {
-    let (through, along) = section.elements();
-    let (across, stations) = (2 * through + 1, 4 * along + 1);
+    let along = section.along;
+    let (across, stations) = (2 * section.through + 1, 4 * along + 1);
     let turn = directions(AROUND);
     // Node and sign of z of every ring, station by station from end to end.
     let rings: Vec<(&SectionNode, f64)> = (0..stations)
         .flat_map(|j| (0..across).map(move |i| (i, j)))
         .map(|(i, j)| {
             let (station, sign) = if j < 2 * along { (2 * along - j, -1.0) } else { (j - 2 * along, 1.0) };
-            (&section.nodes()[section.index(i, station)], sign)
+            (&section.nodes[section.index(i, station)], sign)
         })
         .collect();
     let placed = |place: &dyn Fn(&SectionNode) -> [f64; 2]| -> Vec<[f64; 3]> {
@@ -45,13 +45,11 @@ pub fn tube(section: &Section) -> Grid {
             })
             .collect()
     };
-    let scalar = |name, value: &dyn Fn(&SectionNode, f64) -> f64| PointData {
-        name,
-        components: 1,
-        values: rings.iter().flat_map(|(node, sign)| [value(node, *sign); AROUND]).collect(),
+    let scalar = |name, value: &dyn Fn(&SectionNode, f64) -> f64| {
+        PointData::scalar(name, rings.iter().flat_map(|(node, sign)| [value(node, *sign); AROUND]).collect())
     };
     let moved = placed(&|n| [n.now_mm[0] - n.rest_mm[0], n.now_mm[1] - n.rest_mm[1]]);
-    let mut data = vec![PointData { name: "displacement", components: 3, values: moved.concat() }];
+    let mut data = vec![PointData::vector("displacement", moved)];
     data.extend(FIELDS.iter().map(|(name, value)| scalar(name, &|n, _| value(n))));
     // σrz changes its sign with z.
     data.push(scalar("stress_shear_mpa", &|n, sign| sign * n.stress_mpa[3]));
@@ -61,12 +59,8 @@ pub fn tube(section: &Section) -> Grid {
         for i in 0..across - 1 {
             for k in 0..AROUND {
                 for above in 0..2 {
-                    connectivity.extend([
-                        point(i, j + above, k),
-                        point(i + 1, j + above, k),
-                        point(i + 1, j + above, k + 1),
-                        point(i, j + above, k + 1),
-                    ]);
+                    let square = [(i, k), (i + 1, k), (i + 1, k + 1), (i, k + 1)];
+                    connectivity.extend(square.map(|(i, k)| point(i, j + above, k)));
                 }
             }
         }

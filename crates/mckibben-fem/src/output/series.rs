@@ -1,8 +1,7 @@
 //! A series of equilibria as files that ParaView opens.
 
 use super::Shape;
-use super::error::VtuError;
-use super::vtu::{Grid, collection};
+use super::vtu::{Grid, VtuError, collection};
 use mckibben::model::Response;
 
 /// The parts of a step.

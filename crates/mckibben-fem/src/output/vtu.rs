@@ -3,7 +3,6 @@
 //! Source: VTK documentation, "VTK XML Formats". An array is base64(header) base64(zlib(bytes)) with the header
 //! (number of blocks, size of a block, size of a last shorter block or 0, size of each compressed block).
 
-use super::error::VtuError;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
@@ -11,11 +10,22 @@ use flate2::write::ZlibEncoder;
 use mckibben::clean;
 use std::fmt::Write as _;
 use std::io::Write as _;
+use thiserror::Error;
 
 /// A line through any number of points.
 pub const POLY_LINE: u8 = 4;
 /// Eight corners: four counter-clockwise seen from above, then the four above them.
 pub const HEXAHEDRON: u8 = 12;
+
+/// A number that is none.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{file} is not written: its {name} contains a value that is not a finite number")]
+pub struct VtuError {
+    /// The file that would hold it.
+    pub file: String,
+    /// The data.
+    pub name: &'static str,
+}
 
 /// Numbers at points.
 #[derive(Debug, Clone)]
@@ -26,6 +36,18 @@ pub struct PointData {
     pub components: usize,
     /// All of them.
     pub values: Vec<f64>,
+}
+
+impl PointData {
+    /// A number at each point.
+    pub fn scalar(name: &'static str, values: Vec<f64>) -> Self {
+        Self { name, components: 1, values }
+    }
+
+    /// Three numbers at each point.
+    pub fn vector(name: &'static str, values: Vec<[f64; 3]>) -> Self {
+        Self { name, components: 3, values: values.concat() }
+    }
 }
 
 /// A grid of cells of one kind.
@@ -46,6 +68,13 @@ pub struct Grid {
 }
 
 impl Grid {
+    /// Lines of so many points each, one after the other.
+    pub fn of_lines(points: Vec<[f64; 3]>, per_line: usize, data: Vec<PointData>) -> Self {
+        let connectivity = (0..points.len() as i64).collect();
+        let offsets = (1..=points.len() / per_line).map(|c| (per_line * c) as i64).collect();
+        Self { kind: POLY_LINE, points, connectivity, offsets, data, field: vec![] }
+    }
+
     /// Hexahedra with eight points each in `connectivity`.
     pub fn of_hexahedra(points: Vec<[f64; 3]>, connectivity: Vec<i64>, data: Vec<PointData>) -> Self {
         let offsets = (1..=connectivity.len() / 8).map(|c| 8 * c as i64).collect();

@@ -102,6 +102,19 @@ pub enum Control {
     },
 }
 
+impl Control {
+    /// By how much a state with a pull misses what is held: lengths as a share of `radius`, forces of `scale`.
+    pub fn missed(self, state: &State, pull: f64, radius: f64, scale: f64) -> f64 {
+        let length = |w: f64| (w - state.terminal).abs() / radius;
+        let force = |f: f64| (pull - f).abs() / scale;
+        match self {
+            Self::Length(w) => length(w),
+            Self::Force(f) => force(f),
+            Self::Pressure { terminal, force: f } => length(terminal) + force(f),
+        }
+    }
+}
+
 /// What the elements of a body add up to, for the part of the muscle that is computed: a half in the section, an eighth in bricks.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Totals {
@@ -144,12 +157,15 @@ pub struct Settings {
 }
 
 /// A body that a [`super::continuation::Continuation`] leads from equilibrium to equilibrium.
-pub trait Body: NewtonSystem {
+pub trait Body {
     /// How to go about with it.
     const SETTINGS: Settings;
 
     /// How many times the part that is computed makes up the muscle.
     const COPIES: f64;
+
+    /// Its equations.
+    fn system(&mut self) -> &mut dyn NewtonSystem;
 
     /// The present iterate.
     fn state(&self) -> &State;
@@ -184,9 +200,7 @@ pub trait Body: NewtonSystem {
     fn smallest_pressure(&self) -> f64;
 
     /// Sets the state to that of the body at rest.
-    fn rest(&mut self) {
-        self.state_mut().clear();
-    }
+    fn rest(&mut self);
 
     /// First iterate number `attempt` at a pressure in MPa and a displacement of the terminal in mm; `None` after the last one, and
     /// `Some(false)` where this one does not apply.
@@ -199,9 +213,7 @@ pub trait Body: NewtonSystem {
     fn guess_loads(&mut self) {}
 
     /// The pressure in MPa at which the muscle is expected to begin to pull at a contraction.
-    fn pulling_pressure(&self, _contraction: f64) -> Option<f64> {
-        None
-    }
+    fn pulling_pressure(&self, contraction: f64) -> Option<f64>;
 
     /// A pressure in MPa at which all strands may be expected to be in tension at a contraction.
     fn taut_pressure(&self, contraction: f64) -> f64;
@@ -210,9 +222,7 @@ pub trait Body: NewtonSystem {
     ///
     /// # Errors
     /// [`FemError`] where nothing carries that pull.
-    fn guess_contraction(&mut self, _force: f64, _pressure: f64) -> Result<f64, FemError> {
-        Ok(0.0)
-    }
+    fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64, FemError>;
 
     /// The pressure in MPa at which a pull in N is expected at a contraction.
     ///
@@ -221,9 +231,7 @@ pub trait Body: NewtonSystem {
     fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64, FemError>;
 
     /// The pull in N that is expected at a pressure in MPa and a contraction.
-    fn expected_pull(&self, _pressure: f64, _contraction: f64) -> Option<f64> {
-        None
-    }
+    fn expected_pull(&self, pressure: f64, contraction: f64) -> Option<f64>;
 
     /// Whether strands are slack at rest, in a sleeve that is wider than the tube.
     fn loose(&self) -> bool {

@@ -122,10 +122,6 @@ impl<B: Body> Continuation<B> {
     }
 
     /// Back to the body at rest.
-    pub fn reset(&mut self) {
-        self.body.rest();
-    }
-
     /// Equilibria that were met and are not stable, the first ones.
     pub fn unstable(&self) -> &[Unstable] {
         &self.unstable
@@ -199,7 +195,7 @@ impl<B: Body> Continuation<B> {
             options.factorisations = budget - factorisations;
         }
         self.body.hold(control);
-        newton::solve(&mut self.body, &options, &mut self.effort, |_| Ok(cancel::check()?))
+        newton::solve(self.body.system(), &options, &mut self.effort, |_| Ok(cancel::check()?))
     }
 
     /// Finds the equilibrium at a pressure in MPa and a contraction.

@@ -30,9 +30,12 @@ pub(super) struct Matrix<'a> {
 /// Pivots: every so-many-th number of a matrix, or ones.
 pub(super) type Pivots<'a> = Option<Matrix<'a>>;
 
-/// Which product: the rows and columns of C, the depth of A and B.
+/// A product A D Bᵀ: its factors, the rows and columns of C, the depth of A and B.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Shape {
+pub(super) struct Product<'a> {
+    pub a: Matrix<'a>,
+    pub b: Matrix<'a>,
+    pub d: Pivots<'a>,
     pub rows: usize,
     pub columns: usize,
     pub depth: usize,
@@ -64,15 +67,8 @@ impl Kernel {
     }
 
     /// C = [C] − A D Bᵀ.
-    pub fn product(
-        &mut self,
-        c: (&mut [f64], usize),
-        a: Matrix<'_>,
-        b: Matrix<'_>,
-        d: Pivots<'_>,
-        shape: Shape,
-    ) {
-        on_width(self.width, (&mut self.copy, &mut self.strip), c, a, b, d, shape);
+    pub fn product(&mut self, c: (&mut [f64], usize), of: Product<'_>) {
+        on_width(self.width, (&mut self.copy, &mut self.strip), c, of);
     }
 
     /// X := X T⁻ᵀ of a few columns: x_q = (x_q − Σ_p<q x_p t_qp) s_q.
@@ -90,14 +86,7 @@ pub(super) struct Triangle {
 }
 
 on_lanes! {
-    fn on_width(
-        memory: (&mut Vec<f64>, &mut [f64]),
-        c: (&mut [f64], usize),
-        a: Matrix<'_>,
-        b: Matrix<'_>,
-        d: Pivots<'_>,
-        shape: Shape,
-    ) = product
+    fn on_width(memory: (&mut Vec<f64>, &mut [f64]), c: (&mut [f64], usize), of: Product<'_>) = product
 }
 
 on_lanes! {
@@ -113,28 +102,26 @@ const fn columns(lanes: usize) -> usize {
 fn product<R: Real>(
     (copy, strip): (&mut Vec<f64>, &mut [f64]),
     (c, stride): (&mut [f64], usize),
-    a: Matrix<'_>,
-    b: Matrix<'_>,
-    d: Pivots<'_>,
-    shape: Shape,
+    of: Product<'_>,
 ) {
+    let Product { a, b, d, .. } = of;
     let (tile, most) = (VECTORS * R::LANES, columns(R::LANES));
-    for first in (0..shape.depth).step_by(DEPTH) {
-        let depth = DEPTH.min(shape.depth - first);
-        let keep = shape.keep || first > 0;
-        for top in (0..shape.rows).step_by(TILES * tile) {
-            let rows = (TILES * tile).min(shape.rows - top);
+    for first in (0..of.depth).step_by(DEPTH) {
+        let depth = DEPTH.min(of.depth - first);
+        let keep = of.keep || first > 0;
+        for top in (0..of.rows).step_by(TILES * tile) {
+            let rows = (TILES * tile).min(of.rows - top);
             let block = Matrix { values: &a.values[first * a.stride + top..], stride: a.stride };
-            let copied = shape.columns >= COPIED.0 * most && depth >= COPIED.1;
+            let copied = of.columns >= COPIED.0 * most && depth >= COPIED.1;
             if copied {
                 copy_tiles::<R>(copy, block, rows, depth);
             }
             let mut j = 0;
-            while j < shape.columns {
-                let left = shape.columns - j;
+            while j < of.columns {
+                let left = of.columns - j;
                 let count = left.div_ceil(left.div_ceil(most));
                 // The first tile with rows that are wanted.
-                let begin = if shape.lower { j.saturating_sub(top) / tile * tile } else { 0 };
+                let begin = if of.lower { j.saturating_sub(top) / tile * tile } else { 0 };
                 if begin >= rows {
                     break;
                 }
@@ -334,9 +321,9 @@ mod tests {
         let before = numbers(sc * columns, 4);
         let mut c = before.clone();
         let matrix = |values, stride| Matrix { values, stride };
-        let shape = Shape { rows, columns, depth, keep, lower };
         let by = pivots.then_some(matrix(&d, 2));
-        Kernel::new(width).product((&mut c, sc), matrix(&a, sa), matrix(&b, sb), by, shape);
+        let of = Product { a: matrix(&a, sa), b: matrix(&b, sb), d: by, rows, columns, depth, keep, lower };
+        Kernel::new(width).product((&mut c, sc), of);
         for (at, value) in c.iter().enumerate() {
             let (i, j) = (at % sc, at / sc);
             let one = |k: usize| a[k * sa + i] * b[k * sb + j] * if pivots { d[2 * k] } else { 1.0 };
@@ -345,7 +332,10 @@ mod tests {
             } else {
                 before[at]
             };
-            assert!(*value == wanted || lower && i < j, "{width:?} {shape:?} {i} {j}: {value} {wanted}");
+            assert!(
+                *value == wanted || lower && i < j,
+                "{width:?} {rows} {columns} {depth} {i} {j}: {value} {wanted}"
+            );
         }
     }
 

@@ -95,7 +95,7 @@ impl<B: Body> Continuation<B> {
         if self.tight_guess(pressure, terminal) {
             return Ok(());
         }
-        self.reset();
+        self.body.rest();
         self.steps = Some(0);
         self.walk(pressure, 0.0, B::SETTINGS.first_step)?;
         self.walk(pressure, terminal, B::SETTINGS.first_step)?;
@@ -107,7 +107,7 @@ impl<B: Body> Continuation<B> {
 
     /// From rest, continuously: a tube that has not reached its sleeve has no taut muscle that it continues.
     pub(super) fn inflate(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
-        self.reset();
+        self.body.rest();
         self.go(pressure, 0.0, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;
         self.follow(pressure, terminal)
     }

@@ -149,8 +149,8 @@ const RETREATS: usize = 6;
 ///
 /// # Errors
 /// [`Stopped`]; the system then holds an iterate that is no answer.
-pub fn solve<S: NewtonSystem>(
-    system: &mut S,
+pub fn solve(
+    system: &mut dyn NewtonSystem,
     options: &NewtonOptions,
     effort: &mut Effort,
     mut watch: impl FnMut(f64) -> Result<(), Stopped>,

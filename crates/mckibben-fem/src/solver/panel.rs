@@ -9,7 +9,7 @@
 //!
 //! No pivots are exchanged: systems are ordered and augmented so that none need be.
 
-use super::kernel::{Kernel, Matrix, STRIP, Shape, Triangle};
+use super::kernel::{Kernel, Matrix, Product, STRIP, Triangle};
 use super::symbolic::Form;
 use std::ops::Range;
 
@@ -43,15 +43,17 @@ impl Panel<'_> {
             if columns.start > 0 {
                 let part = |row| Matrix { values: &done[row..], stride };
                 let d = Matrix { values: &*done, stride: stride + 1 };
-                let shape = Shape {
+                let of = Product {
+                    a: part(top),
+                    b: part(columns.start),
+                    d: (self.form == Form::Indefinite).then_some(d),
                     rows: rows.end - top,
                     columns: columns.len(),
                     depth: columns.start,
                     keep: true,
                     lower: rows.start == 0,
                 };
-                let d = (self.form == Form::Indefinite).then_some(d);
-                kernel.product((&mut own[top..], stride), part(top), part(columns.start), d, shape);
+                kernel.product((&mut own[top..], stride), of);
             }
             let own = &mut own[columns.start..];
             let mut below = top - columns.start;

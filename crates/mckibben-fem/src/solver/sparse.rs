@@ -6,7 +6,7 @@
 pub use super::symbolic::Pattern;
 
 use super::newton::Stopped;
-use super::substitution::Factor;
+use super::substitution::{self, Factor};
 use super::supernodal::Numeric;
 use super::symbolic::{Form, Symbolic};
 use crate::element::lanes::Width;
@@ -79,7 +79,7 @@ impl SparseCholesky {
     pub fn solve(&mut self, rhs: &mut [f64]) {
         if let Some(form) = self.form {
             let factor = Factor { form, symbolic: &self.analysis.symbolic, values: &self.factor };
-            factor.solve(self.width, rhs, &mut self.memory);
+            substitution::solve(self.width, factor, rhs, &mut self.memory);
         }
     }
 

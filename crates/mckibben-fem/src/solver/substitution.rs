@@ -1,7 +1,7 @@
 //! L x = b and Lᵀ x = b, supernode by supernode: forward with the columns of L, backward with the same ones as rows.
 
 use super::symbolic::{Form, Symbolic};
-use crate::element::lanes::{Real, Width, on_lanes};
+use crate::element::lanes::{Real, on_lanes};
 
 /// Columns at a time.
 const COLUMNS: usize = 4;
@@ -13,19 +13,13 @@ pub(super) struct Factor<'a> {
     pub values: &'a [f64],
 }
 
-impl Factor<'_> {
-    /// Replaces a right-hand side by the solution.
-    pub fn solve(self, width: Width, x: &mut [f64], memory: &mut Vec<f64>) {
-        on_width(width, self, x, memory);
-    }
-}
-
 on_lanes! {
-    fn on_width(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>) = solve
+    /// Replaces a right-hand side by the solution.
+    pub(super) fn solve(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>) = substitute
 }
 
 #[inline(always)]
-fn solve<R: Real>(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>) {
+fn substitute<R: Real>(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>) {
     let (form, s) = (factor.form, factor.symbolic);
     for i in 0..s.count() {
         let (columns, below, l) = (s.columns(i), s.below(i), &factor.values[s.values(i)]);

@@ -3,7 +3,7 @@
 //! Left-looking (Ng & Peyton 1993 \[ng1993\]). A supernode takes its entries of the matrix; then what every earlier supernode with rows in
 //! it takes off; then its own columns are factorised, panel by panel.
 
-use super::kernel::{Kernel, Matrix, Shape};
+use super::kernel::{Kernel, Matrix, Product};
 use super::newton::Stopped;
 use super::panel::Panel;
 use super::symbolic::{Form, Pattern, Symbolic};
@@ -104,13 +104,13 @@ impl Numeric {
                 self.product.resize((count * size).max(self.product.len()), 0.0);
                 let lower = rows.start == columns.start;
                 for depth in pieces(0..wide, DEPTH) {
-                    let (left, right) =
+                    let (a, b) =
                         (part(wide + rows.start, depth.start), part(wide + columns.start, depth.start));
                     let d = Matrix { stride: stride + 1, ..part(depth.start, depth.start) };
                     let d = (form == Form::Indefinite).then_some(d);
                     let (keep, depth) = (depth.start > 0, depth.len());
-                    let shape = Shape { rows: size, columns: count, depth, keep, lower };
-                    self.kernel.product((&mut self.product, size), left, right, d, shape);
+                    let of = Product { a, b, d, rows: size, columns: count, depth, keep, lower };
+                    self.kernel.product((&mut self.product, size), of);
                     self.worked(count * size * depth)?;
                 }
                 self.places.clear();
@@ -142,10 +142,10 @@ impl Numeric {
                 for rows in pieces(first..height, ROWS) {
                     let d = Matrix { stride: height + 1, ..part(depth.start, depth.start) };
                     let d = (form == Form::Indefinite).then_some(d);
-                    let (left, right) = (part(rows.start, depth.start), part(first, depth.start));
+                    let (a, b) = (part(rows.start, depth.start), part(first, depth.start));
                     let (size, depth, lower) = (rows.len(), depth.len(), rows.start == first);
-                    let shape = Shape { rows: size, columns: count, depth, keep: true, lower };
-                    self.kernel.product((&mut own[rows.start..], height), left, right, d, shape);
+                    let of = Product { a, b, d, rows: size, columns: count, depth, keep: true, lower };
+                    self.kernel.product((&mut own[rows.start..], height), of);
                     self.worked(count * size * depth)?;
                 }
             }

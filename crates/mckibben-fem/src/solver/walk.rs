@@ -15,7 +15,7 @@ const AIMED: f64 = 0.1;
 impl<B: Body> Continuation<B> {
     /// From rest in a straight line of pressure and length.
     pub(super) fn straight(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
-        self.reset();
+        self.body.rest();
         self.walk(pressure, terminal, B::SETTINGS.first_step)
     }
 
@@ -29,7 +29,7 @@ impl<B: Body> Continuation<B> {
             && self.solve(Control::Length(terminal)).is_ok()
             && self.stable();
         if !there {
-            self.reset();
+            self.body.rest();
             self.steps = Some(0);
             self.walk(taut, 0.0, B::SETTINGS.first_step)?;
             self.walk(taut, terminal, B::SETTINGS.first_step)?;
@@ -46,7 +46,7 @@ impl<B: Body> Continuation<B> {
         let mut trail = Trail::default();
         let (mut at, mut step) = (0.0, FIRST * terminal);
         if !self.guessed(pressure, at).is_answer() {
-            self.reset();
+            self.body.rest();
             self.walk(pressure, at, B::SETTINGS.first_step).map_err(|end| end.reason)?;
             if !(self.stable() && self.body.taut()) {
                 return Err(Stopped::Branch);
@@ -134,7 +134,7 @@ impl<B: Body> Continuation<B> {
     pub(super) fn last(&mut self) -> LastConverged {
         self.body.state_mut().copy_from(&self.base);
         // What cannot be assembled has no totals: it was an equilibrium, so it can.
-        let totals = self.body.residual().map(|_| self.body.totals()).unwrap_or_default();
+        let totals = self.body.system().residual().map(|_| self.body.totals()).unwrap_or_default();
         LastConverged {
             pressure_mpa: self.base.pressure,
             contraction: self.contraction(),

@@ -5,13 +5,11 @@
 
 use super::discretisation::{Discretisation, Material};
 use super::mesh::Brick;
-use super::share::share;
 use crate::element::brick::{Input, Output, ShapePoint, run};
 use crate::element::hexahedron::{NODES8, NODES27, points};
 use crate::element::lanes::Real;
 use crate::element::lanes::on_lanes;
 use crate::element::spatial::{AT, SpatialLaw, with};
-use crate::element::truss::Truss;
 use crate::load::cavity_faces::{self, FacePoint, skew, volume};
 use crate::solver::body::{State, Totals};
 use crate::solver::newton::Stopped;
@@ -75,8 +73,8 @@ pub fn assemble<const TANGENT: bool>(
         let (start, end) = (m.bricks.start, m.bricks.end);
         for first in (start..end).step_by(PIECE) {
             cancel::check()?;
-            let of = (d, m, first..(first + PIECE).min(end));
-            with(&m.law, |law| bricks::<TANGENT>(of, s, law, work, &mut totals))?;
+            let bricks = first..(first + PIECE).min(end);
+            with(&m.law, |law| add::<TANGENT>(Piece { d, s, m, law, bricks }, work, &mut totals))?;
         }
     }
     trusses::<TANGENT>(d, s, work, &mut totals);
@@ -102,19 +100,19 @@ pub fn assemble<const TANGENT: bool>(
 }
 
 /// Some bricks of one material.
-type Piece<'a> = (&'a Discretisation, &'a Material, Range<usize>);
+struct Piece<'a> {
+    d: &'a Discretisation,
+    s: &'a State,
+    m: &'a Material,
+    law: SpatialLaw<'a>,
+    bricks: Range<usize>,
+}
 
-/// Adds up bricks of one material; the first that is turned inside out, with its volume ratio.
-fn bricks<const TANGENT: bool>(
-    of: Piece<'_>,
-    s: &State,
-    law: SpatialLaw<'_>,
-    work: &mut Assembled,
-    totals: &mut Totals,
-) -> Result<(), Stopped> {
-    match of.0.problem.brick {
-        Brick::Linear => wide::<8, 1, TANGENT>(of.0.width, &POINTS8, of, s, law, work, totals),
-        Brick::Quadratic => wide::<27, 4, TANGENT>(of.0.width, &POINTS27, of, s, law, work, totals),
+/// Adds up bricks of one material until one is turned inside out.
+fn add<const TANGENT: bool>(of: Piece<'_>, work: &mut Assembled, totals: &mut Totals) -> Result<(), Stopped> {
+    match of.d.problem.brick {
+        Brick::Linear => wide::<8, 1, TANGENT>(of.d.width, &POINTS8, of, work, totals),
+        Brick::Quadratic => wide::<27, 4, TANGENT>(of.d.width, &POINTS27, of, work, totals),
     }
 }
 
@@ -122,8 +120,6 @@ on_lanes! {
     fn wide[NN: usize, NM: usize, TANGENT: bool](
         points: &[ShapePoint<NN>],
         of: Piece<'_>,
-        s: &State,
-        law: SpatialLaw<'_>,
         work: &mut Assembled,
         totals: &mut Totals,
     ) -> Result<(), Stopped> = all
@@ -133,14 +129,12 @@ on_lanes! {
 fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
     of: Piece<'_>,
-    s: &State,
-    law: SpatialLaw<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
 ) -> Result<(), Stopped> {
     let mut input = Input::<R, NN, NM>::zero();
     let mut out = Output::<R, NN, NM>::zero();
-    let (d, m, Range { start, end: count }) = of;
+    let Piece { d, s, m, law, bricks: Range { start, end: count } } = of;
     (input.compliance, input.augment) = (m.compliance, m.augment);
     let per_map = d.per_map();
     let mut twice = d.twice[d.twice.partition_point(|t| (t.0 as usize) < start)..].iter().peekable();
@@ -217,13 +211,8 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
 fn trusses<const TANGENT: bool>(d: &Discretisation, s: &State, work: &mut Assembled, totals: &mut Totals) {
     for (t, ([a, b], truss)) in d.problem.trusses.iter().enumerate() {
         let (a, b) = (*a as usize, *b as usize);
-        let end = |n: usize, i: usize| d.problem.nodes[n][i] + s.u[3 * n + i];
-        let delta = [0, 1, 2].map(|i| end(b, i) - end(a, i));
-        let (compliance, augment) = d.strand[t];
-        // T = q + γ (strain − q/(E A)): of strands stiffer than γ the rest is iterated.
-        let pull =
-            Truss { stiffness_n: augment, ..*truss }.pull(delta, share(compliance, augment) * s.q[t], s.q[t]);
-        totals.braid += 0.5 * pull.tension * pull.tension * compliance * truss.length_mm;
+        let pull = d.pull(s, t, s.q[t]);
+        totals.braid += 0.5 * pull.tension * pull.tension * d.strand[t].0 * truss.length_mm;
         work.strands[t] = (pull.direction, pull.strain, pull.carries);
         for i in 0..3 {
             let f = pull.tension * pull.direction[i];

@@ -5,9 +5,8 @@
 //! Leonetti & Garcea 2017). `saddle.rs` solves the linear systems.
 
 use super::assembly::{Assembled, assemble};
-use super::discretisation::Discretisation;
+use super::discretisation::{Discretisation, share};
 use super::saddle::{Constraints, constraint_residual, dot, gather};
-use super::share::share;
 use crate::FemError;
 use crate::solver::body::{Control, State, Totals};
 use crate::solver::newton::{NewtonSystem, Stopped};
@@ -111,7 +110,8 @@ impl Body {
 
     /// The step that the last tangent predicts, and by how much ∂Π/∂w changes. Where the work is cancelled on the way neither is right: who
     /// makes an answer of them looks at the flag afterwards.
-    fn respond(&mut self, cause: Cause, out: &mut State, tolerance: f64) -> f64 {
+    fn respond(&mut self, cause: Cause, tolerance: f64) -> (f64, State) {
+        let mut out = self.state.clone();
         let d = &self.discretisation;
         let dw = match cause {
             Cause::Residual(dw) => dw,
@@ -170,7 +170,7 @@ impl Body {
                 }
             }
         }
-        change
+        (change, out)
     }
 
     /// dF/dw of the whole muscle for a displacement of one terminal, in N/mm: twice the stiffness ∂F/∂L.
@@ -180,8 +180,7 @@ impl Body {
 
     /// ∂F/∂P at fixed length in mm², of the last tangent.
     pub fn force_per_pressure(&mut self) -> f64 {
-        let mut out = self.state.clone();
-        4.0 * self.respond(Cause::Pressure, &mut out, TIGHT)
+        4.0 * self.respond(Cause::Pressure, TIGHT).0
     }
 
     /// −∂V/∂L at fixed pressure in mm², of the last tangent: by Maxwell's relation the same as ∂F/∂P.
@@ -191,16 +190,14 @@ impl Body {
 
     /// [`Body::terminal_stiffness`] and [`Body::volume_per_length`] by one solution.
     pub fn terminal_response(&mut self) -> (f64, f64) {
-        let mut out = self.state.clone();
-        let change = self.respond(Cause::Terminal, &mut out, TIGHT);
+        let (change, out) = self.respond(Cause::Terminal, TIGHT);
         let volume = dot(&self.assembled.cavity, &out.u) + self.discretisation.problem.cap_mm2 / 3.0;
         (4.0 * change, -4.0 * volume)
     }
 
     /// ∂V/∂P of the whole cavity at fixed length in mm³/MPa, of the last tangent.
     pub fn volume_per_pressure(&mut self) -> f64 {
-        let mut out = self.state.clone();
-        self.respond(Cause::Pressure, &mut out, TIGHT);
+        let (_, out) = self.respond(Cause::Pressure, TIGHT);
         8.0 * dot(&self.assembled.cavity, &out.u)
     }
 
@@ -216,15 +213,10 @@ impl Body {
         let d = &self.discretisation;
         let scale = self.force_scale();
         let free = d.place.iter().map(|&i| self.assembled.force[i as usize].abs()).fold(0.0, f64::max);
-        let held = match self.control {
-            Control::Length(w) => (w - self.state.terminal).abs() / d.radius,
-            Control::Force(f) => (self.totals.pull - f).abs() / scale,
-            Control::Pressure { terminal, force } => {
-                (terminal - self.state.terminal).abs() / d.radius + (self.totals.pull - force).abs() / scale
-            }
-        };
+        let held = self.control.missed(&self.state, self.totals.pull, d.radius, scale);
         // Where the multipliers are iterated, what is left of the constraints counts as well.
-        let left = if share(d.compliance, d.augment) > 0.0 { self.totals.defect } else { 0.0 };
+        let rubber = &d.materials[0];
+        let left = if share(rubber.compliance, rubber.augment) > 0.0 { self.totals.defect } else { 0.0 };
         let scale = scale.max(d.rounding_n / ROUNDING);
         (free / scale).max(held).max(left)
     }
@@ -242,25 +234,18 @@ impl NewtonSystem for Body {
     }
 
     fn correct(&mut self) -> Result<f64, Stopped> {
-        let mut step = std::mem::take(&mut self.step);
         let reaction = 0.25 * self.totals.pull;
-        match self.control {
-            Control::Length(w) => {
-                self.respond(Cause::Residual(w - self.state.terminal), &mut step, self.tolerance);
-            }
-            Control::Force(f) => {
-                let mut unit = step.clone();
-                let change = self.respond(Cause::Residual(0.0), &mut step, self.tolerance);
-                let per = self.respond(Cause::Terminal, &mut unit, self.tolerance);
-                step.add((0.25 * f - reaction - change) / per, &unit);
-            }
+        let (dw, held) = match self.control {
+            Control::Length(w) => (w - self.state.terminal, None),
+            Control::Force(f) => (0.0, Some((f, Cause::Terminal))),
             Control::Pressure { terminal, force } => {
-                let mut unit = step.clone();
-                let change =
-                    self.respond(Cause::Residual(terminal - self.state.terminal), &mut step, self.tolerance);
-                let per = self.respond(Cause::Pressure, &mut unit, self.tolerance);
-                step.add((0.25 * force - reaction - change) / per, &unit);
+                (terminal - self.state.terminal, Some((force, Cause::Pressure)))
             }
+        };
+        let (change, mut step) = self.respond(Cause::Residual(dw), self.tolerance);
+        if let Some((force, cause)) = held {
+            let (per, unit) = self.respond(cause, self.tolerance);
+            step.add((0.25 * force - reaction - change) / per, &unit);
         }
         cancel::check()?;
         self.state.add(1.0, &step);

@@ -10,6 +10,7 @@ use crate::FemError;
 use crate::element::brick::{Modes, modes};
 use crate::element::hexahedron::points;
 use crate::element::lanes::Width;
+use crate::element::truss::{Pull, Truss};
 use crate::solver::body::State;
 use crate::solver::sparse::{Analysis, Pattern};
 use mckibben::cancel::{self, Cancelled};
@@ -56,10 +57,6 @@ pub struct Discretisation {
     pub truss_map: Vec<[u32; 21]>,
     /// Where the blocks of faces go: nine numbers for every pair a < b.
     pub face_map: Vec<u32>,
-    /// 1/K in 1/MPa.
-    pub compliance: f64,
-    /// γ in MPa.
-    pub augment: f64,
     /// Materials, the rubber first.
     pub materials: Vec<Material>,
     /// Material of every brick.
@@ -112,6 +109,12 @@ impl Material {
     }
 }
 
+/// β = 1 − γ/k; what is left by rounding where γ = k is zero.
+pub(super) fn share(compliance: f64, augment: f64) -> f64 {
+    let share = 1.0 - augment * compliance;
+    if share > 1e-12 { share } else { 0.0 }
+}
+
 impl Discretisation {
     /// Numbers the unknowns and finds every entry's place.
     ///
@@ -132,7 +135,6 @@ impl Discretisation {
         let analysis = Arc::new(Analysis::new(pattern).ok_or_else(|| FemError::too_large(free))?);
         let shear = problem.law.shear_modulus_mpa();
         let materials = Material::all(&problem);
-        let (compliance, augment) = (materials[0].compliance, materials[0].augment);
         let mut material = vec![0u8; problem.bricks.len()];
         for (m, one) in materials.iter().enumerate() {
             material[one.bricks.clone()].fill(m as u8);
@@ -161,8 +163,6 @@ impl Discretisation {
             twice: vec![],
             truss_map: vec![],
             face_map: vec![],
-            compliance,
-            augment,
             materials,
             material,
             rounding_n,
@@ -182,6 +182,17 @@ impl Discretisation {
     pub fn rest(&self) -> State {
         let nodes = self.problem.nodes.len();
         State::rest(3 * nodes, self.bricks() * self.modes, self.problem.trusses.len())
+    }
+
+    /// What a piece of a strand does in a state, with the tension in N that its tangent has: T = q + γ (strain − q/(E A)); of strands
+    /// stiffer than γ the rest is iterated.
+    pub fn pull(&self, s: &State, t: usize, tension: f64) -> Pull {
+        let (ends, truss) = &self.problem.trusses[t];
+        let end = |n: usize, i: usize| self.problem.nodes[n][i] + s.u[3 * n + i];
+        let delta = [0, 1, 2].map(|i| end(ends[1] as usize, i) - end(ends[0] as usize, i));
+        let (compliance, augment) = self.strand[t];
+        let truss = Truss { stiffness_n: augment, ..*truss };
+        truss.pull(delta, share(compliance, augment) * s.q[t], tension)
     }
 
     /// Where the tangent's entries stand.

@@ -4,7 +4,7 @@
 //! (Barlow 1976 \[barlow1976\]): in the middle of an eight-node brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the
 //! trilinear function carries it to the nodes. Where bricks meet, they are averaged.
 
-use super::kinematics::{dot, gradient, largest_principal, left, now, pull};
+use super::kinematics::{dot, gradient, largest_principal, left, now};
 use super::mesh::{Brick, BrickMesh};
 use super::model::ThreeDimensional;
 use super::muscle::MuscleInBricks;
@@ -14,7 +14,6 @@ use crate::element::brick::{ShapePoint, determinant};
 use crate::element::hexahedron::at;
 use crate::element::q2::GAUSS2;
 use crate::element::spatial::{SpatialLaw, with};
-use crate::simulation::Discretised;
 use mckibben::model::Workspace;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -105,7 +104,7 @@ fn field(muscle: &mut MuscleInBricks) -> Result<Field, FemError> {
 fn pieces(body: &Body) -> Vec<PieceField> {
     let d = &body.discretisation;
     let one = |t: usize| {
-        let pull = pull(body, t);
+        let pull = body.discretisation.pull(&body.state, t, 0.0);
         let n = pull.direction;
         PieceField {
             ends: d.problem.trusses[t].0.map(|n| n as usize),
@@ -169,8 +168,8 @@ fn middles<const NN: usize>(body: &Body, bricks: Range<usize>, law: SpatialLaw<'
     let mut shares = vec![0.0; out.len()];
     for e in bricks {
         let nodes = &problem.bricks[e];
-        let Some((f, at)) = gradient(body, e, nodes, p) else { continue };
-        let stress = stress(body, law, e, nodes, p);
+        let Some((f, at)) = gradient(body, e, p) else { continue };
+        let stress = stress(body, law, e, p);
         let one = NodeField { stress_mpa: stress, ..stretches(&f, at) };
         for node in nodes {
             out[*node as usize].add(&one);
@@ -213,21 +212,19 @@ impl NodeField {
 }
 
 fn at_nodes(body: &Body, law: SpatialLaw<'_>) -> Vec<NodeField> {
-    let d = &body.discretisation;
-    let mut out = vec![NodeField::default(); d.problem.nodes.len()];
-    match d.problem.brick {
-        Brick::Linear => fill::<8>(body, law, &[[0.0; 3]], &mut out),
+    match body.discretisation.problem.brick {
+        Brick::Linear => fill::<8>(body, law, &[[0.0; 3]]),
         Brick::Quadratic => {
             let g = [GAUSS2[0].0, GAUSS2[1].0];
             let points: Vec<[f64; 3]> = (0..8).map(|k| [g[k % 2], g[k / 2 % 2], g[k / 4]]).collect();
-            fill::<27>(body, law, &points, &mut out);
+            fill::<27>(body, law, &points)
         }
     }
-    out
 }
 
-fn fill<const NN: usize>(body: &Body, law: SpatialLaw<'_>, points: &[[f64; 3]], out: &mut [NodeField]) {
+fn fill<const NN: usize>(body: &Body, law: SpatialLaw<'_>, points: &[[f64; 3]]) -> Vec<NodeField> {
     let d = &body.discretisation;
+    let mut out = vec![NodeField::default(); d.problem.nodes.len()];
     let corners = if NN == 8 { [-1.0, 1.0].as_slice() } else { &[-1.0, 0.0, 1.0] };
     let p = corners.len();
     let places: Vec<[f64; 3]> =
@@ -236,10 +233,10 @@ fn fill<const NN: usize>(body: &Body, law: SpatialLaw<'_>, points: &[[f64; 3]], 
     let at_points: Vec<ShapePoint<NN>> = points.iter().map(|x| at(*x, 1.0)).collect();
     let mut shares = vec![0.0; out.len()];
     for (e, nodes) in d.problem.bricks[d.materials[0].bricks.clone()].iter().enumerate() {
-        let stress: Vec<[f64; 6]> = at_points.iter().map(|p| stress(body, law, e, nodes, p)).collect();
+        let stress: Vec<[f64; 6]> = at_points.iter().map(|p| stress(body, law, e, p)).collect();
         for (a, node) in nodes.iter().enumerate() {
             let k = *node as usize;
-            let Some((f, _)) = gradient(body, e, nodes, &at_nodes[a]) else { continue };
+            let Some((f, _)) = gradient(body, e, &at_nodes[a]) else { continue };
             let rest = d.problem.nodes[k];
             let here = NodeField { stress_mpa: carried(&stress, places[a]), ..stretches(&f, rest) };
             let field = &mut out[k];
@@ -250,17 +247,12 @@ fn fill<const NN: usize>(body: &Body, law: SpatialLaw<'_>, points: &[[f64; 3]], 
         }
     }
     out.iter_mut().zip(shares).for_each(|(field, share)| field.divide(share));
+    out
 }
 
 /// Cauchy stress at a point of brick `e`.
-fn stress<const NN: usize>(
-    body: &Body,
-    law: SpatialLaw<'_>,
-    e: usize,
-    nodes: &[u32],
-    p: &ShapePoint<NN>,
-) -> [f64; 6] {
-    let Some((f, at)) = gradient(body, e, nodes, p) else { return [0.0; 6] };
+fn stress<const NN: usize>(body: &Body, law: SpatialLaw<'_>, e: usize, p: &ShapePoint<NN>) -> [f64; 6] {
+    let Some((f, at)) = gradient(body, e, p) else { return [0.0; 6] };
     let j = determinant(&f);
     let pressure = pressure(&body.discretisation, body, e, at);
     let tau = law.spatial::<f64, false>(&left(&f), j).tau;

@@ -25,8 +25,8 @@ struct Finder<'a> {
 
 impl<'a> Finder<'a> {
     fn new(section: &'a Section) -> Self {
-        let (through, along) = section.elements();
-        let at = |i, j| section.nodes()[section.index(i, j)].rest_mm;
+        let (through, along) = (section.through, section.along);
+        let at = |i, j| section.nodes[section.index(i, j)].rest_mm;
         Self {
             section,
             lines: (0..=2 * through).map(|i| at(i, 0)[0]).collect(),
@@ -47,7 +47,7 @@ impl<'a> Finder<'a> {
         let (j, y) = Self::triple(&self.stations, z);
         for (b, wy) in y.into_iter().enumerate() {
             for (a, wx) in x.into_iter().enumerate() {
-                each(&self.section.nodes()[self.section.index(i + a, j + b)], wx * wy);
+                each(&self.section.nodes[self.section.index(i + a, j + b)], wx * wy);
             }
         }
     }
@@ -99,7 +99,7 @@ pub(super) fn carry_over(
         state.p[e * d.modes..(e + 1) * d.modes].fill(0.0);
         state.p[e * d.modes] = mean;
     }
-    let strands = section.strands();
+    let strands = &section.strands;
     for (q, (ends, _)) in state.q.iter_mut().zip(&d.problem.trusses) {
         let z = 0.5 * (d.problem.nodes[ends[0] as usize][2] + d.problem.nodes[ends[1] as usize][2]);
         let next = strands.partition_point(|s| s.rest_mm < z).clamp(1, strands.len().max(2) - 1);

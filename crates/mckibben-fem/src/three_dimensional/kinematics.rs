@@ -1,27 +1,14 @@
 //! Where nodes are now, and what bricks and strands do between them.
 
 use super::body::Body;
-use super::share::share;
 use crate::element::brick::{ShapePoint, adjugate, determinant, jacobian};
 use crate::element::spatial::PAIRS;
 use crate::element::spatial_stretches::principal_axes;
-use crate::element::truss::{Pull, Truss};
 
 /// Place now of a node in mm.
 pub(super) fn now(body: &Body, node: usize) -> [f64; 3] {
     let (x, u) = (&body.discretisation.problem.nodes[node], &body.state.u[3 * node..3 * node + 3]);
     [x[0] + u[0], x[1] + u[1], x[2] + u[2]]
-}
-
-/// What a piece of a strand does now.
-pub(super) fn pull(body: &Body, t: usize) -> Pull {
-    let d = &body.discretisation;
-    let (ends, truss) = &d.problem.trusses[t];
-    let [a, b] = ends.map(|n| now(body, n as usize));
-    let delta = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    let (compliance, augment) = d.strand[t];
-    let truss = Truss { stiffness_n: augment, ..*truss };
-    truss.pull(delta, share(compliance, augment) * body.state.q[t], 0.0)
 }
 
 pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -42,10 +29,11 @@ pub(super) fn largest_principal(f: &[[f64; 3]; 3]) -> f64 {
 pub(super) fn gradient<const NN: usize>(
     body: &Body,
     brick: usize,
-    nodes: &[u32],
     p: &ShapePoint<NN>,
 ) -> Option<([[f64; 3]; 3], [f64; 3])> {
-    let rest: [[f64; 3]; NN] = std::array::from_fn(|a| body.discretisation.problem.rest(brick, nodes[a]));
+    let problem = &body.discretisation.problem;
+    let nodes = &problem.bricks[brick];
+    let rest: [[f64; 3]; NN] = std::array::from_fn(|a| problem.rest(brick, nodes[a]));
     let here: [[f64; 3]; NN] = std::array::from_fn(|a| now(body, nodes[a] as usize));
     let (before, after) = (jacobian(&rest, &p.dn), jacobian(&here, &p.dn));
     let (volume, inverse) = (determinant(&before), adjugate(&before));

@@ -9,7 +9,7 @@ use crate::FemError;
 use mckibben::muscle::Muscle;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Which brick.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -357,6 +357,11 @@ impl BrickMesh {
         let left = quads().map(|(j, k)| [outer(j, k), outer(j + 1, k + 1)]);
         let right = quads().map(|(j, k)| [outer(j + 1, k), outer(j, k + 1)]);
         left.chain(right).collect()
+    }
+
+    /// Width at rest in mm that one strand of a family in the mesh stands for: π D0 cosθ0/(strands of a family).
+    pub fn strand_width_mm(&self, muscle: &Muscle) -> f64 {
+        PI * muscle.outer_diameter_mm() * muscle.braid().angle_rad().cos() / (4 * (self.grid()[1] - 1)) as f64
     }
 
     /// Area of the terminal's lid, which is round, of the quarter, in mm².

@@ -26,7 +26,6 @@ mod plug_in_mesh;
 pub mod problem;
 mod results;
 mod saddle;
-mod share;
 
 pub use assembly::Assembled;
 pub use body::Body;

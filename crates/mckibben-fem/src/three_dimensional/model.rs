@@ -1,16 +1,10 @@
 //! The three-dimensional muscle as a force model.
 
-use super::discretisation::Discretisation;
 use super::mesh::{BrickMesh, BrickSpec};
 use super::muscle::{MuscleInBricks, MuscleMesh};
 use crate::FemError;
-use crate::axisymmetric::Axisymmetric;
-use crate::simulation::{Discretised, Given, MuscleBody, Simulation};
-use crate::solver::continuation::Continuation;
-use mckibben::model::{
-    Accuracy, Extensions, ForceModel, Inverse, Mesh, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange,
-    Reference, Response, Workspace,
-};
+use crate::simulation::{Divided, FiniteElements};
+use mckibben::model::{Accuracy, Extensions, Mesh, ModelEntry, ModelError, Reference, Workspace};
 use mckibben::muscle::Muscle;
 
 pub(crate) const ENTRY: ModelEntry = ModelEntry {
@@ -22,16 +16,9 @@ pub(crate) const ENTRY: ModelEntry = ModelEntry {
 /// Three-dimensional finite elements (`--model fe3d`): one eighth in bricks of any law, strands between their nodes along
 /// both diagonals, terminals as rigid planes or as plugs ([`super::Plug`]), pressure as −P·V.
 ///
-/// D0 and L0 are the muscle's; the strands lie at the angle of the mesh ([`ThreeDimensional::mesh`] tells it), or at θ0
-/// with another length ([`super::Match::Angle`]). The last equilibria are kept in the workspace.
-#[derive(Debug, Clone)]
-pub struct ThreeDimensional {
-    id: ModelId,
-    info: ModelInfo,
-    divided: MuscleMesh,
-    /// The limit of fine meshes and many strands.
-    limit: Axisymmetric,
-}
+/// D0 and L0 are the muscle's; the strands lie at the angle of the mesh ([`MuscleMesh::mesh`] tells it), or at θ0
+/// with another length ([`super::Match::Angle`]).
+pub type ThreeDimensional = FiniteElements<MuscleMesh>;
 
 impl ThreeDimensional {
     /// The model of a muscle with a mesh of the program's choice.
@@ -54,39 +41,21 @@ impl ThreeDimensional {
             true => Accuracy::UNKNOWN,
             false => Accuracy::share(0.0, Reference::Equations),
         };
-        let info = ModelInfo {
-            range: ModelRange::open().stretched(muscle.braid().angle_deg),
-            accuracy,
-            costly: true,
-            notes: notes(&divided, muscle),
-            ..ModelInfo::new(&ENTRY, muscle)
-        };
-        Ok(Self { id: ModelId::new(), info, divided, limit: Axisymmetric::new(muscle)? })
-    }
-
-    /// The grid at rest.
-    pub fn mesh(&self) -> &BrickMesh {
-        &self.divided.mesh
-    }
-
-    /// The unknowns and what they are made of.
-    pub fn discretisation(&self) -> &Discretisation {
-        &self.divided.discretisation
+        let notes = notes(&divided, muscle);
+        Ok(Self::of(divided, muscle, &ENTRY, accuracy, notes))
     }
 }
 
-impl Discretised for ThreeDimensional {
+impl Divided for MuscleMesh {
     type Body = MuscleInBricks;
 
-    fn continuation<'w>(
-        &self,
-        workspace: &'w mut Workspace,
-    ) -> Result<&'w mut Continuation<MuscleInBricks>, FemError> {
-        workspace.try_of(&self.id, || self.divided.at_rest().map(Continuation::new))
+    fn at_rest(&self) -> Result<MuscleInBricks, FemError> {
+        Self::at_rest(self)
     }
 
-    fn known<'w>(&self, workspace: &'w Workspace) -> Option<&'w Continuation<MuscleInBricks>> {
-        workspace.get(&self.id)
+    fn extensions(model: &ThreeDimensional) -> Extensions<'_> {
+        let companion = Some(&model.divided.limit as _);
+        Extensions { inverse: Some(model), mesh: Some(model), companion, ..Extensions::default() }
     }
 }
 
@@ -121,54 +90,9 @@ fn notes(divided: &MuscleMesh, muscle: &Muscle) -> Vec<String> {
     out
 }
 
-impl ForceModel for ThreeDimensional {
-    fn info(&self) -> &ModelInfo {
-        &self.info
-    }
-
-    fn response(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
-        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.body.response(self.muscle())?)
-    }
-
-    fn force_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<f64, ModelError> {
-        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.pull())
-    }
-
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions {
-            inverse: Some(self),
-            mesh: Some(self),
-            companion: Some(&self.limit),
-            ..Extensions::default()
-        }
-    }
-}
-
-impl Inverse for ThreeDimensional {
-    fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        let found = self.reach(workspace, Given::ContractionAndPull { contraction, force_n });
-        found.ok().map(|found| found.pressure_mpa).filter(|p| *p >= 0.0)
-    }
-
-    fn contraction_at_pull(&self, workspace: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
-        let found = self.reach(workspace, Given::PressureAndPull { pressure_mpa, force_n });
-        found.ok().map(|found| found.contraction)
-    }
-}
-
 impl Mesh for ThreeDimensional {
     fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, ModelError> {
-        self.limit.blocked_scale_n(workspace, pressure_mpa)
+        self.divided.limit.blocked_scale_n(workspace, pressure_mpa)
     }
 
     /// The difference from the axisymmetric limit at the point itself.
@@ -180,8 +104,9 @@ impl Mesh for ThreeDimensional {
         force_n: f64,
         blocked_n: f64,
     ) -> Option<f64> {
-        let own = self.limit.mesh_error_n(workspace, pressure_mpa, contraction, force_n, blocked_n)?;
-        Some(own + self.limit.difference_n(workspace, pressure_mpa, contraction, force_n))
+        let own =
+            self.divided.limit.mesh_error_n(workspace, pressure_mpa, contraction, force_n, blocked_n)?;
+        Some(own + self.divided.limit.difference_n(workspace, pressure_mpa, contraction, force_n))
     }
 
     fn findings(&self, workspace: &Workspace) -> Vec<String> {

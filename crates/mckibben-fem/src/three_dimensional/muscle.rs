@@ -6,17 +6,14 @@ use super::guess::carry_over;
 use super::mesh::{BrickMesh, BrickSpec, Quarter};
 use super::plug::Plug;
 use super::problem::Problem;
-use super::results;
 use crate::FemError;
 use crate::axisymmetric::{self, Axisymmetric, Section};
-use crate::results::Solution;
-use crate::simulation::{Discretised, MuscleBody};
+use crate::simulation::Divided;
 use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{NewtonOptions, NewtonSystem, Stopped};
-use mckibben::model::{ForceModel, Response, Workspace};
+use mckibben::model::ForceModel;
 use mckibben::muscle::{BraidStiffness, Muscle};
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// What of a muscle in bricks does not change.
@@ -28,6 +25,8 @@ pub struct MuscleMesh {
     pub discretisation: Arc<Discretisation>,
     /// Whether nobody stated how far its plug reaches into the tube.
     pub insertion_assumed: bool,
+    /// The limit of fine meshes and many strands.
+    pub limit: Axisymmetric,
     axisymmetric: Option<Axisymmetric>,
     /// Width that one strand of the mesh stands for, in mm.
     width: f64,
@@ -52,7 +51,6 @@ impl MuscleMesh {
                 "three-dimensional elements have no {key}: their strands are trusses on the cylinder of the tube's surface, their rubber is that of a first inflation; take fe, or leave the key out"
             )));
         }
-        let angle = braid.angle_rad();
         // How far the plug reaches into the tube is the muscle's to say.
         let insertion = muscle.terminals().insertion_mm();
         let stated = |p: &Plug| p.insertion_mm.is_some() || muscle.terminals().insertion_mm.is_some();
@@ -61,8 +59,9 @@ impl MuscleMesh {
         let spec = &BrickSpec { plug, ..*spec };
         let mesh = BrickMesh::new(&Quarter::of(muscle), spec)?;
         Ok(Self {
+            limit: Axisymmetric::new(muscle)?,
             axisymmetric: same_muscle(muscle, &mesh),
-            width: PI * muscle.outer_diameter_mm() * angle.cos() / (4 * (mesh.grid()[1] - 1)) as f64,
+            width: mesh.strand_width_mm(muscle),
             discretisation: Arc::new(Discretisation::new(Problem::of(muscle, &mesh))?),
             mesh: Arc::new(mesh),
             insertion_assumed,
@@ -75,8 +74,7 @@ impl MuscleMesh {
     /// [`FemError::Refused`] where there is not enough memory.
     pub fn at_rest(&self) -> Result<MuscleInBricks, FemError> {
         let section = self.axisymmetric.as_ref().map(|model| {
-            let mut workspace = Workspace::new();
-            let section = model.continuation(&mut workspace).map(|c| c.clone());
+            let section = model.divided.at_rest().map(Continuation::new);
             section.map(|section| (model.muscle().clone(), section))
         });
         Ok(MuscleInBricks {
@@ -132,24 +130,6 @@ impl MuscleInBricks {
     }
 }
 
-impl NewtonSystem for MuscleInBricks {
-    fn residual(&mut self) -> Result<f64, Stopped> {
-        self.bricks.residual()
-    }
-
-    fn linearise(&mut self) -> Result<f64, Stopped> {
-        self.bricks.linearise()
-    }
-
-    fn correct(&mut self) -> Result<f64, Stopped> {
-        self.bricks.correct()
-    }
-
-    fn retreat(&mut self, keep: f64) {
-        self.bricks.retreat(keep);
-    }
-}
-
 impl body::Body for MuscleInBricks {
     const SETTINGS: Settings = Settings {
         newton: NewtonOptions { tolerance: 1e-9, iterations: 14, ..NewtonOptions::DEFAULT },
@@ -163,6 +143,10 @@ impl body::Body for MuscleInBricks {
         take_unstable: true,
     };
     const COPIES: f64 = 8.0;
+
+    fn system(&mut self) -> &mut dyn NewtonSystem {
+        &mut self.bricks
+    }
 
     fn state(&self) -> &State {
         &self.bricks.state
@@ -251,15 +235,5 @@ impl body::Body for MuscleInBricks {
         if let Some((_, section)) = &mut self.section {
             section.forget();
         }
-    }
-}
-
-impl MuscleBody for MuscleInBricks {
-    fn response(&mut self, muscle: &Muscle) -> Result<Response, FemError> {
-        results::response(&mut self.bricks, &self.mesh, muscle)
-    }
-
-    fn solution(&mut self, muscle: &Muscle) -> Result<Solution, FemError> {
-        results::solution(&mut self.bricks, &self.mesh, muscle)
     }
 }

@@ -9,7 +9,6 @@ use crate::element::truss::Truss;
 use crate::solver::dissection::Sheet;
 use mckibben::muscle::{Bulk, Muscle};
 use mckibben::rubber::{Law, NeoHookean};
-use std::f64::consts::PI;
 
 /// What becomes of a displacement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -21,6 +20,18 @@ pub enum Freedom {
     Held,
     /// Moves with the terminal (along z only).
     Terminal,
+}
+
+impl Freedom {
+    /// Of what is bonded to the terminal.
+    pub const MOVES: [Self; 3] = [Self::Held, Self::Held, Self::Terminal];
+
+    /// Of a node at (j around, k along) of a quarter between planes of symmetry, whose far end moves with the terminal.
+    pub fn in_quarter([j, k]: [usize; 2], [nj, nk]: [usize; 2]) -> [Self; 3] {
+        let held = |is: bool| if is { Self::Held } else { Self::Free };
+        let along = if k + 1 == nk { Self::Terminal } else { held(k == 0) };
+        [held(j + 1 == nj), held(j == 0), along]
+    }
 }
 
 /// Nodes, elements, loads and supports of a body.
@@ -111,24 +122,9 @@ impl Problem {
     pub fn of(muscle: &Muscle, mesh: &BrickMesh) -> Self {
         let ([ni, nj, nk], rubber) = (mesh.grid(), muscle.rubber());
         let mut freedom = vec![[Freedom::Free; 3]; mesh.nodes.len()];
-        for k in 0..nk {
-            for j in 0..nj {
-                for i in 0..ni {
-                    let f = &mut freedom[mesh.node(i, j, k)];
-                    if j + 1 == nj {
-                        f[0] = Freedom::Held;
-                    }
-                    if j == 0 {
-                        f[1] = Freedom::Held;
-                    }
-                    if k == 0 {
-                        f[2] = Freedom::Held;
-                    }
-                    if k + 1 == nk {
-                        *f = [Freedom::Held, Freedom::Held, Freedom::Terminal];
-                    }
-                }
-            }
+        for (j, k) in (0..nk).flat_map(|k| (0..nj).map(move |j| (j, k))) {
+            let here = if k + 1 == nk { Freedom::MOVES } else { Freedom::in_quarter([j, k], [nj, nk]) };
+            (0..ni).for_each(|i| freedom[mesh.node(i, j, k)] = here);
         }
         let sheet = Sheet { around: nj, along: nk - 1, stride: mesh.brick.order() };
         let mut order = Vec::with_capacity(mesh.nodes.len());
@@ -159,34 +155,29 @@ impl Problem {
             None => mesh.polygon_mm2() + 3.0 * (mesh.lid_mm2() - mesh.polygon_mm2()),
         };
         let nodes = &mesh.nodes;
-        let stiffness_n = strand_stiffness_n(muscle, mesh);
+        // A family is as stiff as the braid's; strands that do not stretch are infinitely stiff.
+        let width = mesh.strand_width_mm(muscle);
+        let stiffness_n = muscle.family_stiffness_n_per_mm().map_or(f64::INFINITY, |k| k * width);
         let trusses = mesh.strands().into_iter().map(|ends| {
             let [a, b] = ends.map(|n| nodes[n as usize]);
             let length_mm = (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
             (ends, Truss { length_mm, stiffness_n, compression: muscle.braid().compression })
         });
         Self {
-            brick: mesh.brick,
-            bricks,
             trusses: trusses.collect(),
             faces,
             cap_mm2,
-            dead: vec![],
             freedom,
-            order,
-            law: rubber.law.clone(),
-            bulk: rubber.bulk,
             others,
             length_mm: Some(mesh.tube.half_mm),
             prestretch: muscle.tube().prestretch,
-            nodes: nodes.clone(),
+            ..Self::free(nodes.clone(), (mesh.brick, bricks), order, (rubber.law.clone(), rubber.bulk))
         }
     }
 }
 
 /// A rigid plug moves with the terminal, and with it the inner surface that is bonded to it; an elastic one is held at its far end.
 fn hold_plug(mesh: &BrickMesh, plug: &PlugGrid, freedom: &mut [[Freedom; 3]]) {
-    const MOVES: [Freedom; 3] = [Freedom::Held, Freedom::Held, Freedom::Terminal];
     let [_, nj, nk] = mesh.grid();
     let rows = nk - plug.first_row;
     let rigid = plug.material.moduli_mpa().is_none();
@@ -195,7 +186,7 @@ fn hold_plug(mesh: &BrickMesh, plug: &PlugGrid, freedom: &mut [[Freedom; 3]]) {
             for m in 0..=plug.columns() {
                 let f = &mut freedom[mesh.plug_node(plug, m, j, k)];
                 if rigid || k + 1 == rows {
-                    *f = MOVES;
+                    *f = Freedom::MOVES;
                     continue;
                 }
                 if m == 0 || j + 1 == nj {
@@ -207,12 +198,4 @@ fn hold_plug(mesh: &BrickMesh, plug: &PlugGrid, freedom: &mut [[Freedom; 3]]) {
             }
         }
     }
-}
-
-/// E·A in N of one strand of the mesh, such that a family is as stiff as the braid's: k π D0 cosθ0/(strands of a family);
-/// infinite for strands that do not stretch.
-pub fn strand_stiffness_n(muscle: &Muscle, mesh: &BrickMesh) -> f64 {
-    let family = 4.0 * (mesh.grid()[1] - 1) as f64;
-    let width = PI * muscle.outer_diameter_mm() * muscle.braid().angle_rad().cos();
-    muscle.family_stiffness_n_per_mm().map_or(f64::INFINITY, |k| k * width / family)
 }

@@ -4,38 +4,73 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::body::Body;
-use super::kinematics::{gradient, largest_principal, now, pull};
+use super::kinematics::{gradient, largest_principal, now};
 use super::mesh::{Brick, BrickMesh};
+use super::muscle::MuscleInBricks;
 use crate::FemError;
 use crate::element::brick::{ShapePoint, determinant, jacobian};
 use crate::element::hexahedron::at;
 use crate::results::{Energies, ProfilePoint, Solution, StrandState, StretchAt, StretchOf, largest_of_most};
+use crate::simulation::MuscleBody;
 use mckibben::cancel;
 use mckibben::model::Response;
 use mckibben::muscle::Muscle;
 use std::f64::consts::{FRAC_PI_4, PI};
 
-/// Everything the present equilibrium tells; factorises its tangent.
-pub fn solution(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Solution, FemError> {
-    let response = response(body, mesh, muscle)?;
-    let totals = body.totals;
-    let rest: f64 = 8.0 * rest_volume(mesh);
-    let strands = strands(body, mesh, muscle);
-    Ok(Solution {
-        profile: profile(body, mesh),
-        strands,
-        max_stretch: largest_stretch(body),
-        energies: Energies {
-            rubber_n_mm: 8.0 * totals.rubber,
-            braid_n_mm: 8.0 * totals.braid,
-            ends_n_mm: 0.0,
-            pressure_n_mm: body.state.pressure * (8.0 * totals.volume - rest),
-        },
-        unstable_directions: body.unstable_directions(),
-        smallest_j: totals.smallest_j,
-        sensitivities: vec![],
-        response,
-    })
+impl MuscleBody for MuscleInBricks {
+    /// Everything the present equilibrium tells; factorises its tangent.
+    fn solution(&mut self, muscle: &Muscle) -> Result<Solution, FemError> {
+        let response = self.response(muscle)?;
+        let (body, mesh) = (&self.bricks, &self.mesh);
+        let totals = body.totals;
+        let rest: f64 = 8.0 * rest_volume(mesh);
+        let strands = strands(body, mesh, muscle);
+        Ok(Solution {
+            profile: profile(body, mesh),
+            strands,
+            max_stretch: largest_stretch(body),
+            energies: Energies {
+                rubber_n_mm: 8.0 * totals.rubber,
+                braid_n_mm: 8.0 * totals.braid,
+                ends_n_mm: 0.0,
+                pressure_n_mm: body.state.pressure * (8.0 * totals.volume - rest),
+            },
+            unstable_directions: body.unstable_directions(),
+            smallest_j: totals.smallest_j,
+            sensitivities: vec![],
+            response,
+        })
+    }
+
+    /// The part that every model tells; factorises the tangent.
+    fn response(&mut self, muscle: &Muscle) -> Result<Response, FemError> {
+        let (body, mesh) = (&mut self.bricks, &self.mesh);
+        let force_n = body.totals.pull;
+        let totals = body.factorise().map_err(|reason| FemError::at_force(force_n, reason))?;
+        // By Maxwell's relation ∂F/∂P = −∂V/∂L.
+        let (stiffness, force_per_pressure) = body.terminal_response();
+        let volume_per_pressure = body.volume_per_pressure();
+        cancel::check()?;
+        let largest = strands(body, mesh, muscle).iter().map(|s| s.tension_n_per_mm).fold(0.0, f64::max);
+        let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
+        let all = 2.0 * PI * muscle.outer_diameter_mm() * cos * largest;
+        let bulge = profile(body, mesh).iter().map(|p| p.outer_r_mm).fold(0.0, f64::max);
+        Ok(Response {
+            pressure_mpa: body.state.pressure + 0.0,
+            contraction: 0.0 - body.state.terminal / body.discretisation.half,
+            force_n: totals.pull,
+            volume_mm3: Some(8.0 * totals.volume),
+            volume_per_pressure_mm3_per_mpa: Some(volume_per_pressure),
+            volume_per_contraction_mm3: Some(muscle.length_mm() * force_per_pressure),
+            stiffness_n_per_mm: Some(0.5 * stiffness),
+            force_per_pressure_mm2: Some(force_per_pressure),
+            braid_tension_n: Some(all),
+            strand_tension_n: count.map(|n| all / f64::from(n)),
+            bulged_diameter_mm: Some(2.0 * bulge),
+            middle_stretch: Some(middle_stretch(body, mesh)),
+            max_stretch: Some(largest_stretch(body).value),
+        })
+    }
 }
 
 fn rest_volume(mesh: &BrickMesh) -> f64 {
@@ -46,35 +81,6 @@ fn rest_volume(mesh: &BrickMesh) -> f64 {
     let solid =
         FRAC_PI_4 * flat * flat * nose + 0.5 * PI * (flat * FRAC_PI_4 * nose.powi(2) + nose.powi(3) / 3.0);
     mesh.lid_mm2() * mesh.tube.half_mm - solid
-}
-
-/// The part that every model tells; factorises the tangent.
-pub fn response(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Response, FemError> {
-    let force_n = body.totals.pull;
-    let totals = body.factorise().map_err(|reason| FemError::at_force(force_n, reason))?;
-    // By Maxwell's relation ∂F/∂P = −∂V/∂L.
-    let (stiffness, force_per_pressure) = body.terminal_response();
-    let volume_per_pressure = body.volume_per_pressure();
-    cancel::check()?;
-    let largest = strands(body, mesh, muscle).iter().map(|s| s.tension_n_per_mm).fold(0.0, f64::max);
-    let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
-    let all = 2.0 * PI * muscle.outer_diameter_mm() * cos * largest;
-    let bulge = profile(body, mesh).iter().map(|p| p.outer_r_mm).fold(0.0, f64::max);
-    Ok(Response {
-        pressure_mpa: body.state.pressure + 0.0,
-        contraction: 0.0 - body.state.terminal / body.discretisation.half,
-        force_n: totals.pull,
-        volume_mm3: Some(8.0 * totals.volume),
-        volume_per_pressure_mm3_per_mpa: Some(volume_per_pressure),
-        volume_per_contraction_mm3: Some(muscle.length_mm() * force_per_pressure),
-        stiffness_n_per_mm: Some(0.5 * stiffness),
-        force_per_pressure_mm2: Some(force_per_pressure),
-        braid_tension_n: Some(all),
-        strand_tension_n: count.map(|n| all / f64::from(n)),
-        bulged_diameter_mm: Some(2.0 * bulge),
-        middle_stretch: Some(middle_stretch(body, mesh)),
-        max_stretch: Some(largest_stretch(body).value),
-    })
 }
 
 /// Mean (z, r) of a ring of nodes; the ends of the quarter count half.
@@ -107,14 +113,14 @@ fn profile(body: &Body, mesh: &BrickMesh) -> Vec<ProfilePoint> {
 fn strands(body: &Body, mesh: &BrickMesh, muscle: &Muscle) -> Vec<StrandState> {
     let [_, nj, nk] = mesh.grid();
     let (row, family) = (nj - 1, (nj - 1) * (nk - 1));
-    let width = PI * muscle.outer_diameter_mm() * muscle.braid().angle_rad().cos() / (4 * row) as f64;
+    let width = mesh.strand_width_mm(muscle);
     let spacing = muscle.braid().strands.map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
     (0..mesh.free_rows())
         .map(|k| {
             let (mut stretch, mut angle, mut tension) = (0.0, 0.0, 0.0);
             let pieces = (k * row..(k + 1) * row).chain(family + k * row..family + (k + 1) * row);
             for t in pieces {
-                let pull = pull(body, t);
+                let pull = body.discretisation.pull(&body.state, t, 0.0);
                 stretch += 1.0 + pull.strain;
                 angle += pull.direction[0].hypot(pull.direction[1]).atan2(pull.direction[2].abs());
                 tension += pull.tension;
@@ -161,7 +167,7 @@ fn look<const NN: usize>(body: &Body, points: &[ShapePoint<NN>]) -> Vec<StretchO
     let mut list = vec![];
     for (e, nodes) in d.problem.bricks[d.materials[0].bricks.clone()].iter().enumerate() {
         for p in points {
-            let Some((f, _)) = gradient(body, e, nodes, p) else { continue };
+            let Some((f, _)) = gradient(body, e, p) else { continue };
             let rest: [[f64; 3]; NN] = std::array::from_fn(|a| d.problem.nodes[nodes[a] as usize]);
             let at = [0, 1, 2].map(|i| rest.iter().zip(p.n).map(|(x, share)| share * x[i]).sum::<f64>());
             let at = StretchAt { value: largest_principal(&f), rest_mm: [at[0].hypot(at[1]), at[2]] };

@@ -11,8 +11,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::assembly::Assembled;
-use super::discretisation::Discretisation;
-use super::share::share;
+use super::discretisation::{Discretisation, share};
 use crate::solver::body::State;
 use crate::solver::sparse::SparseCholesky;
 use mckibben::cancel;

@@ -101,7 +101,7 @@ pub fn tangent_error(body: &mut Body) -> Option<f64> {
             *x = x0 + k * h * v;
         }
         body.evaluate().ok()?;
-        for (c, r) in change.iter_mut().zip(body.residual_vector()) {
+        for (c, r) in change.iter_mut().zip(&body.assembled.residual) {
             *c += weight * r / h;
         }
     }

@@ -40,7 +40,7 @@ fn balloon(exact: f64) -> Option<f64> {
     let mut step = 0.4 * exact;
     while step > 1e-5 * exact {
         let before = path.body.state.clone();
-        if path.walk(low + step, 0.0, 1.0).is_ok() && path.body.unstable_directions() == 0 {
+        if path.walk(low + step, 0.0, 1.0).is_ok() && path.stable() {
             low += step;
         } else {
             path.body.state.copy_from(&before);

@@ -10,7 +10,7 @@ use mckibben_fem::FemError;
 use mckibben_fem::axisymmetric::study::mesh_study;
 use mckibben_fem::axisymmetric::sweep::{Sweep, question};
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
-use mckibben_fem::simulation::{Detail, Discretised, Given, Simulation, free_contraction};
+use mckibben_fem::simulation::{Detail, Given, Simulation, free_contraction};
 use mckibben_fem::solver::curve::Test;
 
 fn pull(force_n: f64, pressure_mpa: f64) -> Given {
@@ -305,8 +305,8 @@ fn the_largest_diameter_is_that_of_the_elements_own_surface() {
         let workspace = &mut Workspace::new();
         let bulged = fe.response(workspace, p, e).unwrap().bulged_diameter_mm.unwrap();
         let section = fe.section_at(workspace, p, e).unwrap();
-        let (through, along) = section.elements();
-        let outer = |j: usize| section.nodes()[section.index(2 * through, j)].now_mm[0];
+        let (through, along) = (section.through, section.along);
+        let outer = |j: usize| section.nodes[section.index(2 * through, j)].now_mm[0];
         let highest = (0..along)
             .flat_map(|slab| (-500..=500).map(move |i| (slab, f64::from(i) / 500.0)))
             .map(|(slab, x)| {

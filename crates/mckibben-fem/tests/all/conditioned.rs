@@ -73,7 +73,7 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
 fn at_the_state_that_was_seen_the_muscle_is_that_of_the_first_inflation() {
     let m = muscle(yeoh(), None);
     let first = Axisymmetric::new(&m).unwrap();
-    let d = first.discretisation();
+    let d = &*first.divided.discretisation;
     let endless = Arc::new(ThickWall::new(&m));
     for (p, e) in [(0.25, 0.0), (0.25, 0.15), (0.4, 0.2)] {
         let body = || Body::of_muscle(Arc::new(d.clone()), endless.clone());

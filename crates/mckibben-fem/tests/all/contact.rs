@@ -49,7 +49,7 @@ fn in_the_middle_the_strands_press_as_rings_of_their_tension_do() {
     let (p, e) = (0.3, 0.15);
     let response = fe.response(w, p, e).unwrap();
     let place = fe.contact(w, p, e).unwrap().places[0];
-    let state = fe.section_at(w, p, e).unwrap().strands()[0];
+    let state = fe.section_at(w, p, e).unwrap().strands[0];
     let r = 0.5 * response.bulged_diameter_mm.unwrap();
     let (sin, stretch) = (state.angle_deg.to_radians().sin(), state.stretch);
     // λm of the middle from the strands: λf cosθ = λm cosθ0.

@@ -2,8 +2,9 @@
 
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
+use mckibben_fem::FemError;
 use mckibben_fem::output::vtu::Grid;
-use mckibben_fem::output::{DeckError, Extent, Shape, deck};
+use mckibben_fem::output::{Extent, Shape, deck};
 use mckibben_fem::three_dimensional::{BrickSpec, Field, Plug, PlugMaterial, ThreeDimensional};
 
 fn solved() -> (ThreeDimensional, Field) {
@@ -115,5 +116,5 @@ fn strands_are_found_and_pull() {
 fn a_deck_with_a_terminal_that_is_a_body_is_refused() {
     let spec = BrickSpec { plug: Some(Plug::default()), ..BrickSpec::parse("6").unwrap() };
     let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).unwrap();
-    assert!(matches!(deck(&model, 0.0, &[0.1]), Err(DeckError::Refused(_))));
+    assert!(matches!(deck(&model, 0.0, &[0.1]), Err(FemError::Refused(_))));
 }

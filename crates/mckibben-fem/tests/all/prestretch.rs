@@ -99,7 +99,7 @@ fn bricks_err_as_they_do_without_a_prestretch() {
     let differ = |stretch: f64| {
         let m = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.4 }), stretch);
         let bricks = ThreeDimensional::new(&m).unwrap();
-        assert_eq!(bricks.mesh().brick, Brick::Linear);
+        assert_eq!(bricks.divided.mesh.brick, Brick::Linear);
         let three = bricks.force_n(&mut Workspace::new(), 0.25, 0.1).unwrap();
         three / Axisymmetric::new(&m).unwrap().force_n(&mut Workspace::new(), 0.25, 0.1).unwrap() - 1.0
     };

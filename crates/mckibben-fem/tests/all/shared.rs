@@ -3,7 +3,6 @@
 use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::muscle::{Braid, EndFactor, MeasuredStrand, Muscle, Terminals};
 use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::simulation::Discretised;
 use mckibben_fem::three_dimensional::{BrickSpec, ThreeDimensional};
 use std::sync::Arc;
 

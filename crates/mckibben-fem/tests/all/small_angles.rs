@@ -9,7 +9,7 @@ use mckibben::progress::Silent;
 use mckibben::random::{Random, rounds};
 use mckibben::rubber::{Law, NeoHookean};
 use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::simulation::{Detail, Discretised, Simulation};
+use mckibben_fem::simulation::{Detail, Simulation};
 use mckibben_fem::solver::curve::Test;
 use std::f64::consts::PI;
 

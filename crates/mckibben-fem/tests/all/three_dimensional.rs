@@ -4,7 +4,7 @@ use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
 use mckibben_fem::FemError;
-use mckibben_fem::simulation::{Detail, Discretised, Given, Simulation};
+use mckibben_fem::simulation::{Detail, Given, Simulation};
 use mckibben_fem::solver::curve::Test;
 use mckibben_fem::three_dimensional::{BrickSpec, ThreeDimensional};
 
@@ -61,7 +61,7 @@ fn a_pull_that_nothing_can_carry_is_refused_in_words() {
 
 fn divided(text: &str) -> Result<f64, String> {
     let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &BrickSpec::parse(text).unwrap());
-    model.map(|m| m.mesh().tube.angle_rad.to_degrees()).map_err(|e| e.to_string())
+    model.map(|m| m.divided.mesh.tube.angle_rad.to_degrees()).map_err(|e| e.to_string())
 }
 
 /// tan θ = chord/height: 200 bricks around the quarter of D0 30 and 10 along 142.5 mm lie at 0.47° (hand calculation), the braid at 28°.

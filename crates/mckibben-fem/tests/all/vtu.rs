@@ -202,7 +202,7 @@ fn both_halves_are_mirror_images() {
     let (_, fe, response) = contracted();
     let (tube, _) = written(&fe, &response);
     let rings: Vec<Vec<[f64; 3]>> = points(&tube, "Points").chunks(48).map(<[_]>::to_vec).collect();
-    let across = 2 * fe.section_at(&mut Workspace::new(), 0.2, 0.1).unwrap().elements().0 + 1;
+    let across = 2 * fe.section_at(&mut Workspace::new(), 0.2, 0.1).unwrap().through + 1;
     let stations = rings.len() / across;
     for (k, ring) in rings.iter().enumerate() {
         let (j, i) = (k / across, k % across);
@@ -221,10 +221,10 @@ fn stress_in_the_middle_is_in_equilibrium() {
     let fe = Axisymmetric::with_mesh(&muscle, &mesh).unwrap();
     let response = fe.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
     let section = fe.section_at(&mut Workspace::new(), 0.2, 0.1).unwrap();
-    let middle: Vec<_> = (0..=12).map(|i| section.nodes()[section.index(i, 0)]).collect();
+    let middle: Vec<_> = (0..=12).map(|i| section.nodes[section.index(i, 0)]).collect();
     let (bore, outside) = (middle[0], middle[12]);
     assert!((bore.stress_mpa[0] + 0.2).abs() < 1e-3, "{bore:?}");
-    let strand = section.strands()[0];
+    let strand = section.strands[0];
     let cos0 = muscle.braid().angle_rad().cos();
     // Force over the section: ∫ σzz dA + braid = F + P π r_i².
     let mut rubber = 0.0;

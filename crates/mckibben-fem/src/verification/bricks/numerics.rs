@@ -56,10 +56,10 @@ pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
     let d = body.discretisation.clone();
     // Of condensed modes, p + γ c/V is what the elements take; put it into p. Of an incompressible rubber the tangent holds p; what the
     // augmentation adds to the geometric part vanishes with the defects.
-    if d.compliance > 0.0 {
+    if d.materials[0].compliance > 0.0 {
         body.evaluate().ok()?;
         for (i, c) in body.assembled.defect.iter().enumerate() {
-            body.state.p[i] += d.augment * c / d.rest[i / d.modes].volume;
+            body.state.p[i] += d.materials[0].augment * c / d.rest[i / d.modes].volume;
         }
     }
     body.evaluate().ok()?;

@@ -25,24 +25,12 @@ fn ring(
         [r * phi.cos(), r * phi.sin(), z]
     });
     for (node, [_, j, k]) in block.places().into_iter().enumerate() {
-        let f = &mut problem.freedom[node];
-        if j == 0 {
-            f[1] = Freedom::Held;
-        }
-        if j + 1 == nj {
-            f[0] = Freedom::Held;
-        }
-        if k == 0 {
-            f[2] = Freedom::Held;
-        }
-        if k + 1 == nk {
-            f[2] = Freedom::Terminal;
-        }
+        problem.freedom[node] = Freedom::in_quarter([j, k], [nj, nk]);
     }
     // The lid closes the cavity: from the ring to a point of the terminal on the axis.
     let centre = problem.nodes.len();
     problem.nodes.push([0.0, 0.0, 1.0]);
-    problem.freedom.push([Freedom::Held, Freedom::Held, Freedom::Terminal]);
+    problem.freedom.push(Freedom::MOVES);
     problem.faces = brick.faces([around, 1], |a, b| block.node(0, a, b));
     let lid = brick.faces([around, 1], |a, b| if b == 0 { block.node(0, a, nk - 1) } else { centre });
     problem.faces.extend(lid);
