@@ -20,4 +20,4 @@ pub use error::{AnalysisError, Result};
 pub use golden::{Abscissa, golden};
 pub(crate) use inverse::{HIGHEST_PRESSURE_MPA, straight_strands};
 pub use inverse::{contraction_at, contraction_or_stretch_at, pressure_at, pressure_below};
-pub use root::{RootError, find_root};
+pub use root::find_root;

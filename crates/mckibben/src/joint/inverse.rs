@@ -1,9 +1,7 @@
 //! Pressures for an angle, a torque and a stiffness.
 
 use super::{JointError, JointModel, JointPoint, Result, Turning};
-use crate::analysis::{
-    AnalysisError, RootError, find_root, force_on, pressure_at, response_on, stiffness_of,
-};
+use crate::analysis::{AnalysisError, find_root, force_on, pressure_at, response_on, stiffness_of};
 use crate::model::Workspace;
 use crate::muscle::Direction;
 
@@ -88,11 +86,7 @@ impl JointModel<'_> {
                     reach = (reach.0.min(k), reach.1.max(k));
                     if (before.1 - stiffness) * (k - stiffness) <= 0.0 && found.is_none() {
                         let root = find_root(|f| at(f).map(|k| k - stiffness), before.0, pull, TOLERANCE);
-                        found = match root {
-                            Ok(root) => Some(root),
-                            Err(RootError::Function(error)) => return Err(error),
-                            Err(RootError::NotBracketed { .. }) => (k == stiffness).then_some(pull),
-                        };
+                        found = root?.or((k == stiffness).then_some(pull));
                     }
                     before = (pull, k);
                 }
