@@ -6,8 +6,8 @@
 //! d < 0 and aP + b > 0, and ∂F/∂P stays above zero up to κ = 31 %.
 
 use super::{
-    Accuracy, BlockedAt, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange,
-    Reference, Response, Result, Workspace,
+    Accuracy, BlockedAt, Extensions, ForceModel, Inverse, ModelEntry, ModelInfo, ModelRange, Reference,
+    Response, Result, Workspace,
 };
 use crate::muscle::Muscle;
 
@@ -111,23 +111,17 @@ impl ForceModel for FestoSarosi {
         let bar = BAR_PER_MPA * pressure_mpa;
         let (rest, slope) = self.line(contraction);
         let force_n = slope * bar + rest;
-        if !force_n.is_finite() {
-            return Err(ModelError::NotFinite {
-                model: self.fit.entry.name.into(),
-                pressure_mpa,
-                contraction,
-            });
-        }
         // dF/dκ, κ in %
         let by_percent = c * (a * bar + b) * (c * 100.0 * contraction).exp() + d * bar;
-        Ok(Response {
+        Response {
             pressure_mpa,
             contraction,
             force_n,
             stiffness_n_per_mm: Some(-100.0 * by_percent / self.info.muscle.length_mm()),
             force_per_pressure_mm2: Some(BAR_PER_MPA * slope),
             ..Response::default()
-        })
+        }
+        .finite(self.fit.entry.name)
     }
 
     fn extensions(&self) -> Extensions<'_> {
@@ -145,6 +139,7 @@ impl Inverse for FestoSarosi {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::ModelError;
 
     #[test]
     fn blocked_forces_at_6_bar() {

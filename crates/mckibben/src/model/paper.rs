@@ -101,12 +101,8 @@ impl ForceModel for Paper {
     }
 
     fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
-        let force = self.section.force_n(pressure_mpa, contraction);
-        if force.is_finite() {
-            Ok(force)
-        } else {
-            Err(ModelError::NotFinite { model: ENTRY.name.into(), pressure_mpa, contraction })
-        }
+        let force_n = self.section.force_n(pressure_mpa, contraction);
+        ModelError::finite(force_n, ENTRY.name, pressure_mpa, contraction)
     }
 
     fn forces_n(

@@ -132,11 +132,7 @@ impl Universal {
         contraction: f64,
     ) -> Result<Result<(Middle, f64), f64>> {
         if !(p.is_finite() && contraction.is_finite()) {
-            return Err(ModelError::NotFinite {
-                model: self.info.name.to_string(),
-                pressure_mpa: p,
-                contraction,
-            });
+            return Err(ModelError::not_finite(&self.info.name, p, contraction));
         }
         // Strands that do not stretch, and the short form: mostly a pull, which the search finds at once.
         let free = match self.is_coupled() {
@@ -161,11 +157,7 @@ impl Universal {
             Ok((m, step)) => m.state.force + m.state.force_l * step,
             Err(l) => self.zone.wall.state_near(p, l, None)?.force,
         };
-        if force_n.is_finite() {
-            Ok(force_n)
-        } else {
-            Err(ModelError::NotFinite { model: self.info.name.to_string(), pressure_mpa: p, contraction })
-        }
+        ModelError::finite(force_n, &self.info.name, p, contraction)
     }
 
     /// The middle at a question, with its derivatives.
