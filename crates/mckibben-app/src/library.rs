@@ -1,7 +1,13 @@
 //! Muscles that were identified from measured points, each with its bench data, its ± and its terms.
 
-use crate::{Model, MuscleSummary, Problem, TextFile};
-use mckibben::analysis::{blocked_force_n, free_contraction};
+use crate::fields::TextFile;
+use crate::model::Model;
+use crate::muscle::MuscleSummary;
+use crate::problem::Problem;
+use mckibben::analysis::{force_on, free_contraction};
+use mckibben::answer::Options;
+use mckibben::model::Workspace;
+use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::{answer::Options, model::Workspace, muscle::file::to_toml, threads, uncertainty::uncertainty};
 use mckibben_fit::validation::case::Facts;
@@ -62,7 +68,7 @@ impl LibraryMuscle {
     fn of(facts: &Facts, muscle: &Muscle) -> Result<Self, Problem> {
         let (model, w) = (Model::FE.build(muscle)?, &mut Workspace::new());
         let (pressure_mpa, points) = muscle.bench().map_or((0.0, 0), |b| (b.pressure_mpa.1, b.points));
-        let blocked = blocked_force_n(&*model, w, pressure_mpa, Options::default()).ok();
+        let blocked = force_on(&*model, w, pressure_mpa, 0.0, Direction::Mean).ok();
         let half = blocked.and_then(|n| uncertainty(&*model, w, (pressure_mpa, 0.0), n, Direction::Mean));
         Ok(Self {
             name: format!("{PREFIX}{}", facts.name),

@@ -160,7 +160,7 @@ fn segment(a: &Sample, b: &Sample, at: &mut impl FnMut(f64) -> Sample, fitting: 
     for (j, (l, r)) in pairs().enumerate() {
         if (*l > 0.0) != (*r > 0.0) {
             let excess = |x: f64| at(x).excess.get(j).copied().ok_or(());
-            ends.extend(find_root(excess, a.x, b.x, TOLERANCE * b.x).ok());
+            ends.extend(find_root(excess, a.x, b.x, TOLERANCE * b.x).ok().flatten());
         }
     }
     ends.sort_by(f64::total_cmp);

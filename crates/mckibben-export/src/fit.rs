@@ -4,9 +4,9 @@
 //! nothing, with a kink that a smooth form must not follow. There only the sign counts: rows that hold the form below zero are added where it
 //! would pull, and at the end of the box where its slope would let a pull return. The errors are those at other points, with slack as 0 N.
 
-use crate::form::{FUNCTIONS, functions};
-use crate::{ExportError, Form};
-use mckibben::analysis::{Options, blocked_force_n, force_on, free_contraction};
+use crate::error::ExportError;
+use crate::form::{FUNCTIONS, Form, functions};
+use mckibben::analysis::{Options, force_on, free_contraction};
 use mckibben::cancel;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
@@ -85,7 +85,7 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, low: f64) -> Result<Fi
     let w = &mut Workspace::new();
     let options = Options::extrapolating();
     model.muscle().check_contracts()?;
-    let blocked_n = blocked_force_n(model, w, supply, options)?;
+    let blocked_n = force_on(model, w, supply, 0.0, options.direction)?;
     let high = match wanted.contraction_high {
         Some(high) => high,
         None => free_contraction(model, w, supply, options)?,

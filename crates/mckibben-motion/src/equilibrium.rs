@@ -2,10 +2,8 @@
 
 use crate::events::switches;
 use crate::member::Member;
-use crate::state::State;
-use crate::system::{Switch, System};
-use crate::{ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Target, ValveKind};
-use mckibben::analysis::{RootError, find_root};
+use crate::valve::ValveKind;
+use mckibben::analysis::find_root;
 use mckibben::model::ModelError;
 
 /// A static equilibrium.
@@ -82,14 +80,9 @@ pub(crate) fn at_pressures(
             Err(_) => return Err(MotionError::NoEquilibrium { position: q, net: before }),
         };
         if after * way <= 0.0 {
-            let root = find_root(|x| net(drive, members, pressures, x), q, next, 1e-12 * stride);
-            return match root {
-                Ok(coordinate) => Ok(found(coordinate, None)),
-                Err(RootError::Function(error)) => Err(error),
-                Err(RootError::NotBracketed { .. }) => {
-                    Err(MotionError::NoEquilibrium { position: q, net: before })
-                }
-            };
+            let root = find_root(|x| net(drive, members, pressures, x), q, next, 1e-12 * stride)?;
+            let none = MotionError::NoEquilibrium { position: q, net: before };
+            return root.map(|coordinate| found(coordinate, None)).ok_or(none);
         }
         (q, before) = (next, after);
     }
@@ -156,11 +149,7 @@ pub(crate) fn at_start(drive: &Drive<'_>, members: &[Member<'_>]) -> Result<Equi
     let u = match (at(least)?, at(most)?) {
         (low, _) if low >= 0.0 => least,
         (_, high) if high <= 0.0 => least,
-        _ => match find_root(at, least, most, 1e-14) {
-            Ok(u) => u,
-            Err(RootError::Function(error)) => return Err(error),
-            Err(RootError::NotBracketed { .. }) => least,
-        },
+        _ => find_root(at, least, most, 1e-14)?.unwrap_or(least),
     };
     let pressures_mpa = given(pressures(u));
     let left = net(drive, members, &pressures_mpa, q)?;

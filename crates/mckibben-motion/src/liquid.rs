@@ -181,7 +181,7 @@ impl Losses {
         } else {
             // Less than the laminar flow and more than none.
             let left = |q: f64| Ok::<f64, ()>(self.square * q * q + self.linear * q + pipe(q) - p);
-            find_root(left, 0.0, laminar, 1e-13 * laminar).unwrap_or(laminar)
+            find_root(left, 0.0, laminar, 1e-13 * laminar).ok().flatten().unwrap_or(laminar)
         };
         size.copysign(difference_mpa)
     }

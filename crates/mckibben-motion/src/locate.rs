@@ -5,7 +5,7 @@ use crate::events::Guard;
 use crate::integrate::Stepper;
 use crate::run::{Integration, OnStop};
 use crate::state::State;
-use mckibben::analysis::{RootError, find_root};
+use mckibben::analysis::find_root;
 
 /// Whether the function of a guard needs an answer of a model.
 fn asks_a_model(guard: Guard) -> bool {
@@ -74,10 +74,6 @@ impl Integration<'_, '_> {
             let all = self.system.guards(time, &state, asks_a_model(guard))?;
             Ok(all.into_iter().find(|g| g.0 == guard).map_or(0.0, |g| g.1))
         };
-        match find_root(function, low, high, 1e-12 * (high - self.t)) {
-            Ok(at) => Ok(at),
-            Err(RootError::Function(error)) => Err(error),
-            Err(RootError::NotBracketed { .. }) => Ok(low),
-        }
+        Ok(find_root(function, low, high, 1e-12 * (high - self.t))?.unwrap_or(low))
     }
 }

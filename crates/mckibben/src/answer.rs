@@ -181,11 +181,7 @@ pub(crate) fn point_beyond(
     let response = Response { pressure_mpa, contraction, ..response };
     let numbers = [Some(response.force_n), response.volume_mm3, response.stiffness_n_per_mm];
     if numbers.iter().flatten().any(|v| !v.is_finite()) {
-        return Err(ModelError::NotFinite {
-            model: model.info().name.to_string(),
-            pressure_mpa,
-            contraction,
-        });
+        return Err(ModelError::not_finite(&model.info().name, pressure_mpa, contraction));
     }
     warnings.extend(of_response(model.muscle(), &response));
     let largest = model.muscle().max_ideal_contraction();
@@ -307,15 +303,7 @@ pub fn sought_pressure(
 ) -> Result<f64, AnalysisError> {
     check_range(model, model.info().range.pressure_mpa.0, contraction, options)?;
     let found = pressure_at(model, workspace, force_n, contraction, options);
-    let at = match &found {
-        Ok(pressure_mpa) => Some((*pressure_mpa, force_n)),
-        Err(AnalysisError::NoPressure { nearest_pressure_mpa, nearest_force_n, .. }) => {
-            Some((*nearest_pressure_mpa, *nearest_force_n))
-        }
-        Err(_) => None,
-    };
-    let broken = at.and_then(|(p, force)| broken(model, workspace, (p, contraction), force, options));
-    broken.map_or(found, Err)
+    intact(found, force_n, |p, force| broken(model, workspace, (p, contraction), force, options))
 }
 
 /// The number alone that [`contraction`] seeks.
@@ -331,15 +319,17 @@ pub fn sought_contraction(
 ) -> Result<f64, AnalysisError> {
     check_range(model, pressure_mpa, model.info().range.contraction.0.max(0.0), options)?;
     let found = contraction_or_stretch_at(model, workspace, force_n, pressure_mpa, options);
-    let at = match &found {
-        Ok(contraction) => Some((*contraction, force_n)),
-        Err(AnalysisError::NoContraction { nearest_contraction, nearest_force_n, .. }) => {
-            Some((*nearest_contraction, *nearest_force_n))
-        }
-        Err(_) => None,
-    };
-    let broken = at.and_then(|(e, force)| broken(model, workspace, (pressure_mpa, e), force, options));
-    broken.map_or(found, Err)
+    intact(found, force_n, |e, force| broken(model, workspace, (pressure_mpa, e), force, options))
+}
+
+/// What was found, unless the strands are broken there, or where the pull is nearest to the one that is sought.
+fn intact(
+    found: Result<f64, AnalysisError>,
+    force_n: f64,
+    broken: impl FnOnce(f64, f64) -> Option<AnalysisError>,
+) -> Result<f64, AnalysisError> {
+    let at = found.as_ref().map_or_else(AnalysisError::nearest, |place| Some((*place, force_n)));
+    at.and_then(|(place, force_n)| broken(place, force_n)).map_or(found, Err)
 }
 
 /// That a pull which was found is one of broken strands.

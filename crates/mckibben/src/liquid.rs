@@ -9,8 +9,6 @@ use thiserror::Error;
 pub struct LiquidEntry {
     /// Its name in requests.
     pub name: &'static str,
-    /// What it is.
-    pub about: &'static str,
     /// Density ρ in kg/m³ at atmospheric pressure.
     pub density_kg_per_m3: f64,
     /// Bulk modulus K in MPa.
@@ -22,54 +20,31 @@ pub struct LiquidEntry {
 /// The liquids that have a name. Water: ρ and K (isothermal) by \[kell1975\], its η and all of oil and glycol by \[white2011\], table A.3. Oils of one
 /// class differ by 20 % in K; half glycol and half water lies between both.
 pub const LIQUIDS: [LiquidEntry; 3] = [
-    LiquidEntry {
-        name: "water",
-        about: "water",
-        density_kg_per_m3: 998.2,
-        bulk_modulus_mpa: 2179.0,
-        viscosity_pa_s: 1.00e-3,
-    },
-    LiquidEntry {
-        name: "oil",
-        about: "mineral oil SAE 10W",
-        density_kg_per_m3: 870.0,
-        bulk_modulus_mpa: 1310.0,
-        viscosity_pa_s: 1.04e-1,
-    },
-    LiquidEntry {
-        name: "glycol",
-        about: "ethylene glycol",
-        density_kg_per_m3: 1117.0,
-        bulk_modulus_mpa: 3050.0,
-        viscosity_pa_s: 2.14e-2,
-    },
+    entry("water", 998.2, 2179.0, 1.00e-3),
+    // Mineral oil SAE 10W.
+    entry("oil", 870.0, 1310.0, 1.04e-1),
+    // Ethylene glycol.
+    entry("glycol", 1117.0, 3050.0, 2.14e-2),
 ];
+
+const fn entry(
+    name: &'static str,
+    density_kg_per_m3: f64,
+    bulk_modulus_mpa: f64,
+    viscosity_pa_s: f64,
+) -> LiquidEntry {
+    LiquidEntry { name, density_kg_per_m3, bulk_modulus_mpa, viscosity_pa_s }
+}
 
 /// Why a liquid is none.
 #[derive(Debug, Clone, PartialEq, Error)]
-pub enum LiquidError {
-    /// A name that the table does not have.
-    #[error("there is no liquid \"{name}\"; the liquids are {}", names())]
-    Unknown {
-        /// The name.
-        name: String,
-    },
-    /// A bulk modulus that no liquid has.
-    #[error("the bulk modulus of the liquid is {value_mpa} MPa; it must be above zero")]
-    BulkModulus {
-        /// The value in MPa.
-        value_mpa: f64,
-    },
-    /// A share of gas that is none.
-    #[error("the share of gas is {value}; it must lie between 0 and 0.9")]
-    Gas {
-        /// The value.
-        value: f64,
-    },
-}
-
-fn names() -> String {
-    LIQUIDS.map(|liquid| liquid.name).join(", ")
+#[error("{message}")]
+pub struct LiquidError {
+    /// Field of a request.
+    pub field: &'static str,
+    /// Key of a file.
+    pub key: &'static str,
+    message: String,
 }
 
 /// A liquid with bubbles of gas.
@@ -112,7 +87,11 @@ impl Liquid {
     /// A liquid of the table with a share of gas.
     pub fn named(name: &str, gas_share: f64) -> Result<Self, LiquidError> {
         let entry = LIQUIDS.iter().find(|liquid| liquid.name == name);
-        let entry = entry.ok_or_else(|| LiquidError::Unknown { name: name.into() })?;
+        let entry = entry.ok_or_else(|| {
+            let names = LIQUIDS.map(|liquid| liquid.name).join(", ");
+            let message = format!("there is no liquid \"{name}\"; the liquids are {names}");
+            LiquidError { field: "liquid", key: "name", message }
+        })?;
         Self {
             name: name.into(),
             density_kg_per_m3: entry.density_kg_per_m3,
@@ -131,10 +110,12 @@ impl Liquid {
     fn validated(self) -> Result<Self, LiquidError> {
         let k = self.bulk_modulus_mpa;
         if !(k > 0.0 && k.is_finite()) {
-            return Err(LiquidError::BulkModulus { value_mpa: k });
+            let message = format!("the bulk modulus of the liquid is {k} MPa; it must be above zero");
+            return Err(LiquidError { field: "liquid_bulk_modulus_mpa", key: "bulk_modulus", message });
         }
         if !(0.0..=0.9).contains(&self.gas_share) {
-            return Err(LiquidError::Gas { value: self.gas_share });
+            let message = format!("the share of gas is {}; it must lie between 0 and 0.9", self.gas_share);
+            return Err(LiquidError { field: "gas_share", key: "gas_share", message });
         }
         Ok(self)
     }
@@ -228,9 +209,9 @@ mod tests {
         let error = Liquid::named("watr", 0.0).unwrap_err();
         assert_eq!(error.to_string(), "there is no liquid \"watr\"; the liquids are water, oil, glycol");
         for gas in [-0.1, 1.0, f64::NAN] {
-            assert!(matches!(Liquid::named("oil", gas), Err(LiquidError::Gas { .. })));
+            assert_eq!(Liquid::named("oil", gas).unwrap_err().key, "gas_share");
         }
         let water = Liquid::named("water", 0.0).unwrap();
-        assert!(matches!(water.with_bulk_modulus(0.0), Err(LiquidError::BulkModulus { .. })));
+        assert_eq!(water.with_bulk_modulus(0.0).unwrap_err().key, "bulk_modulus");
     }
 }

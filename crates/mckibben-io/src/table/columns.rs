@@ -7,7 +7,6 @@ use crate::units::Unit;
 use crate::units::nearest::{meant, nearest};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use thiserror::Error;
 
 /// Columns by quantity: `"P1:kPa"` is the column with the heading P1, in kPa. The unit may be left out where the table
 /// says it; `#2` is the second column, whatever its heading.
@@ -15,22 +14,9 @@ use thiserror::Error;
 #[serde(transparent)]
 pub struct Columns(pub BTreeMap<String, String>);
 
-/// Why a text is no choice of columns.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum ColumnsError {
-    /// No quantity before the heading, or nothing behind it.
-    #[error(
-        "\"{text}\" is not a choice of a column; write quantity=\"heading:unit\", such as pressure=\"P1:kPa\""
-    )]
-    Form { text: String },
-    /// A quantity twice.
-    #[error("{name} is chosen twice")]
-    Twice { name: String },
-}
-
 impl Columns {
     /// From a list `pressure="P1:kPa",contraction="x:mm"`; the quotes may be left out where no comma is in a heading.
-    pub fn parse(text: &str) -> Result<Self, ColumnsError> {
+    pub fn parse(text: &str) -> Result<Self, TableError> {
         let mut quoted = false;
         let mut out = BTreeMap::new();
         let comma = |c: char| {
@@ -38,7 +24,12 @@ impl Columns {
             c == ',' && !quoted
         };
         for part in text.split(comma).filter(|p| !p.trim().is_empty()) {
-            let form = || ColumnsError::Form { text: short(part.trim()) };
+            let form = || {
+                TableError::Refused(format!(
+                    "\"{}\" is not a choice of a column; write quantity=\"heading:unit\", such as pressure=\"P1:kPa\"",
+                    short(part.trim())
+                ))
+            };
             let (name, heading) = part.split_once('=').ok_or_else(form)?;
             let (name, heading) = (name.trim(), heading.trim());
             let inner = heading.strip_prefix('"').and_then(|h| h.strip_suffix('"'));
@@ -47,7 +38,7 @@ impl Columns {
                 return Err(form());
             }
             if out.insert(name.to_owned(), heading.to_owned()).is_some() {
-                return Err(ColumnsError::Twice { name: short(name) });
+                return Err(TableError::Refused(format!("{} is chosen twice", short(name))));
             }
         }
         Ok(Self(out))
@@ -57,6 +48,7 @@ impl Columns {
 /// A column that was chosen.
 #[derive(Debug, Clone)]
 pub(crate) struct Choice {
+    vocabulary: &'static Vocabulary,
     entry: &'static Entry,
     text: String,
 }
@@ -72,7 +64,7 @@ pub(crate) struct Chosen {
 
 impl Vocabulary {
     /// The choices, each for a quantity of this kind of table.
-    pub(crate) fn choices(&self, columns: &Columns) -> Result<Vec<Choice>, TableError> {
+    pub(crate) fn choices(&'static self, columns: &Columns) -> Result<Vec<Choice>, TableError> {
         let choice = |(name, text): (&String, &String)| {
             let word = plain(name);
             let by_name = self.entries().find(|e| e.name == word);
@@ -90,7 +82,7 @@ impl Vocabulary {
                     known = names.join(", ")
                 ))
             })?;
-            Ok(Choice { entry, text: text.clone() })
+            Ok(Choice { vocabulary: self, entry, text: text.clone() })
         };
         columns.0.iter().map(choice).collect()
     }
@@ -116,23 +108,20 @@ impl Choice {
     }
 
     /// Its place among headings; `None` where it is not there.
-    pub(crate) fn find(
-        &self,
-        headings: &[&str],
-        vocabulary: &Vocabulary,
-    ) -> Result<Option<Chosen>, TableError> {
+    pub(crate) fn find(&self, headings: &[&str]) -> Result<Option<Chosen>, TableError> {
+        let vocabulary = self.vocabulary;
         let exact = || headings.iter().any(|h| [self.text.trim(), self.split().0].contains(h));
         if let Some(rest) = self.text.trim().strip_prefix(MINUS).filter(|_| !exact()) {
             let plus = Self { text: rest.trim().to_owned(), ..self.clone() };
-            let found = plus.find(headings, vocabulary)?;
+            let found = plus.find(headings)?;
             return Ok(found.map(|c| Chosen { negated: !c.negated, ..c }));
         }
-        let whole = self.place(headings, &self.text, vocabulary)?;
+        let whole = self.place(headings, &self.text)?;
         let (heading, unit) = if whole.is_some() { (self.text.as_str(), None) } else { self.split() };
         let place = match (whole, self.by_number()) {
             (Some(place), _) => Some(place),
             (None, Some(n)) => Some(n).filter(|n| *n < headings.len()),
-            (None, None) => self.place(headings, heading, vocabulary)?,
+            (None, None) => self.place(headings, heading)?,
         };
         let Some(index) = place else { return Ok(None) };
         let stated = vocabulary.unit_in(self.entry, headings[index]);
@@ -165,15 +154,11 @@ impl Choice {
     }
 
     /// The heading that is meant: letter by letter, then without regard to case and marks, then without its unit.
-    fn place(
-        &self,
-        headings: &[&str],
-        wanted: &str,
-        vocabulary: &Vocabulary,
-    ) -> Result<Option<usize>, TableError> {
+    fn place(&self, headings: &[&str], wanted: &str) -> Result<Option<usize>, TableError> {
         let wanted = wanted.trim();
         let simple = plain(wanted);
-        let without_unit = |h: &str| vocabulary.without_unit_of(self.entry, h).is_some_and(|l| l == simple);
+        let without_unit =
+            |h: &str| self.vocabulary.without_unit_of(self.entry, h).is_some_and(|l| l == simple);
         let tests: [&dyn Fn(&str) -> bool; 3] =
             [&|h| h == wanted, &|h| !simple.is_empty() && plain(h) == simple, &without_unit];
         for test in tests {
@@ -228,10 +213,11 @@ mod tests {
         assert_eq!(parse(" pressure = P1:kPa , contraction=x:mm,"), wanted);
         assert_eq!(parse("force=\"Force, upper:N\""), [pair("force", "Force, upper:N")]);
         assert_eq!(parse("force=F=m*a"), [pair("force", "F=m*a")]);
+        let said = |text: &str| Columns::parse(text).unwrap_err().to_string();
         for text in ["pressure", "=P1", "force=", "force=\"\""] {
-            assert!(matches!(Columns::parse(text), Err(ColumnsError::Form { .. })), "{text}");
+            assert!(said(text).contains("is not a choice of a column"), "{text}");
         }
-        assert!(matches!(Columns::parse("force=a,force=b"), Err(ColumnsError::Twice { .. })));
+        assert_eq!(said("force=a,force=b"), "force is chosen twice");
     }
 
     #[test]
@@ -239,9 +225,7 @@ mod tests {
         let headings = ["Time: s", "P1", "p1 ", "x [mm]", "F", "f", "y", "-H [N]", "U (V)"];
         let find = |text: &str| {
             let choice = POINTS.choices(&Columns::parse(text).unwrap())?.remove(0);
-            Ok::<_, TableError>(
-                choice.find(&headings, &POINTS)?.map(|c| (c.meaning, c.index, c.unit.map(|u| u.name))),
-            )
+            Ok::<_, TableError>(choice.find(&headings)?.map(|c| (c.meaning, c.index, c.unit.map(|u| u.name))))
         };
         assert_eq!(find("pressure=P1:kPa").unwrap(), Some((Meaning::Pressure, 1, Some("kPa"))));
         assert_eq!(find("pressure=#3:kPa").unwrap(), Some((Meaning::Pressure, 2, Some("kPa"))));
@@ -260,7 +244,7 @@ mod tests {
         assert!(refused("pressure=U (V):bar").contains("the heading \"U (V)\" says V"));
         let sign = |text: &str| {
             let choice = POINTS.choices(&Columns::parse(text).unwrap()).unwrap().remove(0);
-            choice.find(&headings, &POINTS).unwrap().unwrap().negated
+            choice.find(&headings).unwrap().unwrap().negated
         };
         for (text, negated) in [
             ("force=F:N", false),

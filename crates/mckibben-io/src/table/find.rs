@@ -27,6 +27,13 @@ pub struct Column {
     pub chosen: bool,
 }
 
+impl Column {
+    /// What is wrong with its value in a line.
+    pub(super) fn refused(&self, line: u64, what: String) -> TableError {
+        TableError::Refused(format!("line {line}, column {}: {what}", self.heading))
+    }
+}
+
 /// The heading lies within so many lines.
 const MOST_LINES_ABOVE: usize = 200;
 
@@ -46,11 +53,11 @@ impl Table {
     /// Reads a table of one kind.
     pub fn read(text: &str, vocabulary: &'static Vocabulary, columns: &Columns) -> Result<Self, TableError> {
         let Sheet { mut rows, comments, separator } = Sheet::split(text)?;
-        let choices = vocabulary.choices(columns)?;
-        let mut found = find(&rows, &comments, vocabulary, &choices, &[])?;
-        let dead = found.dead(&rows, vocabulary);
-        if !dead.is_empty() {
-            found = find(&rows, &comments, vocabulary, &choices, &dead)?;
+        let mut search = Search { vocabulary, choices: vocabulary.choices(columns)?, dead: vec![] };
+        let mut found = search.find(&rows, &comments)?;
+        search.dead = found.dead(&rows, vocabulary);
+        if !search.dead.is_empty() {
+            found = search.find(&rows, &comments)?;
         }
         let Found { line, headings, columns, first } = found;
         let mut table = Self {
@@ -178,140 +185,140 @@ impl Found {
     }
 }
 
-/// The first line from which all that is needed can be understood; a comment above the data where no line is one.
-fn find(
-    rows: &[TableRow],
-    comments: &[TableRow],
+/// Search for the heading of a table.
+struct Search {
     vocabulary: &'static Vocabulary,
-    choices: &[Choice],
-    dead: &[usize],
-) -> Result<Found, TableError> {
-    if let Some(found) = by_numbers(rows, vocabulary, choices)? {
-        return Ok(found);
-    }
-    let lines = rows.iter().take(MOST_LINES_ABOVE).enumerate().map(|(i, row)| (row, i + 1));
-    let lines = lines.chain(comments.iter().rev().take(MOST_LINES_ABOVE).map(|row| (row, 0)));
-    let mut best: Option<(usize, Guess, &TableRow)> = None;
-    for (row, first) in lines {
-        let headings: Vec<&str> = row.fields().collect();
-        let guess = guess(&headings, vocabulary, choices, dead)?;
-        if guess.missing.is_empty() && guess.lacking.is_empty() {
-            let columns = unambiguous(guess.columns, &headings, vocabulary)?;
-            let headings = headings.into_iter().map(str::to_owned).collect();
-            return Ok(Found { line: Some(row.line), headings, columns, first });
-        }
-        let understood = guess.columns.len();
-        if best.as_ref().is_none_or(|b| b.0 < understood) {
-            best = Some((understood, guess, row));
-        }
-    }
-    let (guess, headings) = match &best {
-        Some((_, guess, row)) => (guess, row.fields().collect()),
-        None => (&guess(&[], vocabulary, choices, dead)?, vec![]),
-    };
-    if let Some(&choice) = guess.missing.first() {
-        return Err(choices[choice].missing(&headings));
-    }
-    let example = |need: &Need, heading: &str| {
-        let entry = need.any_of.first().and_then(|m| vocabulary.entry(*m));
-        let unit = entry.and_then(|e| e.dimension).map_or("", |d| d.unit_inside().name);
-        let colon = if unit.is_empty() { "" } else { ":" };
-        format!("{name}=\"{heading}{colon}{unit}\"", name = entry.map_or("", |e| &e.name))
-    };
-    if let Some(first) = rows.first().filter(|row| row.len() > 0 && row.fields().all(is_number)) {
-        let numbered = vocabulary.needed.iter().enumerate().map(|(i, n)| example(n, &format!("#{}", i + 1)));
-        return Err(TableError::Refused(format!(
-            "the table has no heading (line {line} holds numbers): write one above it, or choose columns by their numbers with `columns` {columns}",
-            line = first.line,
-            columns = numbered.collect::<Vec<_>>().join(",")
-        )));
-    }
-    let need = guess.lacking.first().map_or(&vocabulary.needed[0], |&i| &vocabulary.needed[i]);
-    let empty = listed(dead.iter().filter_map(|&i| headings.get(i).copied()));
-    Err(TableError::missing_column(
-        need,
-        &listed(headings.iter().copied()),
-        &empty,
-        &example(need, "HEADING"),
-    ))
+    choices: Vec<Choice>,
+    /// Places of columns without a number in any row.
+    dead: Vec<usize>,
 }
 
-/// A table without a heading, whose columns are chosen by number.
-fn by_numbers(
-    rows: &[TableRow],
-    vocabulary: &'static Vocabulary,
-    choices: &[Choice],
-) -> Result<Option<Found>, TableError> {
-    let Some(row) = rows.first().filter(|_| !choices.is_empty()) else { return Ok(None) };
-    let numbered = choices.iter().all(|c| c.by_number().is_some_and(|i| is_number(row.field(i))));
-    if !numbered {
-        return Ok(None);
-    }
-    let headings: Vec<String> = (1..=row.len()).map(|i| format!("#{i}")).collect();
-    let names: Vec<&str> = headings.iter().map(String::as_str).collect();
-    let guess = guess(&names, vocabulary, choices, &[])?;
-    let complete = guess.missing.is_empty() && guess.lacking.is_empty();
-    Ok(complete.then_some(Found { line: None, columns: guess.columns, headings, first: 0 }))
-}
-
-fn guess(
-    headings: &[&str],
-    vocabulary: &'static Vocabulary,
-    choices: &[Choice],
-    dead: &[usize],
-) -> Result<Guess, TableError> {
-    let mut columns: Vec<Column> = vec![];
-    let mut missing = vec![];
-    for (i, choice) in choices.iter().enumerate() {
-        match choice.find(headings, vocabulary)? {
-            Some(Chosen { index, .. }) if columns.iter().any(|c| c.index == index) => {
-                return Err(TableError::Refused(format!(
-                    "`columns`: the column \"{heading}\" is chosen for two quantities",
-                    heading = short(headings[index])
-                )));
+impl Search {
+    /// The first line from which all that is needed can be understood; a comment above the data where no line is one.
+    fn find(&self, rows: &[TableRow], comments: &[TableRow]) -> Result<Found, TableError> {
+        let vocabulary = self.vocabulary;
+        if let Some(found) = self.by_numbers(rows)? {
+            return Ok(found);
+        }
+        let lines = rows.iter().take(MOST_LINES_ABOVE).enumerate().map(|(i, row)| (row, i + 1));
+        let lines = lines.chain(comments.iter().rev().take(MOST_LINES_ABOVE).map(|row| (row, 0)));
+        let mut best: Option<(usize, Guess, &TableRow)> = None;
+        for (row, first) in lines {
+            let headings: Vec<&str> = row.fields().collect();
+            let guess = self.guess(&headings)?;
+            if guess.missing.is_empty() && guess.lacking.is_empty() {
+                let columns = unambiguous(guess.columns, &headings, vocabulary)?;
+                let headings = headings.into_iter().map(str::to_owned).collect();
+                return Ok(Found { line: Some(row.line), headings, columns, first });
             }
-            Some(Chosen { meaning, index, unit, negated }) => columns.push(Column {
-                meaning,
-                index,
-                heading: short(headings[index]),
-                unit,
-                unknown_unit: false,
-                negated,
-                chosen: true,
-            }),
-            None => missing.push(i),
+            let understood = guess.columns.len();
+            if best.as_ref().is_none_or(|b| b.0 < understood) {
+                best = Some((understood, guess, row));
+            }
         }
-    }
-    let decided: Vec<Meaning> =
-        columns.iter().map(|c| c.meaning).chain(choices.iter().map(Choice::meaning)).collect();
-    for (index, text) in headings.iter().enumerate().take(MOST_COLUMNS) {
-        if dead.contains(&index) || columns.iter().any(|c| c.index == index && c.chosen) {
-            continue;
-        }
-        let Some(found) = vocabulary.understand(text) else { continue };
-        if decided.contains(&found.meaning) {
-            continue;
-        }
-        let unit = match found.unit {
-            HeadingUnit::Known(unit) => Some(unit),
-            _ => None,
+        let (guess, headings) = match &best {
+            Some((_, guess, row)) => (guess, row.fields().collect()),
+            None => (&self.guess(&[])?, vec![]),
         };
-        columns.push(Column {
-            meaning: found.meaning,
-            index,
-            heading: short(text),
-            unit,
-            unknown_unit: found.unit == HeadingUnit::Unknown,
-            negated: heading::is_negated(text),
-            chosen: false,
-        });
+        if let Some(&choice) = guess.missing.first() {
+            return Err(self.choices[choice].missing(&headings));
+        }
+        let example = |need: &Need, heading: &str| {
+            let entry = need.any_of.first().and_then(|m| vocabulary.entry(*m));
+            let unit = entry.and_then(|e| e.dimension).map_or("", |d| d.unit_inside().name);
+            let colon = if unit.is_empty() { "" } else { ":" };
+            format!("{name}=\"{heading}{colon}{unit}\"", name = entry.map_or("", |e| &e.name))
+        };
+        if let Some(first) = rows.first().filter(|row| row.len() > 0 && row.fields().all(is_number)) {
+            let numbered =
+                vocabulary.needed.iter().enumerate().map(|(i, n)| example(n, &format!("#{}", i + 1)));
+            return Err(TableError::Refused(format!(
+                "the table has no heading (line {line} holds numbers): write one above it, or choose columns by their numbers with `columns` {columns}",
+                line = first.line,
+                columns = numbered.collect::<Vec<_>>().join(",")
+            )));
+        }
+        let need = guess.lacking.first().map_or(&vocabulary.needed[0], |&i| &vocabulary.needed[i]);
+        let empty = listed(self.dead.iter().filter_map(|&i| headings.get(i).copied()));
+        Err(TableError::missing_column(
+            need,
+            &listed(headings.iter().copied()),
+            &empty,
+            &example(need, "HEADING"),
+        ))
     }
-    // Volts beside bar are no second column of pressures.
-    let understood: Vec<Meaning> = columns.iter().filter(|c| !c.unknown_unit).map(|c| c.meaning).collect();
-    columns.retain(|c| !c.unknown_unit || !understood.contains(&c.meaning));
-    let there = |m: &Meaning| columns.iter().any(|c| c.meaning == *m);
-    let lacking = (0..vocabulary.needed.len()).filter(|&i| !vocabulary.needed[i].any_of.iter().any(there));
-    Ok(Guess { lacking: lacking.collect(), columns, missing })
+
+    /// A table without a heading, whose columns are chosen by number.
+    fn by_numbers(&self, rows: &[TableRow]) -> Result<Option<Found>, TableError> {
+        let Some(row) = rows.first().filter(|_| !self.choices.is_empty()) else { return Ok(None) };
+        let numbered = self.choices.iter().all(|c| c.by_number().is_some_and(|i| is_number(row.field(i))));
+        if !numbered {
+            return Ok(None);
+        }
+        let headings: Vec<String> = (1..=row.len()).map(|i| format!("#{i}")).collect();
+        let names: Vec<&str> = headings.iter().map(String::as_str).collect();
+        let guess = self.guess(&names)?;
+        let complete = guess.missing.is_empty() && guess.lacking.is_empty();
+        Ok(complete.then_some(Found { line: None, columns: guess.columns, headings, first: 0 }))
+    }
+
+    fn guess(&self, headings: &[&str]) -> Result<Guess, TableError> {
+        let vocabulary = self.vocabulary;
+        let mut columns: Vec<Column> = vec![];
+        let mut missing = vec![];
+        for (i, choice) in self.choices.iter().enumerate() {
+            match choice.find(headings)? {
+                Some(Chosen { index, .. }) if columns.iter().any(|c| c.index == index) => {
+                    return Err(TableError::Refused(format!(
+                        "`columns`: the column \"{heading}\" is chosen for two quantities",
+                        heading = short(headings[index])
+                    )));
+                }
+                Some(Chosen { meaning, index, unit, negated }) => columns.push(Column {
+                    meaning,
+                    index,
+                    heading: short(headings[index]),
+                    unit,
+                    unknown_unit: false,
+                    negated,
+                    chosen: true,
+                }),
+                None => missing.push(i),
+            }
+        }
+        let decided: Vec<Meaning> =
+            columns.iter().map(|c| c.meaning).chain(self.choices.iter().map(Choice::meaning)).collect();
+        for (index, text) in headings.iter().enumerate().take(MOST_COLUMNS) {
+            if self.dead.contains(&index) || columns.iter().any(|c| c.index == index && c.chosen) {
+                continue;
+            }
+            let Some(found) = vocabulary.understand(text) else { continue };
+            if decided.contains(&found.meaning) {
+                continue;
+            }
+            let unit = match found.unit {
+                HeadingUnit::Known(unit) => Some(unit),
+                _ => None,
+            };
+            columns.push(Column {
+                meaning: found.meaning,
+                index,
+                heading: short(text),
+                unit,
+                unknown_unit: found.unit == HeadingUnit::Unknown,
+                negated: heading::is_negated(text),
+                chosen: false,
+            });
+        }
+        // Volts beside bar are no second column of pressures.
+        let understood: Vec<Meaning> =
+            columns.iter().filter(|c| !c.unknown_unit).map(|c| c.meaning).collect();
+        columns.retain(|c| !c.unknown_unit || !understood.contains(&c.meaning));
+        let there = |m: &Meaning| columns.iter().any(|c| c.meaning == *m);
+        let lacking =
+            (0..vocabulary.needed.len()).filter(|&i| !vocabulary.needed[i].any_of.iter().any(there));
+        Ok(Guess { lacking: lacking.collect(), columns, missing })
+    }
 }
 
 /// One column for each quantity: our own heading before those of people; the same words in two units are the same quantity.

@@ -20,7 +20,7 @@ mod understood;
 mod values;
 mod vocabulary;
 
-pub use columns::{Columns, ColumnsError};
+pub use columns::Columns;
 pub use error::TableError;
 pub use load::read_load;
 pub use over_time::{OverTime, read_over_time};

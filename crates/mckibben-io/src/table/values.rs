@@ -97,20 +97,17 @@ impl Table {
                 "line {line} has {found} fields and the heading {expected}; every line needs as many fields as the heading"
             )));
         }
-        let not_a_number = |hint| {
-            let (line, heading, text) = (row.line, &column.heading, short(text));
-            TableError::Refused(format!(
-                "line {line}, column {heading}: \"{text}\" is not a finite number{hint}"
-            ))
-        };
+        let not_a_number =
+            |hint| column.refused(row.line, format!("\"{}\" is not a finite number{hint}", short(text)));
         let (value, unit) = number::number(text, self.decimal).map_err(|why| match why {
             NoNumber::Text if text.is_empty() => {
                 not_a_number("; the field is empty: leave the whole line out")
             }
             NoNumber::Text => not_a_number(""),
-            NoNumber::Ambiguous => {
-                TableError::Refused(format!("line {line}, column {column}: \"{text}\" can be read in two ways: is its mark a decimal mark, or does it separate thousands? Write numbers without separators of thousands, with the same decimal mark in all lines", line = row.line, column = column.heading, text = short(text)))
-            }
+            NoNumber::Ambiguous => column.refused(row.line, format!(
+                "\"{}\" can be read in two ways: is its mark a decimal mark, or does it separate thousands? Write numbers without separators of thousands, with the same decimal mark in all lines",
+                short(text)
+            )),
         })?;
         let dimension = self.entry(column).and_then(|e| e.dimension);
         let value = if column.negated { -value } else { value };
@@ -169,24 +166,18 @@ impl Table {
     }
 
     /// A value that cannot be.
-    pub fn impossible(&self, row: usize, column: &Column, expected: &'static str) -> TableError {
-        let text = self.rows.get(row).map_or("", |r| r.field(column.index));
-        TableError::Refused(format!(
-            "line {line}, column {column}: {text} {expected}",
-            line = self.rows.get(row).map_or(0, |r| r.line),
-            column = column.heading,
-            text = short(text)
-        ))
+    pub fn impossible(&self, row: usize, column: &Column, expected: &str) -> TableError {
+        let (line, text) = self.rows.get(row).map_or((0, ""), |r| (r.line, r.field(column.index)));
+        column.refused(line, format!("{} {expected}", short(text)))
     }
 
     /// A ratio that is probably in percent.
     pub fn percent(&self, row: usize, column: &Column) -> TableError {
-        let (line, text) = self.rows.get(row).map_or((0, ""), |r| (r.line, r.field(column.index)));
-        TableError::Refused(format!(
-            "line {line}, column {column}: {text} is not a valid contraction ratio ΔL/L0, and its heading has no unit; write 0.15 for 15 %, name the column contraction_percent, or give `columns` contraction=\"{column}:%\" (:mm if it is a length)",
-            column = column.heading,
-            text = short(text)
-        ))
+        let hint = format!(
+            "is not a valid contraction ratio ΔL/L0, and its heading has no unit; write 0.15 for 15 %, name the column contraction_percent, or give `columns` contraction=\"{}:%\" (:mm if it is a length)",
+            column.heading
+        );
+        self.impossible(row, column, &hint)
     }
 
     fn no_unit(&self, column: &Column) -> TableError {
@@ -217,9 +208,7 @@ impl Table {
 
     pub(super) fn wrong_unit(&self, line: u64, column: &Column, unit: &str, clash: String) -> TableError {
         let (name, units) = self.units_of(column);
-        let (column, unit) = (&column.heading, short(unit));
-        TableError::Refused(format!(
-            "line {line}, column {column}: \"{unit}\" is not a unit of {name}{clash}; its units are {units}"
-        ))
+        let unit = short(unit);
+        column.refused(line, format!("\"{unit}\" is not a unit of {name}{clash}; its units are {units}"))
     }
 }

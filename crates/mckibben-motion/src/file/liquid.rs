@@ -19,14 +19,7 @@ pub(super) fn liquid(section: &Section<'_>, temperature_k: f64) -> Result<Option
         return Ok(None);
     }
     section.only(LIQUID, LIQUID)?;
-    let wrong = |error: LiquidError| {
-        let key = match error {
-            LiquidError::Unknown { .. } => "name",
-            LiquidError::BulkModulus { .. } => "bulk_modulus",
-            LiquidError::Gas { .. } => "gas_share",
-        };
-        section.error(key, Problem::Said(format!("is invalid: {error}")))
-    };
+    let wrong = |error: LiquidError| section.error(error.key, Problem::Said(format!("is invalid: {error}")));
     let name = section
         .text("name", "the name of a liquid, in quotes")?
         .ok_or_else(|| section.missing("name", None, "the liquid: water, oil or glycol"))?;

@@ -72,6 +72,21 @@ pub enum AnalysisError {
     },
 }
 
+impl AnalysisError {
+    /// Where the pull is nearest to the one that is sought, and that pull in N.
+    pub(crate) fn nearest(&self) -> Option<(f64, f64)> {
+        match *self {
+            Self::NoPressure { nearest_pressure_mpa, nearest_force_n, .. } => {
+                Some((nearest_pressure_mpa, nearest_force_n))
+            }
+            Self::NoContraction { nearest_contraction, nearest_force_n, .. } => {
+                Some((nearest_contraction, nearest_force_n))
+            }
+            _ => None,
+        }
+    }
+}
+
 /// A number with at most so many decimals, without trailing zeros.
 fn short(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");

@@ -5,7 +5,7 @@
 //! taken there.
 
 use super::golden::golden;
-use super::root::{RootError, find_root};
+use super::root::find_root;
 use crate::cancel;
 use crate::model::{ModelError, Result};
 
@@ -217,8 +217,10 @@ impl<F: FnMut(f64) -> Result<f64>> Sweep<F> {
                 Ok(value)
             };
             match find_root(value, a, b, TOLERANCE) {
-                Ok(at) if closest <= LEFT * (va.abs() + vb.abs()) => zeros.push(Zero { at, falls: va > vb }),
-                Err(RootError::Function(error)) => {
+                Ok(Some(at)) if closest <= LEFT * (va.abs() + vb.abs()) => {
+                    zeros.push(Zero { at, falls: va > vb })
+                }
+                Err(error) => {
                     cancel::check()?;
                     self.lost = Some(error);
                 }

@@ -1,9 +1,7 @@
 //! Pressures for an angle, a torque and a stiffness.
 
 use super::{JointError, JointModel, JointPoint, Result, Turning};
-use crate::analysis::{
-    AnalysisError, RootError, find_root, force_on, pressure_at, response_on, stiffness_of,
-};
+use crate::analysis::{AnalysisError, find_root, force_on, pressure_at, response_on, stiffness_of};
 use crate::model::Workspace;
 use crate::muscle::Direction;
 
@@ -40,7 +38,7 @@ impl JointModel<'_> {
     /// Where several pressures give it, the lowest.
     ///
     /// # Errors
-    /// [`JointError::NoTorque`], [`JointError::NoStiffness`] with what the joint reaches; [`JointError::OneMuscle`].
+    /// [`JointError::OutOfReach`] with what the joint reaches; [`JointError::OneMuscle`].
     pub fn pressures(
         &self,
         workspaces: &mut [Workspace],
@@ -63,12 +61,13 @@ impl JointModel<'_> {
         let no_torque = || {
             let reach =
                 |sign: f64| here.iter().map(|m| sign * (sign * m.arm_mm * m.most_n).max(0.0)).sum::<f64>();
-            JointError::NoTorque {
-                torque_nm: wanted.torque_nm,
+            JointError::OutOfReach {
+                sought: format!("{} N m", wanted.torque_nm),
                 angle_deg: wanted.angle_deg,
                 max_pressure_mpa,
-                least_nm: passive + 1e-3 * reach(-1.0),
-                most_nm: passive + 1e-3 * reach(1.0),
+                least: passive + 1e-3 * reach(-1.0),
+                most: passive + 1e-3 * reach(1.0),
+                unit: "N m",
             }
         };
         let line = Line { model: self, here: &here, needed };
@@ -88,21 +87,17 @@ impl JointModel<'_> {
                     reach = (reach.0.min(k), reach.1.max(k));
                     if (before.1 - stiffness) * (k - stiffness) <= 0.0 && found.is_none() {
                         let root = find_root(|f| at(f).map(|k| k - stiffness), before.0, pull, TOLERANCE);
-                        found = match root {
-                            Ok(root) => Some(root),
-                            Err(RootError::Function(error)) => return Err(error),
-                            Err(RootError::NotBracketed { .. }) => (k == stiffness).then_some(pull),
-                        };
+                        found = root?.or((k == stiffness).then_some(pull));
                     }
                     before = (pull, k);
                 }
-                let pull = found.ok_or(JointError::NoStiffness {
-                    stiffness_nm_per_rad: stiffness,
-                    torque_nm: wanted.torque_nm,
+                let pull = found.ok_or_else(|| JointError::OutOfReach {
+                    sought: format!("{stiffness} N m/rad with {} N m", wanted.torque_nm),
                     angle_deg: wanted.angle_deg,
                     max_pressure_mpa,
                     least: reach.0,
                     most: reach.1,
+                    unit: "N m/rad",
                 })?;
                 line.pressures(workspaces, pull)?
             }

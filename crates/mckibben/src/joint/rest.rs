@@ -131,15 +131,10 @@ impl JointModel<'_> {
                 _ => {}
             }
             if before.1 * torque < 0.0 {
-                let root = find_root(&mut at, before.0, angle, TOLERANCE).map_err(|error| match error {
-                    crate::analysis::RootError::Function(error) => error,
-                    crate::analysis::RootError::NotBracketed { .. } => JointError::Angle {
-                        angle_deg: angle.to_degrees(),
-                        low_deg: low.to_degrees(),
-                        high_deg: high.to_degrees(),
-                    },
-                })?;
-                found.push(Rest::Balance { angle_deg: root.to_degrees(), stable: torque < 0.0 });
+                let root = find_root(&mut at, before.0, angle, TOLERANCE)?;
+                found.extend(
+                    root.map(|at| Rest::Balance { angle_deg: at.to_degrees(), stable: torque < 0.0 }),
+                );
             }
             before = (angle, torque);
         }

@@ -127,7 +127,7 @@ pub fn balances(
         if left == 0.0 {
             roots.push(e);
         } else if before.1 * left < 0.0
-            && let Ok(root) = find_root(&mut left_n, before.0, e, TOLERANCE)
+            && let Ok(Some(root)) = find_root(&mut left_n, before.0, e, TOLERANCE)
         {
             roots.push(root);
         }

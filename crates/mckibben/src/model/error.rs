@@ -98,10 +98,6 @@ pub enum ModelError {
         pressure_mpa: f64,
         /// Contraction ratio.
         contraction: f64,
-        /// Iterations done.
-        iterations: usize,
-        /// Last residual.
-        residual: f64,
     },
     /// A path of equilibria ended before the one that was asked for.
     #[error("{reason}")]
@@ -139,6 +135,16 @@ pub enum ModelError {
 }
 
 impl ModelError {
+    pub(crate) fn not_finite(model: &str, pressure_mpa: f64, contraction: f64) -> Self {
+        Self::NotFinite { model: model.into(), pressure_mpa, contraction }
+    }
+
+    /// A pull that a model computed, where it is a number.
+    pub(crate) fn finite(force_n: f64, model: &str, pressure_mpa: f64, contraction: f64) -> Result<f64> {
+        let error = || Self::not_finite(model, pressure_mpa, contraction);
+        if force_n.is_finite() { Ok(force_n) } else { Err(error()) }
+    }
+
     /// Whether it is about this pressure and contraction: other points may have an answer.
     pub fn is_of_point(&self) -> bool {
         matches!(

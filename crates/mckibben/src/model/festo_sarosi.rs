@@ -6,8 +6,8 @@
 //! d < 0 and aP + b > 0, and ∂F/∂P stays above zero up to κ = 31 %.
 
 use super::{
-    Accuracy, BlockedAt, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange,
-    Reference, Response, Result, Workspace,
+    Accuracy, BlockedAt, Extensions, ForceModel, Inverse, ModelEntry, ModelInfo, ModelRange, Reference,
+    Response, Result, Workspace,
 };
 use crate::muscle::Muscle;
 
@@ -19,12 +19,8 @@ const SOURCE: &str = "Sárosi 2012 [sarosi2012], six constants fitted to a measu
 pub(super) struct Fit {
     pub entry: ModelEntry,
     make: &'static str,
-    a: f64,
-    b: f64,
-    c: f64,
-    d: f64,
-    e: f64,
-    f: f64,
+    /// a, b, c, d, e, f
+    constants: [f64; 6],
     /// Highest pressure the maker allows, in MPa.
     highest_mpa: f64,
     accuracy: Accuracy,
@@ -37,12 +33,7 @@ pub(super) const DMSP_10: Fit = Fit {
         source: SOURCE,
     },
     make: "Festo DMSP-10",
-    a: -9.2194029,
-    b: 203.7012413,
-    c: -0.34221042,
-    d: -3.2255991,
-    e: 109.2038216,
-    f: -208.372034,
+    constants: [-9.2194029, 203.7012413, -0.34221042, -3.2255991, 109.2038216, -208.372034],
     highest_mpa: 0.8,
     accuracy: Accuracy {
         share_of_blocked: Some(0.25),
@@ -60,12 +51,7 @@ pub(super) const DMSP_20_200: Fit = Fit {
         source: SOURCE,
     },
     make: "Festo DMSP-20-200N",
-    a: -4.00180705,
-    b: 292.4620246,
-    c: -0.32930845,
-    d: -9.33564098,
-    e: 294.0538256,
-    f: -280.498151,
+    constants: [-4.00180705, 292.4620246, -0.32930845, -9.33564098, 294.0538256, -280.498151],
     highest_mpa: 0.6,
     accuracy: Accuracy {
         share_of_blocked: Some(0.11),
@@ -108,7 +94,7 @@ impl FestoSarosi {
 
     /// (F at no pressure, ∂F/∂P per bar) at a contraction.
     fn line(&self, contraction: f64) -> (f64, f64) {
-        let Fit { a, b, c, d, e, f, .. } = self.fit;
+        let [a, b, c, d, e, f] = self.fit.constants;
         let k = 100.0 * contraction;
         let exp = (c * k).exp();
         (b * exp + f, a * exp + d * k + e)
@@ -121,27 +107,21 @@ impl ForceModel for FestoSarosi {
     }
 
     fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
-        let Fit { a, b, c, d, .. } = self.fit;
+        let [a, b, c, d, ..] = self.fit.constants;
         let bar = BAR_PER_MPA * pressure_mpa;
         let (rest, slope) = self.line(contraction);
         let force_n = slope * bar + rest;
-        if !force_n.is_finite() {
-            return Err(ModelError::NotFinite {
-                model: self.fit.entry.name.into(),
-                pressure_mpa,
-                contraction,
-            });
-        }
         // dF/dκ, κ in %
         let by_percent = c * (a * bar + b) * (c * 100.0 * contraction).exp() + d * bar;
-        Ok(Response {
+        Response {
             pressure_mpa,
             contraction,
             force_n,
             stiffness_n_per_mm: Some(-100.0 * by_percent / self.info.muscle.length_mm()),
             force_per_pressure_mm2: Some(BAR_PER_MPA * slope),
             ..Response::default()
-        })
+        }
+        .finite(self.fit.entry.name)
     }
 
     fn extensions(&self) -> Extensions<'_> {
@@ -159,6 +139,7 @@ impl Inverse for FestoSarosi {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::ModelError;
 
     #[test]
     fn blocked_forces_at_6_bar() {

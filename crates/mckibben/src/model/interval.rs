@@ -28,28 +28,18 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// Its word, as in muscle files and messages.
-    pub fn name(self) -> &'static str {
+    /// Its word, as in muscle files and messages, and its unit; empty for ratios.
+    pub fn words(self) -> (&'static str, &'static str) {
         match self {
-            Quantity::Pressure => "pressure",
-            Quantity::Contraction => "contraction",
-            Quantity::OuterDiameter => "outer_diameter",
-            Quantity::WallThickness => "wall_thickness",
-            Quantity::Length => "length",
-            Quantity::BraidAngle => "braid_angle",
-            Quantity::WallRatio => "wall_ratio",
-            Quantity::LengthRatio => "length_ratio",
-            Quantity::C01Share => "c01_share",
-        }
-    }
-
-    /// Its unit; empty for ratios.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Quantity::Pressure => "MPa",
-            Quantity::OuterDiameter | Quantity::WallThickness | Quantity::Length => "mm",
-            Quantity::BraidAngle => "deg",
-            Quantity::Contraction | Quantity::WallRatio | Quantity::LengthRatio | Quantity::C01Share => "",
+            Quantity::Pressure => ("pressure", "MPa"),
+            Quantity::Contraction => ("contraction", ""),
+            Quantity::OuterDiameter => ("outer_diameter", "mm"),
+            Quantity::WallThickness => ("wall_thickness", "mm"),
+            Quantity::Length => ("length", "mm"),
+            Quantity::BraidAngle => ("braid_angle", "deg"),
+            Quantity::WallRatio => ("wall_ratio", ""),
+            Quantity::LengthRatio => ("length_ratio", ""),
+            Quantity::C01Share => ("c01_share", ""),
         }
     }
 }
@@ -103,7 +93,7 @@ pub struct RangeViolation {
 impl fmt::Display for RangeViolation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Interval { quantity, low, high } = self.interval;
-        let (name, unit) = (quantity.name(), quantity.unit());
+        let (name, unit) = quantity.words();
         let space = if unit.is_empty() { "" } else { " " };
         let round = |v: f64| (v * 1e6).round() / 1e6;
         let (rounded, low, high) = (round(self.value), round(low), round(high));

@@ -8,9 +8,8 @@
 //! one make: θ0 28°, L0 285 mm, one rubber, one braid.
 
 use super::{
-    Accuracy, BatchPath, BlockedAt, Bounds, Extensions, ForceModel, ForcesError, Interval, Inverse, Lists,
-    ModelEntry, ModelError, ModelInfo, ModelRange, Quantity, Reference, Response, Result, Workspace,
-    check_finite,
+    Accuracy, BlockedAt, Extensions, ForceModel, Interval, Inverse, ModelEntry, ModelError, ModelInfo,
+    ModelRange, Quantity, Reference, Response, Result, Workspace,
 };
 use crate::formula::{Coefficients, Section};
 use crate::muscle::Muscle;
@@ -75,11 +74,6 @@ impl Paper {
         };
         Self { info: ModelInfo { range: range(muscle), accuracy, ..ModelInfo::new(&ENTRY, muscle) }, section }
     }
-
-    /// The six numbers of this muscle.
-    pub fn section(&self) -> &Section {
-        &self.section
-    }
 }
 
 impl ForceModel for Paper {
@@ -101,33 +95,12 @@ impl ForceModel for Paper {
     }
 
     fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
-        let force = self.section.force_n(pressure_mpa, contraction);
-        if force.is_finite() {
-            Ok(force)
-        } else {
-            Err(ModelError::NotFinite { model: ENTRY.name.into(), pressure_mpa, contraction })
-        }
-    }
-
-    fn forces_n(
-        &self,
-        _: &mut Workspace,
-        pressures_mpa: &[f64],
-        contractions: &[f64],
-        out: &mut [f64],
-    ) -> Result<(), ForcesError> {
-        self.section.force_batch(pressures_mpa, contractions, out)?;
-        check_finite(ENTRY.name, pressures_mpa, contractions, out)
+        let force_n = self.section.force_n(pressure_mpa, contraction);
+        ModelError::finite(force_n, ENTRY.name, pressure_mpa, contraction)
     }
 
     fn extensions(&self) -> Extensions<'_> {
         Extensions { inverse: Some(&self.section), lists: Some(&self.section), ..Extensions::default() }
-    }
-}
-
-impl Lists for Section {
-    fn pulls_within(&self, bounds: &Bounds, lists: [&[f64]; 2], out: &mut [f64]) -> bool {
-        Section::pulls_within(self, BatchPath::widest(), bounds, lists, out)
     }
 }
 

@@ -65,11 +65,6 @@ impl Response {
 
     /// The response, or [`ModelError::NotFinite`] where its force is none (a pressure that is not a number).
     pub(crate) fn finite(self, model: &str) -> Result<Self> {
-        let Self { pressure_mpa, contraction, force_n, .. } = self;
-        if force_n.is_finite() {
-            Ok(self)
-        } else {
-            Err(ModelError::NotFinite { model: model.into(), pressure_mpa, contraction })
-        }
+        ModelError::finite(self.force_n, model, self.pressure_mpa, self.contraction).map(|_| self)
     }
 }

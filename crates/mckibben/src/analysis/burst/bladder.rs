@@ -8,7 +8,7 @@ use super::radii::Radii;
 use crate::analysis::ask::Options;
 use crate::analysis::characteristics::free_contraction;
 use crate::analysis::error::{AnalysisError, Result};
-use crate::analysis::root::{RootError, find_root};
+use crate::analysis::root::find_root;
 use crate::model::{ModelError, ModelKind, Workspace};
 use crate::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
 use crate::rubber::{RubberLaw, library};
@@ -50,11 +50,8 @@ pub fn tearing(muscle: &Muscle, below_mpa: Option<f64>) -> Result<FailurePressur
         high = high.min(highest);
         match over(high) {
             Ok(excess) if excess >= 0.0 => {
-                return match find_root(&mut over, low.max(TOLERANCE * high), high, TOLERANCE * high) {
-                    Ok(p) => Ok(FailurePressure::At(p)),
-                    Err(RootError::Function(error)) => Err(error),
-                    Err(RootError::NotBracketed { .. }) => Ok(FailurePressure::At(high)),
-                };
+                let root = find_root(&mut over, low.max(TOLERANCE * high), high, TOLERANCE * high)?;
+                return Ok(FailurePressure::At(root.unwrap_or(high)));
             }
             Ok(_) => (low, high) = (high, GROWTH * high),
             Err(error @ AnalysisError::Model(ModelError::Cancelled(_))) => return Err(error),

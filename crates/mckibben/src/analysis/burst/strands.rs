@@ -13,7 +13,7 @@
 
 use super::failure::{Burst, FailurePressure, NoBurst};
 use crate::analysis::error::{AnalysisError, Result};
-use crate::analysis::root::{RootError, find_root};
+use crate::analysis::root::find_root;
 use crate::model::{ForceModel, ModelError, ModelKind, Response, Workspace};
 
 /// Pressures in MPa up to which a burst is sought.
@@ -142,11 +142,7 @@ impl Blocked<'_> {
     }
 
     fn between(&mut self, low: f64, high: f64) -> Result<Found> {
-        match find_root(|p| self.over(p), low, high, TOLERANCE * high) {
-            Ok(p) => Ok(Found::Fails(p)),
-            Err(RootError::Function(error)) => Err(error),
-            // Both signs were found.
-            Err(RootError::NotBracketed { .. }) => Ok(Found::Fails(low)),
-        }
+        // Both signs were found.
+        Ok(Found::Fails(find_root(|p| self.over(p), low, high, TOLERANCE * high)?.unwrap_or(low)))
     }
 }

@@ -2,8 +2,8 @@
 
 use super::filling::Filling;
 use crate::analysis::{
-    AnalysisError, Options, Result, RootError, find_root, force_on, pressure_at, response_on,
-    slope_by_pressure, stiffness_of,
+    AnalysisError, Options, Result, find_root, force_on, pressure_at, response_on, slope_by_pressure,
+    stiffness_of,
 };
 use crate::model::{ForceModel, ModelError, Workspace, gauss};
 
@@ -96,12 +96,8 @@ impl Way<'_> {
             }
         }
         let Some(beyond) = beyond else { return Ok(Err(near)) };
-        match find_root(&mut left, near, beyond, TOLERANCE) {
-            Ok(root) => Ok(Ok(root)),
-            Err(RootError::Function(error)) => Err(error),
-            // More than the volume is in from the start of the leg on.
-            Err(RootError::NotBracketed { .. }) => Ok(Ok(near)),
-        }
+        // More than the volume may be in from the start of the leg on.
+        Ok(Ok(find_root(&mut left, near, beyond, TOLERANCE)?.unwrap_or(near)))
     }
 
     /// (∫ P dV, what friction took) in J along a part of a leg.
