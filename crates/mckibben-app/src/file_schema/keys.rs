@@ -1,8 +1,9 @@
-//! Tables of a file and their keys, as `keys.txt` lists them.
+//! Schemas of keys.
 
-use super::muscle::{material, measures};
 use mckibben::liquid::LIQUIDS;
-use mckibben::muscle::measures::of_section;
+use mckibben::muscle::Measure;
+use mckibben::muscle::file::{Key, OVER_TIME, dimension};
+use mckibben::muscle::measures::{END_FACTOR, STIFFNESS};
 use mckibben::rubber::{self, Law};
 use mckibben::sleeve;
 use mckibben::units::Dimension;
@@ -10,58 +11,86 @@ use mckibben_fem::elements::Elements;
 use mckibben_motion::valves;
 use serde_json::{Map, Value, json};
 
-const KEYS: &str = include_str!("keys.txt");
-
-/// A table: keys that are made elsewhere, and those of sections of the list.
-pub(super) fn table(
-    made: impl IntoIterator<Item = (&'static str, Value)>,
-    sections: &str,
-    about: &str,
-) -> Value {
-    let mut keys: Map<String, Value> =
-        made.into_iter().map(|(key, schema)| (key.to_owned(), schema)).collect();
-    let mut needed = vec![];
-    for line in sections.split(' ').flat_map(lines) {
-        let mut parts = line.splitn(3, " : ");
-        let [name, kind, about] = [(); 3].map(|()| parts.next().unwrap_or_default());
-        let key = name.trim_end_matches('*');
-        needed.extend((key != name).then_some(key));
-        keys.insert(key.into(), of_kind(kind, about));
+/// A table of these keys.
+pub(super) fn table(keys: &[Key], about: &str) -> Value {
+    let mut properties = Map::new();
+    for key in keys {
+        let schema = of_key(key);
+        let known = properties.entry(key.name).or_insert(Value::Null);
+        *known = match known.take() {
+            Value::Null => schema,
+            former if former == schema => schema,
+            // The same letter in two laws.
+            former => json!({ "description": former["description"], "anyOf": [former, schema] }),
+        };
     }
-    let mut table =
-        json!({ "type": "object", "description": about, "properties": keys, "additionalProperties": false });
+    let needed: Vec<&str> = keys.iter().filter(|key| key.is_needed).map(|key| key.name).collect();
+    let mut table = json!({
+        "type": "object", "description": about, "properties": properties, "additionalProperties": false,
+    });
     if !needed.is_empty() {
         table["required"] = json!(needed);
     }
     table
 }
 
-fn lines(section: &str) -> impl Iterator<Item = &'static str> {
-    let head = format!("[{section}]");
-    KEYS.lines().skip_while(move |line| *line != head).skip(1).take_while(|line| !line.is_empty())
+fn of_key(key: &Key) -> Value {
+    let about = key.about;
+    match (key.measure, key.table(None)) {
+        (Some(measure), _) => of_measure(measure, key),
+        (None, Some(keys)) if key.kind == "end-factor" => {
+            json!({ "description": about, "anyOf": [{ "type": "number" }, table(&keys, about)] })
+        }
+        (None, Some(keys)) if key.kind == "material" => of_laws(table(&keys, about)),
+        (None, Some(keys)) => table(&keys, about),
+        (None, None) => of_kind(&key.kind, about),
+    }
+}
+
+fn of_measure(measure: &'static Measure, key: &Key) -> Value {
+    if *measure == STIFFNESS {
+        return of_kind(&key.kind, measure.about());
+    }
+    if *measure == END_FACTOR {
+        return of_key(&Key { measure: None, ..key.clone() });
+    }
+    let sentence = measure.sentence();
+    let is_plain = key.kind == "number";
+    let mut schema = of_kind(&key.kind, if is_plain { &sentence } else { sentence.trim_end_matches('.') });
+    if let Some(unit) = measure.unit {
+        schema["x-unit"] = unit.into();
+    }
+    if !measure.symbol().is_empty() {
+        schema["x-symbol"] = measure.symbol().into();
+    }
+    for (end, value) in measure.bounds.ends() {
+        schema[if end == "above" { "exclusiveMinimum" } else { end }] = value.into();
+    }
+    if let Some(usual) = measure.usual() {
+        schema["default"] = usual.into();
+    }
+    schema
+}
+
+/// A rubber's table, which needs the constants of its law.
+fn of_laws(mut table: Value) -> Value {
+    let laws = Law::KINDS.iter().map(|kind| {
+        json!({
+            "if": { "properties": { "law": { "const": kind.name } }, "required": ["law"] },
+            "then": { "required": kind.names() },
+        })
+    });
+    table["allOf"] = laws.collect();
+    table
 }
 
 fn of_kind(kind: &str, about: &str) -> Value {
     let (word, rest) = kind.split_once(' ').unwrap_or((kind, ""));
     let of_type = |name: &str| json!({ "type": name, "description": about });
     let any = json!({ "type": ["number", "string"] });
-    let pair = json!({ "type": "array", "items": any, "minItems": 2, "maxItems": 2 });
     match word {
-        "table" => table([], rest, about),
-        "measures" => table(measures(rest), rest, about),
-        "material" => material(about),
-        "varied" => {
-            let measures = of_section(rest).map(|measure| (measure.name(), values(measure.about())));
-            table(measures, &format!("varied-{rest}"), about)
-        }
-        "constants" => {
-            let constants = Law::KINDS.iter().filter(|kind| !kind.is_sum).flat_map(|kind| kind.constants);
-            table(constants.map(|constant| (constant.name, values(constant.doc))), "constants", about)
-        }
-        "number" => number(about),
-        "text" => of_type("string"),
+        "number" => of_type("number"),
         "boolean" => of_type("boolean"),
-        "list" => of_type("array"),
         "whole" => json!({ "type": "integer", "minimum": 0, "description": about }),
         "within" => {
             let [low, high] =
@@ -71,7 +100,6 @@ fn of_kind(kind: &str, about: &str) -> Value {
         "word" => one_of(about, rest.split(' ')),
         "liquid" => one_of(about, LIQUIDS.map(|liquid| liquid.name)),
         "elements" => one_of(about, Elements::ENTRIES.map(|entry| entry.name)),
-        "law" => one_of(about, Law::names()),
         "named" => named(about, rest.split(' ')),
         "valve" => named(about, valves().iter().map(|valve| valve.name.as_str())),
         // A damaged table of names leaves the key without them.
@@ -84,42 +112,45 @@ fn of_kind(kind: &str, about: &str) -> Value {
             named(about, all.iter().map(|entry| entry.sleeve.name()))
         }
         "or" => {
-            let (other, kind) = rest.split_once(' ').unwrap_or_default();
-            word_or(&[other], of_kind(kind, about))
+            let (words, kind) = rest.split_once(' ').unwrap_or_default();
+            let quantity = of_kind(kind, about);
+            let words: Vec<&str> = words.split('/').collect();
+            json!({ "description": quantity["description"], "anyOf": [{ "enum": words }, quantity] })
         }
-        "pairs" => json!({ "type": "array", "items": pair, "description": about }),
-        "point" => {
-            let mut point = pair;
-            point["description"] = quantity(Dimension::Length, about)["description"].take();
-            point
+        "list" => {
+            let mut items = of_kind(rest, about);
+            items.as_object_mut().and_then(|items| items.remove("description"));
+            json!({ "type": "array", "items": items, "description": about })
         }
-        "values" => values(about),
+        "pair" => {
+            json!({ "type": "array", "items": any, "minItems": 2, "maxItems": 2, "description": about })
+        }
+        "values" => json!({
+            "description": format!("{about}: a list (\"30,40 mm\"), or a range (\"0..0.25:0.01 MPa\")"),
+            "anyOf": [any, { "type": "array", "items": any, "minItems": 1 }],
+        }),
         "over-time" => {
-            let about = format!(
-                "{about}: pairs of times and values, a value, \"ramp 0..3 bar in 2 s\", \"sine 1..3 bar at 2 Hz\", \"chirp 1..3 bar from 0.1..5 Hz in 10 s\", or \"table:command.csv\""
-            );
-            json!({ "description": about, "anyOf": [any, of_kind("pairs", "Pairs of times and values")] })
+            let about = format!("{about}: a value, or {OVER_TIME}");
+            json!({ "description": about, "anyOf": [any, of_kind("list pair time number", "Pairs of times and values")] })
         }
         "presliding" => {
             let length = of_kind(">0 length", "Presliding length of the friction");
             let several =
                 "Shares of the friction, each with a presliding length: [[0.6, \"0.5 mm\"], [0.4, \"3 mm\"]]";
-            json!({ "description": about, "anyOf": [length, of_kind("pairs", several)] })
+            json!({ "description": about, "anyOf": [length, of_kind("list pair number length", several)] })
         }
-        "end-factor" => {
-            let of_pressure = table([], "end-factor", about);
-            json!({ "description": about, "anyOf": [{ "type": "number" }, of_pressure] })
+        "conditioned" => of_kind("pressure", about),
+        ">0" | ">=0" => {
+            let mut quantity = of_kind(rest, about);
+            quantity[if word == ">0" { "exclusiveMinimum" } else { "minimum" }] = json!(0);
+            quantity
         }
-        ">0" => positive(of_kind(rest, about)),
-        name => match Dimension::all().find(|dimension| json!(dimension) == name) {
-            Some(dimension) => quantity(dimension, about),
-            None => of_type("string"),
-        },
+        name => dimension(name).map_or_else(|| of_type("string"), |dimension| quantity(dimension, about)),
     }
 }
 
 /// A number in the unit inside, or a text with a unit.
-pub(super) fn quantity(dimension: Dimension, about: &str) -> Value {
+fn quantity(dimension: Dimension, about: &str) -> Value {
     match dimension.unit_inside().name {
         "" => {
             json!({ "type": ["number", "string"], "description": format!("{about}: a ratio, or a text such as \"10 %\"") })
@@ -132,15 +163,6 @@ pub(super) fn quantity(dimension: Dimension, about: &str) -> Value {
     }
 }
 
-pub(super) fn positive(mut quantity: Value) -> Value {
-    quantity["exclusiveMinimum"] = json!(0);
-    quantity
-}
-
-pub(super) fn number(about: &str) -> Value {
-    json!({ "type": "number", "description": about })
-}
-
 /// One of some words.
 fn one_of(about: &str, words: impl IntoIterator<Item = impl Into<Value>>) -> Value {
     json!({ "description": about, "enum": words.into_iter().map(Into::into).collect::<Vec<Value>>() })
@@ -150,21 +172,4 @@ fn one_of(about: &str, words: impl IntoIterator<Item = impl Into<Value>>) -> Val
 fn named(about: &str, names: impl IntoIterator<Item = impl Into<Value>>) -> Value {
     let names: Vec<Value> = names.into_iter().map(Into::into).collect();
     json!({ "description": about, "anyOf": [{ "enum": names }, { "type": "string" }] })
-}
-
-/// A quantity, or a word in its place.
-pub(super) fn word_or(words: &[&str], quantity: Value) -> Value {
-    let about = quantity["description"].clone();
-    json!({ "description": about, "anyOf": [{ "enum": words }, quantity] })
-}
-
-/// Values: a list, a range, or a list of values.
-fn values(about: &str) -> Value {
-    json!({
-        "description": format!("{about}: a list (\"30,40 mm\"), or a range (\"0..0.25:0.01 MPa\")"),
-        "anyOf": [
-            { "type": ["number", "string"] },
-            { "type": "array", "items": { "type": ["number", "string"] }, "minItems": 1 },
-        ],
-    })
 }

@@ -1,22 +1,24 @@
 //! JSON Schemas of the files that people write: muscle, joint, drive and plan. Editors complete and check TOML with them.
 //!
-//! Keys of measures, laws, rubbers, sleeves and valves follow from their tables; the others stand in `keys.txt`, and a test compares
-//! them with the keys that the readers accept.
+//! They follow from the list of keys by which the readers check a file ([`keys()`](mckibben::muscle::file::keys)).
 
 mod keys;
-mod muscle;
 
 use crate::problem::{Problem, ProblemKind};
 use mckibben::nearest::nearest;
 use serde_json::Value;
 
-/// A kind of file with a schema: its name, what it is, and its sections of `keys.txt`.
+/// A kind of file with a schema: its name, what it is, and its sections of the list of keys.
 type Kind = (&'static str, &'static str, &'static str);
 
 const KINDS: [Kind; 4] = [
     ("muscle", "A muscle: tube, braid, terminals, friction", "muscle-file people"),
     ("joint", "A joint with one muscle and a spring, or with two muscles", "joint-file people"),
-    ("drive", "A muscle or a joint with valve, air, load and command, for its motion", "drive-file people"),
+    (
+        "drive",
+        "A muscle or a joint with valve, air, load and command, for its motion",
+        "drive-file drive-of-muscle people",
+    ),
     ("plan", "A campaign: a muscle, what varies, and the points of each", "muscle-file plan-file people"),
 ];
 
@@ -40,7 +42,7 @@ pub fn file_schema(kind: &str) -> Result<Value, Problem> {
         let message = format!("there is no file of kind \"{kind}\"; the kinds are {}", names.join(", "));
         return Err(Problem::new(ProblemKind::Usage, message, hint));
     };
-    let mut schema = keys::table([], sections, about);
+    let mut schema = keys::table(&mckibben::muscle::file::keys(sections), about);
     schema["$schema"] = "http://json-schema.org/draft-07/schema#".into();
     schema["title"] = format!("{name} file of mckibben").into();
     Ok(schema)

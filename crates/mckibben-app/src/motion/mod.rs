@@ -69,19 +69,15 @@ impl MotionRequest {
         let texts = self.tables.iter().map(|t| (t.name.clone(), t.text.clone())).collect();
         let tables = Tables { texts, rest_length_mm };
         let name = Path::new(self.drive.as_ref().map_or("the drive", |drive| &drive.name));
-        let step = match (&self.drive, &self.step) {
-            (None, Some(step)) => Some(step.drive(&self.tables, rest_length_mm)?),
-            _ => None,
+        let text = match (&self.drive, &self.step) {
+            (Some(drive), _) => drive.text.clone(),
+            (None, Some(step)) => step.drive(&self.tables, rest_length_mm)?,
+            (None, None) => String::new(),
         };
         // With a value of a key of the drive file, or as it is.
-        let one = |changed: Option<(&str, &str)>| match (&self.drive, &step, changed) {
-            (Some(file), _, None) => parse_drive(&file.text, &tables),
-            (Some(file), _, Some((key, value))) => {
-                with_value(&file.text, key, value).and_then(|text| parse_drive(&text, &tables))
-            }
-            (None, Some(step), None) => Ok(step.clone()),
-            (None, Some(step), Some((key, value))) => step.with(key, value, &tables),
-            (None, None, _) => parse_drive("", &tables),
+        let one = |changed: Option<(&str, &str)>| match changed {
+            Some((key, value)) => with_value(&text, key, value).and_then(|text| parse_drive(&text, &tables)),
+            None => parse_drive(&text, &tables),
         };
         let one = |changed| one(changed).map_err(|error| Problem::from(error.of(name)));
         let Some(sweep) = &self.sweep else { return Ok(vec![(None, one(None)?)]) };

@@ -4,7 +4,7 @@ use crate::{
     JointFields, LoadFields, ModelFields, Problem, ProblemKind, TextFile, Units, finite, given, no_ratio,
 };
 use mckibben::units::{Dimension, parse_quantity};
-use mckibben_motion::{Actuator, Command, DriveFile, Subject, Target, Valve, ValveError};
+use mckibben_motion::{Valve, ValveError, with_value};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -53,8 +53,8 @@ pub struct StepFields {
 }
 
 impl StepFields {
-    /// The drive that it says, of a muscle of this length.
-    pub(super) fn drive(&self, tables: &[TextFile], rest_length_mm: f64) -> Result<DriveFile, Problem> {
+    /// The text of the drive file that it says, of a muscle of this length.
+    pub(super) fn drive(&self, tables: &[TextFile], rest_length_mm: f64) -> Result<String, Problem> {
         let pressure = given("pressure_mpa", self.pressure_mpa, "a pressure, such as 0.3 MPa")?;
         let until_s = finite("until_s", self.until_s.unwrap_or(2.0))?;
         let pressure_mpa = finite("supply_mpa", self.supply_mpa.unwrap_or(0.6))?;
@@ -66,22 +66,27 @@ impl StepFields {
         })?;
         let load =
             self.load.as_deref().ok_or_else(|| Problem::missing("load", "the load, such as mass:10kg"))?;
-        let valve: Valve = valve.parse().map_err(|error: ValveError| {
+        let _: Valve = valve.parse().map_err(|error: ValveError| {
             Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("valve")
         })?;
-        let target = Target::Pressure(vec![Command::Steps(vec![(0.0, 0.0), (0.05, pressure)])]);
-        let mut drive =
-            DriveFile::new(Subject::Muscle("muscle".into()), Actuator::Valve(valve), target, until_s);
-        drive.supply.pressure_mpa = pressure_mpa;
+        let is_conductance = valve.trim().starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        let key = if is_conductance { "valve.sonic_conductance" } else { "valve.name" };
+        let mut values = vec![(key, valve.trim().to_owned())];
         match load.trim().strip_prefix("held").map(|rest| rest.trim_start_matches(':').trim()) {
-            Some(contraction) => drive.held = Some(held(contraction)?),
+            Some(contraction) => values.push(("load.held", held(contraction)?.to_string())),
             None => {
-                let load = LoadFields { load: Some(load.to_owned()), load_tables: tables.to_vec() };
-                drive.load = load.resolve(rest_length_mm)?;
-                (drive.damping_n_s_per_m, drive.stops_mm) = (damping_n_s_per_m, (0.0, 1e6));
+                let fields = LoadFields { load: Some(load.to_owned()), load_tables: tables.to_vec() };
+                fields.resolve(rest_length_mm)?;
+                values.push(("load.line", load.to_owned()));
+                values.push(("load.damping", damping_n_s_per_m.to_string()));
+                values.push(("load.stops", "0..1e6 mm".into()));
             }
         }
-        Ok(drive)
+        let head = format!(
+            "muscle = \"muscle\"\n[supply]\npressure = {pressure_mpa:?}\n[command]\npressure = [[0, 0], [0.05, {pressure:?}]]\nuntil = {until_s:?}\n"
+        );
+        let text = values.into_iter().try_fold(head, |text, (key, value)| with_value(&text, key, &value));
+        Ok(text?)
     }
 }
 

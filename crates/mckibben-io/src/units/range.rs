@@ -3,13 +3,14 @@
 use super::convert::{convert, tidy};
 use super::dimension::Dimension;
 use super::quantity::{QuantityError, factor, plausible, split};
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// The most points a range or list may hold.
 pub const MAX_POINTS: usize = 1_000_000;
 
 /// What `--wall 1..5`, `--wall 1..5:0.5` and `--wall 1,2,3` mean.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Values {
     /// Single values: one number, a list, or a range with a step (both ends in).
     List(Vec<f64>),

@@ -1,112 +1,78 @@
 //! [command] and [controller].
 
-use super::checks::{above, said};
-use super::tables::Tables;
+use super::Tables;
 use crate::command::Command;
 use crate::control::{Pid, PidOutput};
 use crate::drive::Target;
-use mckibben::muscle::file::{FileError, Section};
+use mckibben::muscle::file::{FileError, OVER_TIME, Section};
 use mckibben::units::{Dimension, Values, parse_quantity, parse_values};
 use mckibben_io::table::{OverTime, read_over_time};
 
-/// Keys of [command].
-pub(super) const KEYS: &[&str] = &[
-    "pressure",
-    "pressure_1",
-    "pressure_2",
-    "valve",
-    "valve_1",
-    "valve_2",
-    "volume",
-    "volume_1",
-    "volume_2",
-    "position",
-    "until",
-    "output_step",
-];
-const CONTROLLER: &[&str] =
-    &["proportional", "integral", "derivative", "filter", "tracking", "output", "bias"];
-
 /// The tables that commands name.
-pub(super) fn tables(command: &Section<'_>) -> Result<Vec<String>, FileError> {
-    let mut names = vec![];
-    for key in KEYS.iter().filter(|key| command.is_text(key)) {
-        let name = command.text(key, "a command")?.and_then(|text| text.trim().strip_prefix(TABLE));
-        names.extend(name.map(|name| name.trim().to_owned()));
-    }
-    Ok(names)
+pub(super) fn tables(command: &Section<'_>) -> Vec<String> {
+    let all = ["pressure", "valve", "volume"].into_iter().flat_map(keys).chain(["position".into()]);
+    let texts = all.filter_map(|key| command.get::<&str>(&key));
+    texts.filter_map(|text| Some(text.trim().strip_prefix(TABLE)?.trim().to_owned())).collect()
+}
+
+/// A key for all muscles, and one for each.
+fn keys(key: &str) -> [String; 3] {
+    [key.to_owned(), format!("{key}_1"), format!("{key}_2")]
 }
 
 pub(super) fn target(
     command: &Section<'_>,
     pid: &Section<'_>,
     about_joint: bool,
-    base: Option<&Target>,
     tables: &Tables,
 ) -> Result<Target, FileError> {
-    pid.only(CONTROLLER, CONTROLLER)?;
-    let each = |key: &str, what: OverTime| -> Result<Vec<Command>, FileError> {
-        let keys = [key.to_owned(), format!("{key}_1"), format!("{key}_2")];
-        let read = keys.iter().map(|key| read_command(command, key, what, tables));
-        let [all, first, second]: [Option<Command>; 3] =
-            read.collect::<Result<Vec<_>, _>>()?.try_into().unwrap_or_default();
-        match (all, first, second) {
-            (Some(all), None, None) if about_joint => Ok(vec![all.clone(), all]),
-            (Some(all), None, None) => Ok(vec![all]),
-            (None, Some(first), second) => Ok(std::iter::once(first).chain(second).collect()),
-            (None, None, None) => Ok(vec![]),
-            _ => Err(said(command, key, format!("conflicts with {key}_1 and {key}_2"))),
+    let each = |key: &str, what: OverTime| -> Result<Option<Vec<Command>>, FileError> {
+        let [all, first, second] = keys(key).map(|key| read_command(command, &key, what, tables));
+        match (all?, first?, second?) {
+            (Some(all), None, None) if about_joint => Ok(Some(vec![all.clone(), all])),
+            (Some(all), None, None) => Ok(Some(vec![all])),
+            (None, Some(first), second) => Ok(Some(std::iter::once(first).chain(second).collect())),
+            (None, None, None) => Ok(None),
+            _ => Err(command.error(key, format!("conflicts with {key}_1 and {key}_2"))),
         }
     };
-    let pressures = each("pressure", OverTime::Pressure)?;
-    let openings = each("valve", OverTime::Opening)?;
-    let volumes = each("volume", OverTime::Volume)?;
     let what = if about_joint { OverTime::Angle } else { OverTime::Contraction };
-    let position = read_command(command, "position", what, tables)?;
-    let given = [!pressures.is_empty(), !openings.is_empty(), !volumes.is_empty(), position.is_some()];
-    match (given, position) {
-        ([true, false, false, false], _) => Ok(Target::Pressure(pressures)),
-        ([false, true, false, false], _) => Ok(Target::Opening(openings)),
-        ([false, false, true, false], _) => Ok(Target::Volume(volumes)),
-        ([false, false, false, true], Some(position)) => {
-            let position = if about_joint { position.scaled(std::f64::consts::PI / 180.0) } else { position };
-            Ok(Target::Position { command: position, pid: controller(pid)? })
-        }
-        ([false, false, false, false], _) => base.cloned().ok_or_else(|| {
+    let position = read_command(command, "position", what, tables)?.map(|position| {
+        let position = if about_joint { position.scaled(std::f64::consts::PI / 180.0) } else { position };
+        Ok(Target::Position { command: position, pid: controller(pid)? })
+    });
+    let targets = [
+        each("pressure", OverTime::Pressure)?.map(Target::Pressure),
+        each("valve", OverTime::Opening)?.map(Target::Opening),
+        each("volume", OverTime::Volume)?.map(Target::Volume),
+        position.transpose()?,
+    ];
+    let mut given = targets.into_iter().flatten();
+    match (given.next(), given.next()) {
+        (Some(target), None) => Ok(target),
+        (None, _) => {
             let expected =
                 "what is commanded: pressure, valve (its opening), volume (of a syringe) or position";
-            command.missing("pressure", None, expected)
-        }),
-        _ => Err(said(command, "until", "belongs to one command: give pressure, valve, volume or position")),
+            Err(command.missing("pressure", None, expected))
+        }
+        _ => Err(command.error("until", "belongs to one command: give pressure, valve, volume or position")),
     }
 }
 
 fn controller(section: &Section<'_>) -> Result<Pid, FileError> {
-    let number = |key: &str, default: f64| Ok::<f64, FileError>(section.number(key)?.unwrap_or(default));
-    let time = |key: &str, default: f64| {
-        Ok::<f64, FileError>(above(section, key, Dimension::Time)?.unwrap_or(default))
-    };
-    let Some(proportional) = section.number("proportional")? else {
-        return Err(section.missing(
-            "proportional",
-            None,
-            "the controller's gain, in MPa (or opening) per unit of position",
-        ));
-    };
-    let output = match section.text("output", "pressure or opening, in quotes")?.unwrap_or("pressure") {
-        "pressure" => {
-            PidOutput::Pressure { bias_mpa: section.quantity("bias", Dimension::Pressure)?.unwrap_or(0.0) }
-        }
-        "opening" => PidOutput::Opening,
-        _ => return Err(said(section, "output", "must be \"pressure\" or \"opening\"")),
-    };
+    let number = |key: &str, default: f64| section.get(key).unwrap_or(default);
+    let needs = "the controller's gain, in MPa (or opening) per unit of position";
+    let proportional = section.get("proportional");
     Ok(Pid {
-        proportional,
-        integral_per_s: number("integral", 0.0)?,
-        derivative_s: number("derivative", 0.0)?,
-        filter_s: time("filter", 0.01)?,
-        tracking_s: time("tracking", 0.1)?,
-        output,
+        proportional: proportional.ok_or_else(|| section.missing("proportional", None, needs))?,
+        integral_per_s: number("integral", 0.0),
+        derivative_s: number("derivative", 0.0),
+        filter_s: number("filter", 0.01),
+        tracking_s: number("tracking", 0.1),
+        output: match section.get("output") {
+            Some("opening") => PidOutput::Opening,
+            _ => PidOutput::Pressure { bias_mpa: number("bias", 0.0) },
+        },
     })
 }
 
@@ -122,32 +88,27 @@ fn read_command(
     tables: &Tables,
 ) -> Result<Option<Command>, FileError> {
     let dimension = match what {
-        OverTime::Pressure => Some(Dimension::Pressure),
-        OverTime::Volume => Some(Dimension::Volume),
-        OverTime::Opening => None,
-        OverTime::Contraction => Some(Dimension::Ratio),
-        OverTime::Angle => Some(Dimension::Angle),
+        OverTime::Pressure => Dimension::Pressure,
+        OverTime::Volume => Dimension::Volume,
+        OverTime::Opening | OverTime::Contraction => Dimension::Ratio,
+        OverTime::Angle => Dimension::Angle,
     };
-    let expected = "pairs of times and values such as [[\"0 s\", \"0 bar\"], [\"0.1 s\", \"3 bar\"]], or \"ramp 0..3 bar in 2 s\", \"sine 1..3 bar at 2 Hz\", \"chirp 1..3 bar from 0.1..5 Hz in 10 s\", \"table:command.csv\"";
-    let command = if section.is_text(key) {
-        let Some(text) = section.text(key, expected)? else { return Ok(None) };
+    let command = if let Some(text) = section.get::<&str>(key) {
         if let Some(name) = text.trim().strip_prefix(TABLE) {
-            let wrong = |why: String| said(section, key, format!("names {}, {why}", name.trim()));
-            let table =
-                tables.texts.get(name.trim()).ok_or_else(|| wrong("which was not supplied".into()))?;
-            let points = read_over_time(table.as_bytes(), what)
-                .map_err(|e| wrong(format!("which is not valid: {e}")))?;
-            return Command::table(points).map(Some).map_err(|e| wrong(format!("which is not valid: {e}")));
+            let wrong = |why: String| section.error(key, format!("names {}, {why}", name.trim()));
+            let invalid = |e: String| wrong(format!("which is not valid: {e}"));
+            let table = tables.texts.get(name.trim());
+            let table = table.ok_or_else(|| wrong("which was not supplied".into()))?;
+            let points = read_over_time(table.as_bytes(), what).map_err(|e| invalid(e.to_string()))?;
+            return Command::table(points).map(Some).map_err(|e| invalid(e.to_string()));
         }
-        spoken(text, dimension.unwrap_or(Dimension::Ratio))
-            .ok_or_else(|| said(section, key, format!("is not a command; write {expected}")))?
+        spoken(text, dimension)
+            .ok_or_else(|| section.error(key, format!("is not a command; write {OVER_TIME}")))?
     } else {
-        match section.pairs(key, (Some(Dimension::Time), dimension), expected)? {
-            None => return Ok(None),
-            Some(pairs) => Command::Steps(pairs),
-        }
+        let Some(pairs) = section.get(key) else { return Ok(None) };
+        Command::Steps(pairs)
     };
-    command.check().map_err(|error| said(section, key, error.to_string()))?;
+    command.check().map_err(|error| section.error(key, error.to_string()))?;
     Ok(Some(command))
 }
 

@@ -373,11 +373,11 @@ fn files_say_where_they_are_wrong() {
         ("[joint]\nradius = '25 mm'\n[muscle_1]\ncontraction_at_neutral = '10%'\n", "file"),
         ("[muscle_1]\nfile = 'a.toml'\n", "radius"),
         ("[joint]\nradius = '-25 mm'\n[muscle_1]\nfile = 'a.toml'\n", "above zero"),
-        ("[joint]\nradius = '25 mm'\nrange = '10 deg'\n[muscle_1]\nfile = 'a.toml'\n", "two angles"),
+        ("[joint]\nradius = '25 mm'\nrange = '10 deg'\n[muscle_1]\nfile = 'a.toml'\n", "range such as"),
         ("[joint]\nradius = '25 bar'\n[muscle_1]\nfile = 'a.toml'\n", "a pressure"),
         ("[joint]\nradus = '25 mm'\n", "radius"),
         ("[muscle_1]\nfile = 'a.toml'\norigin = ['1 mm', '2 mm']\n", "insertion"),
-        ("[muscle_1]\nfile = 'a.toml'\norigin = ['1 mm']\ninsertion = ['1 mm', '2 mm']\n", "two lengths"),
+        ("[muscle_1]\nfile = 'a.toml'\norigin = ['1 mm']\ninsertion = ['1 mm', '2 mm']\n", "x and y"),
         ("[joint]\nradius = '25 mm'\n[muscle_1]\nfile = 'a.toml'\n[spring]\npreload = '3 N'\n", "rate"),
     ] {
         let error = parse_joint(text).unwrap_err().to_string();

@@ -2,32 +2,39 @@
 
 use super::measures::{SECTIONS, of_section};
 use super::{BraidStiffness, Bulk, Conditioned, Direction, EndFactor, Muscle, Tube};
+use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
 /// The fit of a muscle to its own bench: where it holds, and how far a point of that bench lies from it.
 ///
 /// It belongs to one muscle, and holds as it was written: [`Bench::is_of`].
-#[derive(Debug, Clone, PartialEq)]
+/// As data (serde) it is the table `[identified]` of a muscle file.
+#[serde_with_macros::skip_serializing_none]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Bench {
     /// Who measured it, where that is somebody else than the user: another specimen on another bench pulls differently.
     pub laboratory: Option<String>,
     /// The model whose constants were fitted.
     pub model: String,
     /// Lengths at rest of its points in mm, that of this muscle first; empty where it does not say.
+    #[serde(rename = "lengths", default, skip_serializing_if = "Vec::is_empty")]
     pub lengths_mm: Vec<f64>,
     /// Points of this muscle.
     pub points: usize,
     /// Branches of the hysteresis loop that its points state; none where not all of them state one.
     pub branches: Vec<Direction>,
     /// Lowest and highest pressure in MPa.
+    #[serde(rename = "pressure")]
     pub pressure_mpa: (f64, f64),
     /// Smallest and largest contraction.
     pub contraction: (f64, f64),
     /// 95 % half-width of one point about the fit, in N.
+    #[serde(rename = "scatter")]
     pub scatter_n: f64,
     /// 95 % half-width of the fitted pull in N, from the covariance of the constants: rows at equal steps of the pressure,
     /// columns at equal steps of the contraction, from end to end.
+    #[serde(rename = "fit")]
     pub fit_n: Vec<Vec<f64>>,
     /// What was fitted, as in the muscle file.
     pub parameters: Vec<String>,

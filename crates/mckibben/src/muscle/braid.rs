@@ -70,11 +70,12 @@ pub struct Braid {
     pub sleeve: Option<SleeveShape>,
 }
 
-/// A braid described by its strands, without one of the lines that it takes.
-pub(super) fn strands_incomplete(missing: &str) -> MuscleError {
-    let needs = "a braid described by its strands needs `strands`, `strand_area` (or `strand_diameter`) and `strand_modulus`";
+/// What a braid described by its strands takes.
+pub(super) const NEEDS_STRANDS: &str = "a braid described by its strands needs `strands`, `strand_area` (or `strand_diameter`) and `strand_modulus`";
+
+fn strands_incomplete(missing: &str) -> MuscleError {
     let keys = ["braid.strand_area", "braid.strand_modulus", "braid.strands"];
-    MuscleError::refused(keys, format!("braid: {missing} is missing; {needs}"))
+    MuscleError::refused(keys, format!("braid: {missing} is missing; {NEEDS_STRANDS}"))
 }
 
 impl Braid {

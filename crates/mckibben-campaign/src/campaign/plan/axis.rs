@@ -2,9 +2,9 @@
 
 use mckibben::muscle::measures::{self, Parts};
 use mckibben::muscle::{BraidStiffness, Muscle, MuscleError};
+use mckibben::rubber::Law;
 use mckibben::rubber::library;
-use mckibben::rubber::{Constant, Law};
-use mckibben::units::{Dimension, Values};
+use mckibben::units::Values;
 use std::sync::LazyLock;
 
 /// A measure that can vary.
@@ -40,7 +40,7 @@ const WITH_COLUMN: [(&str, Measure); 9] = [
 /// All of them in the order in which a factorial plan runs through them, with their keys in `[vary]`: the ones above, constants of laws,
 /// and every other measure of the muscle.
 pub(super) static ALL: LazyLock<Vec<(&'static str, Measure)>> = LazyLock::new(|| {
-    let constants = CONSTANTS.iter().map(|(key, c)| (key.as_str(), Measure::Constant(c.name)));
+    let constants = CONSTANTS.iter().map(|(key, name)| (key.as_str(), Measure::Constant(name)));
     let others = measures::MEASURES.iter().map(|m| m.key).filter(|key| !has_column(key));
     WITH_COLUMN.into_iter().chain(constants).chain(others.map(|key| (key, Measure::Part(key)))).collect()
 });
@@ -50,33 +50,20 @@ fn has_column(key: &str) -> bool {
 }
 
 /// The constants of all laws with their keys, each name once; sums of terms have none that vary alone.
-static CONSTANTS: LazyLock<Vec<(String, &'static Constant)>> = LazyLock::new(|| {
-    let mut out: Vec<(String, &'static Constant)> = vec![];
-    for constant in Law::KINDS.iter().filter(|k| !k.is_sum).flat_map(|k| k.constants) {
-        if out.iter().all(|o| o.1.name != constant.name) {
-            out.push((format!("tube.material.{}", constant.name), constant));
+static CONSTANTS: LazyLock<Vec<(String, &'static str)>> = LazyLock::new(|| {
+    let mut names: Vec<&'static str> = vec![];
+    for name in Law::KINDS.iter().filter(|k| !k.is_sum).flat_map(|k| k.names()) {
+        if !names.contains(&name) {
+            names.push(name);
         }
     }
-    out
+    names.into_iter().map(|name| (format!("tube.material.{name}"), name)).collect()
 });
 
 impl Measure {
     /// Its key in `[vary]`.
     pub fn key(self) -> &'static str {
         ALL.iter().find(|m| m.1 == self).map_or("", |m| m.0)
-    }
-
-    pub fn dimension(self) -> Dimension {
-        match self {
-            Self::Part(key) => measures::Measure::of_key(key).map_or(Dimension::Ratio, |m| m.dimension),
-            // N/mm per mm
-            Self::StiffnessPerDiameter => Dimension::Pressure,
-            Self::WallRatio | Self::LengthRatio | Self::Scale => Dimension::Ratio,
-            Self::Constant(name) => {
-                let constant = CONSTANTS.iter().find(|c| c.1.name == name);
-                constant.map_or(Dimension::Ratio, |c| c.1.dimension)
-            }
-        }
     }
 
     /// The column in which a table has it, where it varies: only of measures without one in every table.

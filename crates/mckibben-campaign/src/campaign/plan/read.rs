@@ -1,38 +1,14 @@
 //! Text → plan.
 
 use super::sampling::{Design, MOST_MUSCLES, MOST_SOBOL, MOST_STRATA, Sampling};
-use super::{Plan, Testing, axis, vary};
-use mckibben::muscle::file::{FileError, Problem, Section, Source, parse_muscle_beside, read_text};
-use mckibben::units::{Dimension, Values};
+use super::{Plan, Testing, vary};
+use mckibben::muscle::file::{FileError, Section, Source, muscle_of, read_text};
+use mckibben::units::Values;
 use mckibben_fem::elements::{Elements, MeshTextError};
 use std::path::Path;
-use std::sync::LazyLock;
 
-const TABLES: &[&str] = &["sampling", "vary", "test"];
-const SAMPLING: &[&str] = &["method", "samples", "seed"];
-const TEST: &[&str] = &["contractions", "of_ideal", "pressures", "model", "mesh", "sensitivities"];
-const METHODS: &str = "one of factorial, latin-hypercube, sobol";
 /// The most points of one muscle.
 const MOST_POINTS: usize = 100_000;
-
-/// Every key of a plan beside those of the muscle, for suggestions.
-static ALL: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
-    static VARY: LazyLock<Vec<String>> =
-        LazyLock::new(|| axis::ALL.iter().map(|(key, _)| format!("vary.{key}")).collect());
-    KEYS.iter().copied().chain(VARY.iter().map(String::as_str)).collect()
-});
-
-const KEYS: [&str; 9] = [
-    "sampling.method",
-    "sampling.samples",
-    "sampling.seed",
-    "test.contractions",
-    "test.of_ideal",
-    "test.pressures",
-    "test.model",
-    "test.mesh",
-    "test.sensitivities",
-];
 
 impl Plan {
     /// Reads the text of a plan.
@@ -49,27 +25,27 @@ impl Plan {
 
 fn plan(text: &str) -> Result<Plan, FileError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let base = parse_muscle_beside(text, TABLES)?;
-    let source = Source::parse(text)?;
+    let source = Source::read(text, "muscle-file plan-file people")?;
+    let base = muscle_of(&source)?;
     let root = source.root();
-    let sampling = sampling(&root.section("sampling", "sampling")?)?;
-    let axes = vary::axes(&root, &base, &sampling, &ALL)?;
-    let testing = testing(&root.section("test", "test")?)?;
+    let sampling = sampling(&root.at("sampling"))?;
+    let axes = vary::axes(&root.at("vary"), &base, &sampling)?;
+    let testing = testing(&root.at("test"))?;
     if base.tube().rubber.is_conditioned() {
         let why = "is not possible in a campaign, whose muscles are on their first inflation: leave it out";
-        return Err(source.error("tube.material.conditioned", Problem::Said(why.into())));
+        return Err(source.error("tube.material.conditioned", why));
     }
     if sampling != Sampling::Factorial && axes.is_empty() {
         let why = format!("a {} plan needs something to vary: add [vary]", sampling.name());
-        return Err(source.error("sampling.method", Problem::Said(why)));
+        return Err(source.error("sampling.method", why));
     }
     let design = Design::new(&sampling, &axes);
     if design.len() > MOST_MUSCLES {
         let why = format!("makes {} muscles, more than {MOST_MUSCLES}", design.len());
-        return Err(source.error("vary", Problem::Said(why)));
+        return Err(source.error("vary", why));
     }
     let plan = Plan { text: text.to_owned(), base, axes, sampling, design, testing };
-    some_muscle(&plan).map_err(|why| source.error("vary", Problem::Said(why)))?;
+    some_muscle(&plan).map_err(|why| source.error("vary", why))?;
     Ok(plan)
 }
 
@@ -86,39 +62,27 @@ fn some_muscle(plan: &Plan) -> Result<(), String> {
 }
 
 fn whole(section: &Section<'_>, key: &str, most: u64) -> Result<Option<u64>, FileError> {
-    let Some(value) = section.number(key)? else { return Ok(None) };
-    if value >= 0.0 && value <= most as f64 && value.fract() == 0.0 {
-        Ok(Some(value as u64))
-    } else {
-        Err(section.error(key, Problem::Said(format!("must be a whole number up to {most}"))))
+    let value = section.get(key);
+    if value.is_none_or(|value: u64| value <= most) {
+        return Ok(value);
     }
+    Err(section.error(key, format!("must be a whole number up to {most}")))
 }
 
 fn sampling(section: &Section<'_>) -> Result<Sampling, FileError> {
-    section.only(SAMPLING, &ALL)?;
-    let method = section.text("method", METHODS)?.unwrap_or("factorial").trim();
+    let method = section.get("method").unwrap_or("factorial");
     let sobol = method == "sobol";
     let samples = whole(section, "samples", if sobol { MOST_SOBOL } else { MOST_STRATA })?;
     let seed = whole(section, "seed", u64::from(u32::MAX))?;
     if method == "factorial" {
-        return match ["samples", "seed"].into_iter().find(|k| section.has(k)) {
-            Some(key) => {
-                let why =
-                    "a factorial plan takes every level with every other: it has neither samples nor a seed";
-                Err(section.error(key, Problem::Said(why.into())))
-            }
-            None => Ok(Sampling::Factorial),
-        };
-    }
-    if !sobol && method != "latin-hypercube" {
-        let words = ["factorial", "latin-hypercube", "sobol"];
-        let suggestion = words.into_iter().find(|w| method.get(..3).is_some_and(|m| w.starts_with(m)));
-        return Err(section.error("method", Problem::Word { suggestion, expected: METHODS }));
+        let why = "a factorial plan takes every level with every other: it has neither samples nor a seed";
+        let given = ["samples", "seed"].into_iter().find(|k| section.has(k));
+        return given.map_or(Ok(Sampling::Factorial), |key| Err(section.error(key, why)));
     }
     let needs = "it is the number of random muscles";
     let samples = samples.ok_or_else(|| section.missing("samples", Some("method"), needs))?;
     if samples == 0 {
-        return Err(section.error("samples", Problem::Said("must be above zero".into())));
+        return Err(section.error("samples", "must be above zero"));
     }
     let seed = seed.unwrap_or(1);
     Ok(if sobol {
@@ -129,58 +93,52 @@ fn sampling(section: &Section<'_>) -> Result<Sampling, FileError> {
 }
 
 fn testing(section: &Section<'_>) -> Result<Testing, FileError> {
-    section.only(TEST, &ALL)?;
-    let of_ideal = section.boolean("of_ideal")?.unwrap_or(false);
-    let contractions = levels(section, "contractions", Dimension::Ratio)?;
-    let pressures_mpa = levels(section, "pressures", Dimension::Pressure)?;
+    let of_ideal = section.get("of_ideal").unwrap_or(false);
+    let contractions = levels(section, "contractions")?;
+    let pressures_mpa = levels(section, "pressures")?;
     let most = if of_ideal { 1.2 } else { 0.9 };
     if let Some(e) = contractions.iter().find(|e| !(0.0..=most).contains(*e)) {
         let why = format!("contains {e}; contractions must lie between 0 and {most}");
-        return Err(section.error("contractions", Problem::Said(why)));
+        return Err(section.error("contractions", why));
     }
     if let Some(p) = pressures_mpa.iter().find(|p| **p < 0.0) {
         let why = format!("contains {p} MPa; a pressure must not be below zero");
-        return Err(section.error("pressures", Problem::Said(why)));
+        return Err(section.error("pressures", why));
     }
     let points = contractions.len().saturating_mul(pressures_mpa.len());
     if points > MOST_POINTS {
         let why = format!("make {points} points a muscle with the contractions, more than {MOST_POINTS}");
-        return Err(section.error("pressures", Problem::Said(why)));
+        return Err(section.error("pressures", why));
     }
     let elements = elements(section)?;
-    let sensitivities = section.boolean("sensitivities")?.unwrap_or(false);
+    let sensitivities = section.get("sensitivities").unwrap_or(false);
     if sensitivities && matches!(elements, Elements::ThreeDimensional(_)) {
         let why = "is true, and fe3d has none: take model = \"fe\", or leave it out";
-        return Err(section.error("sensitivities", Problem::Said(why.into())));
+        return Err(section.error("sensitivities", why));
     }
     Ok(Testing { contractions, of_ideal, pressures_mpa, elements, sensitivities })
 }
 
-fn levels(section: &Section<'_>, key: &str, dimension: Dimension) -> Result<Vec<f64>, FileError> {
-    let needs =
-        "a plan must state its points, such as contractions = \"0..20:5%\" and pressures = \"0..0.25:0.01\"";
-    match section.values(key, dimension, "")? {
-        None => Err(section.missing(key, None, needs)),
+fn levels(section: &Section<'_>, key: &str) -> Result<Vec<f64>, FileError> {
+    match section.get::<(Values, bool)>(key) {
+        Some((Values::List(list), _)) if !list.is_empty() => Ok(list),
         Some((Values::Interval(..), _)) => {
-            Err(section.error(key, Problem::Said("is a range without a step: write low..high:step".into())))
+            Err(section.error(key, "is a range without a step: write low..high:step"))
         }
-        Some((Values::List(list), _)) if list.is_empty() => {
-            Err(section.error(key, Problem::Said("is an empty list".into())))
-        }
-        Some((Values::List(list), _)) => Ok(list),
+        _ => Err(section.error(key, "is an empty list")),
     }
 }
 
 fn elements(section: &Section<'_>) -> Result<Elements, FileError> {
     let expected = "a finite-element model: fe or fe3d";
-    let word = section.text("model", expected)?;
-    let unknown = || section.error("model", Problem::Word { suggestion: None, expected });
-    let elements: Elements = word.unwrap_or(Elements::ENTRIES[0].name).parse().map_err(|_| unknown())?;
-    let Some(text) = section.text("mesh", elements.mesh_syntax())? else { return Ok(elements) };
+    let word = section.get("model").unwrap_or(Elements::ENTRIES[0].name);
+    let unknown = |expected: &str| format!("is not known; expected {expected}");
+    let elements: Elements = word.parse().map_err(|_| section.error("model", unknown(expected)))?;
+    let Some(text) = section.get("mesh") else { return Ok(elements) };
     elements.with_mesh(text).map_err(|error| {
         let problem = match error {
-            MeshTextError::Syntax(expected) => Problem::Word { suggestion: None, expected },
-            MeshTextError::Mesh(error) => Problem::Said(error.to_string()),
+            MeshTextError::Syntax(expected) => unknown(expected),
+            MeshTextError::Mesh(error) => error.to_string(),
         };
         section.error("mesh", problem)
     })

@@ -2,8 +2,8 @@
 
 use super::axis::{ALL, Axis, Measure};
 use super::sampling::Sampling;
-use mckibben::muscle::file::{FileError, Problem, Section};
-use mckibben::muscle::measures::{self, Bounds, SECTIONS};
+use mckibben::muscle::file::{FileError, Section};
+use mckibben::muscle::measures::{self, Bounds};
 use mckibben::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
 use mckibben::units::Values;
 
@@ -14,45 +14,19 @@ const EITHER: [(Measure, Measure); 3] = [
     (Measure::Part("braid.stiffness"), Measure::StiffnessPerDiameter),
 ];
 
-pub(super) fn axes(
-    root: &Section<'_>,
-    base: &Muscle,
-    sampling: &Sampling,
-    all: &[&'static str],
-) -> Result<Vec<Axis>, FileError> {
-    let vary = root.section("vary", "vary")?;
-    vary.only(&SECTIONS, all)?;
-    let tube = vary.section("tube", "vary.tube")?;
-    let tables = [
-        ("tube.material.", tube.section("material", "vary.tube.material")?),
-        ("tube.", tube),
-        ("braid.", vary.section("braid", "vary.braid")?),
-        ("terminals.", vary.section("terminals", "vary.terminals")?),
-        ("friction.", vary.section("friction", "vary.friction")?),
-    ];
-    for (prefix, table) in &tables {
-        let mut known: Vec<&'static str> =
-            ALL.iter().filter_map(|m| m.0.strip_prefix(prefix)).filter(|k| !k.contains('.')).collect();
-        if *prefix == "tube." {
-            known.push("material");
+pub(super) fn axes(vary: &Section<'_>, base: &Muscle, sampling: &Sampling) -> Result<Vec<Axis>, FileError> {
+    let mut axes: Vec<Axis> = vec![];
+    for &(dotted, measure) in ALL.iter() {
+        let (table, key) = dotted.rsplit_once('.').unwrap_or(("", dotted));
+        let table = table.split('.').fold(vary.clone(), |section, key| section.at(key));
+        let Some((values, log)) = table.get(key) else { continue };
+        let axis = Axis { measure, values, log };
+        check(&axis, base, sampling).map_err(|why| table.error(key, why))?;
+        let other = EITHER.iter().find(|p| p.1 == measure).map(|p| p.0);
+        if let Some(other) = other.filter(|o| axes.iter().any(|a| a.measure == *o)) {
+            return Err(table.error(key, format!("vary either this or {}; both are given", other.key())));
         }
-        table.only(&known, all)?;
-    }
-    let mut axes = vec![];
-    for &(key, measure) in ALL.iter() {
-        let Some((table, key)) = tables.iter().find_map(|(p, t)| Some((t, key.strip_prefix(p)?))) else {
-            continue;
-        };
-        if let Some((values, log)) = table.values(key, measure.dimension(), "log")? {
-            let axis = Axis { measure, values, log };
-            check(&axis, base, sampling).map_err(|why| table.error(key, Problem::Said(why)))?;
-            let other = EITHER.iter().find(|p| p.1 == measure).map(|p| p.0);
-            if let Some(other) = other.filter(|o| axes.iter().any(|a: &Axis| a.measure == *o)) {
-                let why = format!("vary either this or {}; both are given", other.key());
-                return Err(table.error(key, Problem::Said(why)));
-            }
-            axes.push(axis);
-        }
+        axes.push(axis);
     }
     Ok(axes)
 }

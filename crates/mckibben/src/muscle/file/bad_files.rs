@@ -1,7 +1,6 @@
 //! Files with one mistake each: the line it is found in, and what the message must say.
 
-use super::{MAX_BYTES, Problem, parse_muscle, read_muscle};
-use mckibben_io::files::ReadError;
+use super::{MAX_BYTES, parse_muscle, read_muscle};
 
 /// Line, part of the message, text.
 const BAD: &str = include_str!("bad_files.tsv");
@@ -62,7 +61,6 @@ fn what_is_no_readable_file_is_refused_by_name() {
         "muscle.toml:3:18: tube.wall_thickness = \"-3 mm\": is -3 mm; it must be above zero and finite"
     ));
     let missing = read_muscle(dir.0.join("none.toml")).unwrap_err();
-    assert!(matches!(*missing.problem, Problem::Unread(ReadError::System(_))));
     assert!(missing.to_string().contains("none.toml: cannot be read: "));
     assert!(message(&dir.0).contains("is a directory; it must be a regular file"));
     #[cfg(unix)]

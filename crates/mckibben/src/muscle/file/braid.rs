@@ -1,173 +1,122 @@
 //! The section `[braid]`: a stiffness, or the strands it is made of.
 
-use super::error::{FileError, Problem};
-use super::keys::{ALL, keys, measures};
-use super::source::{Section, WordOr};
-use crate::muscle::braid::strands_incomplete;
-use crate::muscle::error::positive;
-use crate::muscle::measures::STRANDS;
-use crate::muscle::{Braid, BraidStiffness, MuscleError, Parts, Strands};
+use super::error::{FileError, without_key};
+use super::read::measures;
+use super::source::Section;
+use crate::muscle::braid::NEEDS_STRANDS;
+use crate::muscle::{BraidStiffness, MuscleError, Parts, Strands};
 use crate::sleeve::{Sleeve, library};
-use crate::units::Dimension;
 
 /// The braid, into the parts that have the tube already.
 pub(super) fn read(section: &Section<'_>, parts: &mut Parts) -> Result<(), FileError> {
-    section.only(&keys("braid", &["name", "strand_diameter", "compression"]), &ALL)?;
     let outer_diameter_mm = parts.tube.outer_diameter_mm;
-    let default = Braid::paper();
-    let angle_deg = section.quantity("angle", Dimension::Angle)?;
-    let sleeve = sleeve(section)?;
-    let written = stiffness(section)?;
-    let (strands, described, stiffness_factor) = match &sleeve {
-        Some(sleeve) => of_sleeve(section, sleeve, written.is_some())?,
-        None => strands(section).map(|(strands, described)| (strands, described, 1.0))?,
+    let sleeve = section.get("name").map(library::find).transpose();
+    let sleeve = sleeve.map_err(|e| refused(section, "name", &e.into()))?;
+    let stiffness = match (section.get("stiffness"), section.get("stiffness")) {
+        (Some(k), _) => Some(BraidStiffness::NewtonPerMm(k)),
+        (None, Some("paper")) => Some(BraidStiffness::Paper),
+        (None, other) => other.map(|_| BraidStiffness::Inextensible),
     };
-    let stiffness = match (written, described) {
-        (Some(_), true) => {
-            return Err(refused(
-                section,
-                "stiffness",
-                MuscleError::refused(
-                    ["braid.stiffness"],
-                    "braid: give either `stiffness`, or `strands`, `strand_area` (or `strand_diameter`) and `strand_modulus`; both are given",
-                ),
-            ));
-        }
-        (Some(stiffness), false) => stiffness,
-        (None, true) => BraidStiffness::OfStrands,
-        // A number of strands alone says nothing about their stiffness.
-        (None, false) => default.stiffness,
+    let (area, modulus) = (area(section)?, section.get::<f64>("strand_modulus"));
+    let is_described = area.is_some() || modulus.is_some();
+    if stiffness.is_some() && is_described {
+        let said = "give either `stiffness`, or `strands`, `strand_area` (or `strand_diameter`) and `strand_modulus`; both are given";
+        return Err(section.error("stiffness", said));
+    }
+    let written = (area, modulus);
+    let (strands, factor) = match &sleeve {
+        Some(sleeve) => of_sleeve(section, sleeve, written, stiffness.is_some())?,
+        None => (strands(section, written)?, 1.0),
     };
+    let braid = &mut parts.braid;
+    // A number of strands alone says nothing about their stiffness.
+    let is_of_strands = sleeve.is_some() || is_described;
+    let of_strands = if is_of_strands { BraidStiffness::OfStrands } else { braid.stiffness };
+    braid.stiffness = stiffness.unwrap_or(of_strands);
+    braid.strands = strands;
     // In place of what the sleeve's estimates leave open.
-    let stiffness_factor = section.number("stiffness_factor")?.unwrap_or(stiffness_factor);
-    let strands_per_carrier =
-        section.number("strands_per_carrier")?.or(sleeve.as_ref().and_then(|s| s.strands_per_carrier));
-    let compression = section.boolean("compression")?.unwrap_or(default.compression);
-    let sleeve = sleeve.map(|s| s.shape);
-    parts.braid =
-        Braid { stiffness, strands, compression, stiffness_factor, strands_per_carrier, sleeve, ..default };
+    braid.stiffness_factor = section.get("stiffness_factor").unwrap_or(factor);
+    let per_carrier = sleeve.as_ref().and_then(|s| s.strands_per_carrier);
+    braid.strands_per_carrier = section.get("strands_per_carrier").or(per_carrier);
+    braid.compression = section.get("compression").unwrap_or(braid.compression);
+    braid.sleeve = sleeve.map(|s| s.shape);
     measures(section, "braid", parts)?;
     let braid = parts.braid.clone();
-    parts.braid = match angle_deg {
-        Some(angle) => {
-            braid.with_stated_angle(angle, outer_diameter_mm).map_err(|e| of_braid(section, "angle", e))
-        }
-        None => braid.on_diameter(outer_diameter_mm).map_err(|e| of_braid(section, "name", e.into())),
-    }?;
+    let (key, braid) = match section.get("angle") {
+        Some(angle_deg) => ("angle", braid.with_stated_angle(angle_deg, outer_diameter_mm)),
+        None => ("name", braid.on_diameter(outer_diameter_mm).map_err(Into::into)),
+    };
+    parts.braid = braid.map_err(|error| {
+        // An error of the sleeve belongs to its name, whatever key was read when it was found.
+        let key = if matches!(error, MuscleError::Sleeve(_)) { "name" } else { key };
+        refused(section, key, &error)
+    })?;
     Ok(())
 }
 
-/// The sleeve that `name` means.
-fn sleeve(section: &Section<'_>) -> Result<Option<Sleeve>, FileError> {
-    let name = section.text("name", "the name of a sleeve, such as \"nfl-19\"")?;
-    name.map(library::find).transpose().map_err(|e| refused(section, "name", e.into()))
+fn refused(section: &Section<'_>, key: &str, error: &MuscleError) -> FileError {
+    section.error(key, without_key(error, &section.dotted(key)))
 }
 
-/// An error of the sleeve belongs to its name, whatever key was read when it was found.
-fn of_braid(section: &Section<'_>, key: &'static str, error: MuscleError) -> FileError {
-    let key = if matches!(error, MuscleError::Sleeve(_)) { "name" } else { key };
-    refused(section, key, error)
-}
-
-/// The strands of a named sleeve, with what the file says of them, and whether they give the stiffness. Where it is written, they only
-/// inform.
+/// The strands of a named sleeve, with what the file says of them, and the factor within which their stiffness is known. Where the stiffness is
+/// stated, they only inform.
 fn of_sleeve(
     section: &Section<'_>,
     sleeve: &Sleeve,
-    stiffness: bool,
-) -> Result<(Option<Strands>, bool, f64), FileError> {
-    let area = area(section)?;
-    let modulus = section.quantity("strand_modulus", Dimension::Pressure)?;
-    if stiffness && (area.is_some() || modulus.is_some()) {
-        return Ok((None, true, 1.0));
-    }
+    (area, modulus): (Option<f64>, Option<f64>),
+    is_stiffness_stated: bool,
+) -> Result<(Option<Strands>, f64), FileError> {
     // An area is that of one round filament, as wide as it.
     let diameter = area.map(|a| 2.0 * (a / std::f64::consts::PI).sqrt());
-    let strength = section.quantity("strand_strength", Dimension::Force)?;
-    let sleeve = sleeve.clone().with(count(section)?, diameter, modulus, strength);
-    if stiffness {
-        return Ok((sleeve.strands_beside_stiffness(), false, 1.0));
+    let sleeve = sleeve.clone().with(count(section), diameter, modulus, section.get("strand_strength"));
+    if is_stiffness_stated {
+        return Ok((sleeve.strands_beside_stiffness(), 1.0));
     }
-    let mut strands = sleeve.of_strands().map_err(|e| refused(section, "name", e.into()))?;
+    let mut strands = sleeve.of_strands().map_err(|e| refused(section, "name", &e.into()))?;
     if let (Some(area), Some(section)) = (area, &mut strands.section) {
         // To the last bit, not by way of the diameter.
         section.0 = area;
     }
-    Ok((Some(strands), true, sleeve.stiffness_factor()))
+    Ok((Some(strands), sleeve.stiffness_factor()))
 }
 
 /// The cross-section of a strand, as an area or the diameter of a round one.
 fn area(section: &Section<'_>) -> Result<Option<f64>, FileError> {
-    let area = section.quantity("strand_area", Dimension::Area)?;
-    let diameter = section.quantity("strand_diameter", Dimension::Length)?;
-    match (area, diameter) {
-        (Some(_), Some(_)) => Err(refused(
-            section,
-            "strand_diameter",
-            MuscleError::refused(
-                ["braid.strand_diameter"],
-                "braid: give either `strand_area` or `strand_diameter`; both are given",
-            ),
-        )),
-        (area, None) => Ok(area),
-        (None, Some(d)) => {
-            positive("braid.strand_diameter", d, "mm").map_err(|e| refused(section, "strand_diameter", e))?;
-            Ok(Some(std::f64::consts::PI * d * d / 4.0))
+    match (section.get("strand_area"), section.get::<f64>("strand_diameter")) {
+        (Some(_), Some(_)) => {
+            let said = "give either `strand_area` or `strand_diameter`; both are given";
+            Err(section.error("strand_diameter", said))
         }
+        (area, diameter) => Ok(area.or(diameter.map(|d| std::f64::consts::PI * d * d / 4.0))),
     }
 }
 
-pub(super) fn refused(section: &Section<'_>, key: &str, error: MuscleError) -> FileError {
-    section.error(key, Problem::Muscle { error, key: section.dotted(key), default: None })
-}
-
-fn stiffness(section: &Section<'_>) -> Result<Option<BraidStiffness>, FileError> {
-    let found = section.word_or_quantity(
-        "stiffness",
-        &["paper", "inextensible"],
-        Dimension::Stiffness,
-        "\"paper\", \"inextensible\", or a stiffness such as \"321 N/mm\" (a bare number is N/mm)",
-    )?;
-    Ok(found.map(|f| match f {
-        WordOr::Word("paper") => BraidStiffness::Paper,
-        WordOr::Word(_) => BraidStiffness::Inextensible,
-        WordOr::Quantity(k) => BraidStiffness::NewtonPerMm(k),
-    }))
-}
-
-/// The strands, and whether they describe the braid's stiffness.
-fn strands(section: &Section<'_>) -> Result<(Option<Strands>, bool), FileError> {
-    let count = count(section)?;
-    let area = area(section)?;
-    let modulus = section.quantity("strand_modulus", Dimension::Pressure)?;
-    let strength_n = section.quantity("strand_strength", Dimension::Force)?;
-    let described = area.is_some() || modulus.is_some();
-    let beside =
-        ["strand_area", "strand_diameter"].into_iter().find(|k| section.has(k)).unwrap_or("strand_modulus");
-    let incomplete = |missing| Err(refused(section, beside, strands_incomplete(missing)));
-    match (count, area, modulus) {
-        // Both at once is the more telling complaint; the caller makes it.
-        _ if described && section.has("stiffness") => Ok((None, true)),
-        (None, Some(_), _) | (None, _, Some(_)) => incomplete("strands"),
-        (Some(_), Some(_), None) => incomplete("strand_modulus"),
-        (Some(_), None, Some(_)) => incomplete("strand_area"),
-        (None, None, None) if strength_n.is_some() => Err(refused(
-            section,
-            "strand_strength",
-            MuscleError::refused(
-                ["braid.strand_strength"],
-                "braid.strand_strength needs braid.strands: the load is shared among them",
-            ),
-        )),
-        (None, None, None) => Ok((None, false)),
-        (Some(count), area, modulus) => {
-            Ok((Some(Strands { count, section: area.zip(modulus), strength_n }), described))
+/// The strands, where the file says something of them.
+fn strands(
+    section: &Section<'_>,
+    (area, modulus): (Option<f64>, Option<f64>),
+) -> Result<Option<Strands>, FileError> {
+    let (count, strength_n) = (count(section), section.get("strand_strength"));
+    let needs = [
+        ("strands", count.is_none()),
+        ("strand_modulus", modulus.is_none()),
+        ("strand_area", area.is_none()),
+    ];
+    let missing = needs.iter().find(|n| n.1).filter(|_| area.is_some() || modulus.is_some());
+    if let Some((missing, _)) = missing {
+        let written =
+            ["strand_area", "strand_diameter", "strand_modulus"].into_iter().find(|k| section.has(k));
+        return Err(section.missing(missing, written, NEEDS_STRANDS));
+    }
+    match count {
+        None if strength_n.is_some() => {
+            Err(section.error("strand_strength", "needs braid.strands: the load is shared among them"))
         }
+        _ => Ok(count.map(|count| Strands { count, section: area.zip(modulus), strength_n })),
     }
 }
 
-fn count(section: &Section<'_>) -> Result<Option<u32>, FileError> {
-    let Some(count) = section.number("strands")? else { return Ok(None) };
-    STRANDS.check(count).map_err(|e| refused(section, "strands", e))?;
-    Ok(Some(count as u32))
+/// An even number, as its bounds say.
+fn count(section: &Section<'_>) -> Option<u32> {
+    section.get("strands").map(|count: f64| count as u32)
 }

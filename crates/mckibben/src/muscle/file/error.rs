@@ -1,12 +1,9 @@
-//! What is wrong with a muscle file, where, and what should stand there.
+//! What is wrong with a file, where, and what should stand there.
 
 use crate::muscle::MuscleError;
-use crate::nearest::meant;
 use crate::units::QuantityError;
-use std::borrow::Cow;
 use std::fmt;
 use std::path::PathBuf;
-use thiserror::Error;
 
 /// A position in a text, both counted from 1; columns count characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,8 +14,8 @@ pub struct TextPosition {
     pub column: usize,
 }
 
-/// Why a text is not a muscle: the file, the place, the key, what stood there, and what is wrong with it.
-#[derive(Debug)]
+/// Why a text is not such a file: the file, the place, the key, what stood there, and what is wrong with it.
+#[derive(Debug, Default)]
 pub struct FileError {
     /// The file, where the text came from one.
     pub file: Option<PathBuf>,
@@ -28,65 +25,12 @@ pub struct FileError {
     pub key: Option<String>,
     /// What stood there, as written (long texts are cut).
     pub written: Option<String>,
-    /// What is wrong.
-    pub problem: Box<Problem>,
-}
-
-/// What is wrong.
-#[derive(Debug, Error)]
-pub enum Problem {
-    /// The file is not read.
-    #[error("{0}")]
-    Unread(#[source] mckibben_io::files::ReadError),
-    /// A value of another kind.
-    #[error("is {found}; expected {expected}")]
-    Type {
-        /// What it is.
-        found: &'static str,
-        /// What it should be.
-        expected: &'static str,
-    },
-    /// A text that is not the quantity asked for.
-    #[error("{}", without_subject(.0))]
-    Quantity(#[source] QuantityError),
-    /// Anything else, in a sentence that the key is before.
-    #[error("{0}")]
-    Said(String),
-    /// A word that is not one of those known.
-    #[error("is not known{}; expected {expected}", meant(*.suggestion))]
-    Word {
-        /// The word that was probably meant.
-        suggestion: Option<&'static str>,
-        /// What may stand here.
-        expected: &'static str,
-    },
-    /// Something that is required together with the given key.
-    #[error("{missing} is missing; {needs}")]
-    Missing {
-        /// Key that is missing.
-        missing: String,
-        /// Why it is needed.
-        needs: Cow<'static, str>,
-    },
-    /// Parts that make no muscle.
-    #[error(
-        "{}{}",
-        without_key(.error, .key),
-        .default.as_ref().map_or_else(String::new, |key| format!("; {key} is not written, so this is its default"))
-    )]
-    Muscle {
-        /// What the muscle says.
-        #[source]
-        error: MuscleError,
-        /// The key it is reported under.
-        key: String,
-        /// A key that has a part in it and was left out.
-        default: Option<String>,
-    },
+    /// What is wrong, in a sentence that the key is before.
+    pub problem: String,
 }
 
 /// `"30 bar" is a pressure` → `is a pressure`: the text is in front already.
-fn without_subject(error: &QuantityError) -> String {
+pub(super) fn without_subject(error: &QuantityError) -> String {
     let message = error.to_string();
     match error {
         QuantityError::NotANumber { text, .. }
@@ -102,7 +46,7 @@ fn without_subject(error: &QuantityError) -> String {
 }
 
 /// `tube.wall_thickness is -3 mm; …` → `is -3 mm; …`: the key, or the table it belongs to, is in front already.
-fn without_key(error: &MuscleError, key: &str) -> String {
+pub(super) fn without_key(error: &MuscleError, key: &str) -> String {
     let message = error.to_string();
     let table = key.rsplit_once('.').map(|(table, _)| format!("{table}: "));
     let key = [format!("{key} "), format!("{key}: ")];
@@ -111,19 +55,8 @@ fn without_key(error: &MuscleError, key: &str) -> String {
 }
 
 impl FileError {
-    pub(super) fn new(problem: Problem) -> Self {
-        Self { file: None, place: None, key: None, written: None, problem: Box::new(problem) }
-    }
-
-    pub(super) fn at(mut self, place: Option<TextPosition>) -> Self {
-        self.place = place;
-        self
-    }
-
-    pub(super) fn under(mut self, key: impl Into<String>, written: Option<String>) -> Self {
-        self.key = Some(key.into());
-        self.written = written;
-        self
+    pub(super) fn new(problem: impl Into<String>) -> Self {
+        Self { problem: problem.into(), ..Self::default() }
     }
 
     /// The same error with its file.
@@ -146,12 +79,8 @@ impl fmt::Display for FileError {
             (Some(key), None) if !key.is_empty() => write!(f, "{key}: ")?,
             _ => {}
         }
-        write!(f, "{}", self.problem)
+        f.write_str(&self.problem)
     }
 }
 
-impl std::error::Error for FileError {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        std::error::Error::source(self.problem.as_ref())
-    }
-}
+impl std::error::Error for FileError {}

@@ -1,68 +1,141 @@
-//! The keys of a muscle file, and the measures among them.
+//! The keys of files, as `data/keys.txt` lists them: from one list follow the reader, the writer and the JSON Schemas.
 
-use super::error::FileError;
-use super::source::Section;
-use crate::muscle::measures::{Written, of_section};
-use crate::muscle::{Measure, Parts};
-use crate::rubber::Law;
-use std::sync::LazyLock;
+use crate::muscle::Measure;
+use crate::muscle::measures::{END_FACTOR, STIFFNESS, Written, of_section};
+use crate::rubber::{Constant, Law, LawKind};
+use crate::units::Dimension;
+use serde::Deserialize;
+use serde::de::IntoDeserializer;
+use serde::de::value::Error as ValueError;
+use std::borrow::Cow;
 
-/// Every key of a muscle file, dotted; tells a key in the wrong table from one that means nothing anywhere.
-pub(super) static ALL: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
-    static CONSTANTS: LazyLock<Vec<String>> = LazyLock::new(|| {
-        let names = Law::KINDS.iter().flat_map(|k| k.names());
-        names.map(|name| format!("tube.material.{name}")).collect()
-    });
-    let of = |section| of_section(section).map(|m| m.key);
-    let tube = of("tube").chain(MATERIAL.iter().copied()).chain(CONSTANTS.iter().map(String::as_str));
-    let braid =
-        ["braid.name"].into_iter().chain(of("braid")).chain(["braid.strand_diameter", "braid.compression"]);
-    tube.chain(braid).chain(of("terminals")).chain(MODEL.iter().copied()).chain(of("friction")).collect()
-});
+const LIST: &str = include_str!("../../../data/keys.txt");
 
-/// The bore, and the rubber but for the constants of its law; nobody writes those of `[identified]` by hand.
-const MATERIAL: &[&str] = &[
-    "tube.inner_diameter",
-    "tube.rubber",
-    "tube.material",
-    "tube.material.law",
-    "tube.material.bulk_modulus",
-    "tube.material.fitted_to_stretch",
-    "tube.material.softening",
-    "tube.material.conditioned",
-    "tube.material.prony",
-    "tube.material.held",
-];
-/// What belongs to one model.
-const MODEL: &[&str] = &[
-    "model.tondu-lopez",
-    "model.tondu-lopez.end_factor",
-    "model.conical-ends",
-    "model.conical-ends.cone_factor",
-];
-
-/// The keys of a table: its measures, and `others`.
-pub(super) fn keys(section: &'static str, others: &[&'static str]) -> Vec<&'static str> {
-    of_section(section).map(Measure::name).chain(others.iter().copied()).collect()
+/// A key of a table.
+#[derive(Debug, Clone)]
+pub struct Key {
+    /// Its name.
+    pub name: &'static str,
+    /// Its kind, as the head of the list describes it.
+    pub kind: Cow<'static, str>,
+    /// What it is.
+    pub about: &'static str,
+    /// Whether its table needs it.
+    pub is_needed: bool,
+    /// The measure of the muscle that it states.
+    pub measure: Option<&'static Measure>,
+    /// The comment behind it in files that this program writes.
+    pub comment: &'static str,
 }
 
-/// Puts what a table says of its measures into the parts.
-pub(super) fn measures(section: &Section<'_>, name: &str, parts: &mut Parts) -> Result<(), FileError> {
-    for measure in of_section(name) {
-        let value = match measure.written {
-            Written::Special => None,
-            Written::Quantity => section.quantity(measure.name(), measure.dimension)?,
-            Written::Number => section.number(measure.name())?,
-        };
-        if let Some(value) = value {
-            (measure.set)(parts, value);
-        }
+/// The keys of sections of the list.
+pub fn keys(sections: &str) -> Vec<Key> {
+    sections.split(' ').flat_map(section).collect()
+}
+
+fn section(name: &str) -> impl Iterator<Item = Key> {
+    let head = format!("[{name}]");
+    let lines = LIST.lines().skip_while(move |line| *line != head).skip(1);
+    lines.take_while(|line| !line.is_empty()).map(|line| {
+        let mut parts = line.splitn(4, " : ");
+        let [name, kind, about, comment] = [(); 4].map(|()| parts.next().unwrap_or_default());
+        let key = name.trim_end_matches('*');
+        let kind = if kind == "law" { format!("word {}", Law::names().join(" ")) } else { kind.into() };
+        Key { name: key, kind: kind.into(), about, is_needed: key != name, measure: None, comment }
+    })
+}
+
+impl Key {
+    /// A key that a table of this program makes.
+    fn made(name: &'static str, kind: impl Into<Cow<'static, str>>, about: &'static str) -> Self {
+        Self { name, kind: kind.into(), about, is_needed: false, measure: None, comment: about }
     }
-    for measure in of_section(name).filter(|m| section.has(m.name())) {
-        let missing = measure.beside.and_then(|(key, needs)| Some((Measure::of_key(key)?.name(), needs)));
-        if let Some((missing, needs)) = missing.filter(|m| !section.has(m.0)) {
-            return Err(section.missing(missing, Some(measure.name()), needs));
-        }
+
+    fn of_constant(constant: &'static Constant, law: &LawKind) -> Self {
+        let one = if constant.is_modulus() { "pressure" } else { "number" };
+        let kind = if law.is_sum { format!("list {one}").into() } else { Cow::Borrowed(one) };
+        Self::made(constant.name, kind, constant.doc)
     }
-    Ok(())
+
+    /// The keys of a rubber's table with the constants of some laws.
+    pub(super) fn material(laws: &'static [LawKind]) -> Vec<Self> {
+        let constants = laws.iter().flat_map(|law| law.constants.iter().map(|c| Self::of_constant(c, law)));
+        keys("law").into_iter().chain(constants).chain(keys("material")).collect()
+    }
+
+    /// The first word of the kind, and the rest.
+    pub fn words(&self) -> (&str, &str) {
+        self.kind.split_once(' ').unwrap_or((&self.kind, ""))
+    }
+
+    /// The keys of the table that it names; of a rubber those of `law`, or of all laws.
+    pub fn table(&self, law: Option<&str>) -> Option<Vec<Self>> {
+        let (word, rest) = self.words();
+        Some(match word {
+            "table" => keys(rest),
+            "end-factor" => keys("end-factor"),
+            "measures" => of_section(rest).map(of_measure).chain(keys(rest)).collect(),
+            "material" => {
+                let law = law.and_then(|law| Law::kind_named(law.trim()));
+                Self::material(law.map_or(Law::KINDS, std::slice::from_ref))
+            }
+            "varied" => {
+                let varied = |m: &'static Measure| {
+                    Self::made(m.name(), format!("values {} log", name_of(m.dimension)), m.about())
+                };
+                of_section(rest).map(varied).chain(keys(&format!("varied-{rest}"))).collect()
+            }
+            "constants" => {
+                let mut all = keys("constants");
+                for constant in Law::KINDS.iter().filter(|kind| !kind.is_sum).flat_map(|k| k.constants) {
+                    if all.iter().all(|known| known.name != constant.name) {
+                        let kind = format!("values {} log", name_of(constant.dimension));
+                        all.push(Self::made(constant.name, kind, constant.doc));
+                    }
+                }
+                all
+            }
+            _ => return None,
+        })
+    }
+}
+
+fn of_measure(measure: &'static Measure) -> Key {
+    let kind = match (measure.written, measure.dimension) {
+        _ if *measure == STIFFNESS => "or paper/inextensible >0 stiffness".into(),
+        _ if *measure == END_FACTOR => "end-factor".into(),
+        (Written::Number, _) | (Written::Special, Dimension::Ratio) => "number".into(),
+        (_, dimension) => name_of(dimension),
+    };
+    let made = Key::made(measure.name(), kind, measure.about());
+    Key { measure: Some(measure), comment: measure.comment(), ..made }
+}
+
+/// Every key of sections with the tables in them, dotted; tells a key in the wrong table from one that means nothing anywhere.
+pub(super) fn dotted(path: &str, keys: Vec<Key>) -> Vec<String> {
+    // Nobody writes the keys of [identified] by hand.
+    let written = keys.into_iter().filter(|key| key.name != "identified");
+    let one = |key: Key| {
+        let name = join(path, key.name);
+        let inner = key.table(None).map_or_else(Vec::new, |table| dotted(&name, table));
+        std::iter::once(name).chain(inner)
+    };
+    written.flat_map(one).collect()
+}
+
+/// The dotted name of a key in a table.
+pub(super) fn join(path: &str, key: &str) -> String {
+    if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
+}
+
+/// The dimension of a name such as `angular-stiffness`.
+pub fn dimension(name: &str) -> Option<Dimension> {
+    let name: Result<Dimension, ValueError> = Dimension::deserialize(name.into_deserializer());
+    name.ok()
+}
+
+/// The same the other way.
+fn name_of(dimension: Dimension) -> Cow<'static, str> {
+    let name = serde_json::to_value(dimension).ok();
+    name.and_then(|name| name.as_str().map(str::to_owned)).unwrap_or_default().into()
 }

@@ -18,13 +18,13 @@
 
 mod bench;
 mod braid;
+mod check;
 mod error;
 mod keys;
 mod material;
 mod read;
 mod source;
 mod text;
-mod values;
 mod write;
 
 #[cfg(test)]
@@ -32,9 +32,11 @@ mod bad_files;
 #[cfg(test)]
 mod tests;
 
-pub use error::{FileError, Problem, TextPosition};
-pub use read::{parse_muscle, parse_muscle_beside};
-pub use source::{MAX_BYTES, Section, Source, WordOr};
+pub use check::OVER_TIME;
+pub use error::{FileError, TextPosition};
+pub use keys::{Key, dimension, keys};
+pub use read::{muscle_of, parse_muscle};
+pub use source::{MAX_BYTES, Section, Source};
 pub use write::to_toml;
 
 use super::Muscle;
@@ -56,13 +58,13 @@ pub fn read_muscle(path: impl AsRef<Path>) -> Result<Muscle, FileError> {
 /// [`FileError`], as [`read_muscle`], without the file's name.
 pub fn read_text(path: &Path) -> Result<String, FileError> {
     let bytes = mckibben_io::files::read(path, MAX_BYTES as u64);
-    let bytes = bytes.map_err(|e| FileError::new(Problem::Unread(e)))?;
+    let bytes = bytes.map_err(|e| FileError::new(e.to_string()))?;
     String::from_utf8(bytes).map_err(|e| {
         let (offset, bytes) = (e.utf8_error().valid_up_to(), e.as_bytes());
         let utf16 = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
         let place = std::str::from_utf8(&bytes[..offset]).ok().map(|t| source::place(t, offset));
         let hint = if utf16 { " (this looks like UTF-16: save it as UTF-8)" } else { "" };
-        FileError::new(Problem::Said(format!("the byte at offset {offset} is not UTF-8 text{hint}")))
-            .at(place)
+        let problem = format!("the byte at offset {offset} is not UTF-8 text{hint}");
+        FileError { place, ..FileError::new(problem) }
     })
 }

@@ -1,10 +1,10 @@
 //! Muscle → text that [`parse_muscle`](super::parse_muscle) reads back as the same muscle.
 
+use super::keys::{Key, keys};
 use super::text::{Text, number, quantity, text};
 use crate::muscle::measures::{Written, of_section};
-use crate::muscle::{Braid, BraidStiffness, Bulk, Conditioned, EndFactor, Measure, Muscle, Rubber};
+use crate::muscle::{Braid, BraidStiffness, EndFactor, Measure, Muscle, Rubber};
 use crate::rubber::library;
-use crate::rubber::over_time::Branch;
 use crate::sleeve::{self, Sleeve};
 use crate::units::Dimension;
 
@@ -45,7 +45,8 @@ pub fn to_toml(muscle: &Muscle) -> String {
         out.key("cone_factor", &number(kc), "conical tips of length kc·L0·ε (Tondu 2012)");
     }
     if let Some(bench) = muscle.bench() {
-        super::bench::write(&mut out, bench);
+        out.table("identified");
+        out.values(&keys("identified"), bench);
     }
     out.into_string()
 }
@@ -70,57 +71,13 @@ impl Text {
             return;
         }
         self.table("tube.material");
-        if let Some(name) = &rubber.name {
-            self.key("name", &text(name), "where the constants come from");
-        }
-        self.key("law", &text(rubber.law.name()), "");
-        let (kind, values) = (rubber.law.kind(), rubber.law.values());
-        let count = kind.constants.len();
-        for (i, constant) in kind.constants.iter().enumerate() {
-            let one =
-                |v: &f64| if constant.is_modulus() { quantity(*v, constant.unit()) } else { number(*v) };
-            let written: Vec<String> = values.iter().skip(i).step_by(count).map(one).collect();
-            let written = written.join(", ");
-            self.key(
-                constant.name,
-                &if kind.is_sum { format!("[{written}]") } else { written },
-                constant.doc,
-            );
-        }
-        let bulk = match rubber.bulk {
-            Bulk::Incompressible => text("incompressible"),
-            Bulk::Modulus(k) => quantity(k, "MPa"),
+        let material = Key::material(std::slice::from_ref(rubber.law.kind()));
+        let rubber = Rubber {
+            fitted_to_stretch: rubber.fitted_to_stretch.filter(|stretch| *stretch > 0.0),
+            prony: rubber.prony.clone().filter(|series| !series.branches.is_empty()),
+            ..rubber.clone()
         };
-        self.key("bulk_modulus", &bulk, "\"incompressible\", or a pressure");
-        if let Some(stretch) = rubber.fitted_to_stretch.filter(|s| s.is_finite() && *s > 0.0) {
-            self.key(
-                "fitted_to_stretch",
-                &number(stretch),
-                "largest stretch of the data behind the constants",
-            );
-        }
-        if let Some(s) = rubber.softening {
-            let (r, m, beta) = (number(s.r), quantity(s.m_mpa, "MPa"), number(s.beta));
-            let table = format!("{{ r = {r}, m = {m}, beta = {beta} }}");
-            self.key("softening", &table, "of rubber that was stretched before (Ogden & Roxburgh 1999)");
-        }
-        match rubber.conditioned {
-            Some(Conditioned::Pressure(pressure_mpa)) => {
-                let comment = "cycled at this pressure, from rest length to free contraction";
-                self.key("conditioned", &quantity(pressure_mpa, "MPa"), comment);
-            }
-            Some(Conditioned::Strain { strain }) => {
-                let comment = "largest strain, in simple tension, that all of the rubber has seen";
-                self.key("conditioned", &percent(strain), comment);
-            }
-            None => {}
-        }
-        if let Some(prony) = rubber.prony.as_ref().filter(|p| !p.branches.is_empty()) {
-            let pair = |b: &Branch| format!("[{}, {}]", number(b.share), quantity(b.time_constant_s, "s"));
-            let pairs: Vec<String> = prony.branches.iter().map(pair).collect();
-            let comment = "shares of the stress that relax, and their time constants";
-            self.key("prony", &format!("[{}]", pairs.join(", ")), comment);
-        }
+        self.values(&material, &rubber);
     }
 
     fn braid(&mut self, muscle: &Muscle, outer_diameter_mm: f64) {
@@ -195,11 +152,4 @@ fn named_sleeve(braid: &Braid, outer_diameter_mm: f64) -> Option<Sleeve> {
     let shape = braid.sleeve.as_ref()?;
     let sleeve = sleeve::library::find(&shape.name).ok().filter(|s| s.shape == *shape)?;
     braid.clone().with_stated_angle(braid.angle_deg, outer_diameter_mm).is_ok().then_some(sleeve)
-}
-
-/// A ratio in percent that reads back as the same number, where there is one.
-fn percent(ratio: f64) -> String {
-    let usual = 100.0 * ratio;
-    let found = [usual, usual.next_up(), usual.next_down()].into_iter().find(|p| p / 100.0 == ratio);
-    quantity(found.unwrap_or(usual), "%")
 }
