@@ -144,11 +144,6 @@ impl LiquidFields {
 
 impl From<LiquidError> for Problem {
     fn from(error: LiquidError) -> Self {
-        let field = match error {
-            LiquidError::Unknown { .. } => "liquid",
-            LiquidError::BulkModulus { .. } => "liquid_bulk_modulus_mpa",
-            LiquidError::Gas { .. } => "gas_share",
-        };
-        Self::new(ProblemKind::Quantity, error.to_string(), "").in_field(field)
+        Self::new(ProblemKind::Quantity, error.to_string(), "").in_field(error.field)
     }
 }

@@ -1,13 +1,7 @@
 //! Muscles that were identified from measured points, each with its bench data, its ± and its terms.
 
-use crate::fields::TextFile;
-use crate::model::Model;
-use crate::muscle::MuscleSummary;
-use crate::problem::Problem;
+use crate::{Model, MuscleSummary, Problem, TextFile};
 use mckibben::analysis::{force_on, free_contraction};
-use mckibben::answer::Options;
-use mckibben::model::Workspace;
-use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::{answer::Options, model::Workspace, muscle::file::to_toml, threads, uncertainty::uncertainty};
 use mckibben_fit::validation::case::Facts;

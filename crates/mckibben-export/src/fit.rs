@@ -4,8 +4,8 @@
 //! nothing, with a kink that a smooth form must not follow. There only the sign counts: rows that hold the form below zero are added where it
 //! would pull, and at the end of the box where its slope would let a pull return. The errors are those at other points, with slack as 0 N.
 
-use crate::error::ExportError;
-use crate::form::{FUNCTIONS, Form, functions};
+use crate::form::{FUNCTIONS, functions};
+use crate::{ExportError, Form};
 use mckibben::analysis::{Options, force_on, free_contraction};
 use mckibben::cancel;
 use mckibben::model::{ForceModel, Workspace};

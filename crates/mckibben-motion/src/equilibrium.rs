@@ -2,7 +2,9 @@
 
 use crate::events::switches;
 use crate::member::Member;
-use crate::valve::ValveKind;
+use crate::state::State;
+use crate::system::{Switch, System};
+use crate::{ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Target, ValveKind};
 use mckibben::analysis::find_root;
 use mckibben::model::ModelError;
 
