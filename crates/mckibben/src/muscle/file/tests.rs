@@ -127,7 +127,9 @@ prop_compose! {
         friction in prop::option::of((number(0.0, 200.0), number(0.0, 2.0), prop_oneof![Just(0.0), number(0.01, 5.0)], prop::option::of(number(0.01, 5.0)))),
     ) -> Muscle {
         // A strand is no thicker than the tube.
-        let outer_diameter_mm = outer_diameter_mm.max(braid.diameter_mm.unwrap_or(0.0));
+        let strand_area_mm2 = braid.strands.and_then(|s| s.section).map_or(0.0, |section| section.0);
+        let strand_mm = (4.0 * strand_area_mm2 / std::f64::consts::PI).sqrt();
+        let outer_diameter_mm = outer_diameter_mm.max(braid.diameter_mm.unwrap_or(0.0)).max(1.01 * strand_mm);
         let tube = Tube::new(outer_diameter_mm, share * outer_diameter_mm / 2.0, length_mm, rubber);
         let grip_mm = grip_share.map(|share| share * 0.5 * (length_mm - seating_mm.unwrap_or(0.0)));
         let plug_diameter_mm = grip_mm.map(|_| 1.1 * 2.0 * tube.inner_radius_mm());
