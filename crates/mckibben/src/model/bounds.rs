@@ -3,6 +3,7 @@
 //! A formula of a few multiply-adds takes less than a nanosecond a point, and a pass over memory as long again: what is looked at here
 //! is looked at while a formula's pull is still in a register (`Section::pulls_within`).
 
+use super::paper_batch::BatchPath;
 use super::{ForceModel, Workspace};
 
 /// What a list of pulls is held to.
@@ -51,13 +52,11 @@ pub fn pulls_within(
     out: &mut [f64],
 ) -> bool {
     if let Some(own) = model.extensions().lists {
-        return own.pulls_within(bounds, lists, out);
+        return own.pulls_within(BatchPath::widest(), bounds, lists, out);
     }
     let [pressures_mpa, contractions] = lists;
     let mut points = pressures_mpa.iter().zip(contractions);
-    if !points.all(|(&p, &e)| bounds.hold(p, e))
-        || model.forces_n(workspace, pressures_mpa, contractions, out).is_err()
-    {
+    if !points.all(|(&p, &e)| bounds.hold(p, e)) || !model.forces_n(workspace, lists, out) {
         return false;
     }
     out.iter_mut().zip(pressures_mpa).for_each(|(pull, &p)| *pull = bounds.clamp_slack(*pull, p));

@@ -1,6 +1,7 @@
 //! What some models can do besides answering: one trait each, reached by [`ForceModel::extensions`].
 
-use super::{Bounds, ForceModel, Result, ThickWall, Workspace};
+use super::{ForceModel, Result, ThickWall, Workspace};
+use crate::formula::Section;
 
 /// What a model can do besides answering; nothing by default.
 #[derive(Clone, Copy, Default)]
@@ -14,7 +15,7 @@ pub struct Extensions<'m> {
     /// It computes how the strands press on each other.
     pub contact: Option<&'m dyn Contact>,
     /// It has a way for lists of points that all lie within bounds.
-    pub lists: Option<&'m dyn Lists>,
+    pub lists: Option<&'m Section>,
     /// A model with nearly the same answers at a fraction of the cost, by which a pull that no pressure gives is refused at once.
     pub companion: Option<&'m dyn ForceModel>,
 }
@@ -81,12 +82,6 @@ pub trait Contact {
         pressure_mpa: f64,
         contraction: f64,
     ) -> Result<f64>;
-}
-
-/// A model with its own way for lists within bounds.
-pub trait Lists {
-    /// As [`pulls_within`](super::pulls_within).
-    fn pulls_within(&self, bounds: &Bounds, lists: [&[f64]; 2], out: &mut [f64]) -> bool;
 }
 
 /// G = (2/3) ∫ pc |dθ/dL| dA in N/mm of the strands' contact at a pressure in MPa and a contraction ratio: what friction of their crossings

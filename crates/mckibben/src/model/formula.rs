@@ -1,8 +1,8 @@
 //! A formula as a force model.
 
 use super::{
-    Accuracy, BlockedAt, Extensions, ForceModel, ForcesError, Interval, ModelError, ModelInfo, ModelRange,
-    Quantity, Reference, Response, Result, Workspace, check_finite, notes, same_length,
+    Accuracy, BlockedAt, Extensions, ForceModel, Interval, ModelError, ModelInfo, ModelRange, Quantity,
+    Reference, Response, Result, Workspace, notes,
 };
 use crate::formula::{Body, Formula, GlobalSection, Made, Section};
 use crate::muscle::Muscle;
@@ -84,24 +84,6 @@ impl ForceModel for FormulaModel {
 
     fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         self.at(pressure_mpa, contraction).map(|all| all[0])
-    }
-
-    fn forces_n(
-        &self,
-        _: &mut Workspace,
-        pressures_mpa: &[f64],
-        contractions: &[f64],
-        out: &mut [f64],
-    ) -> Result<(), ForcesError> {
-        same_length(pressures_mpa, contractions, out)?;
-        match &self.bound {
-            Bound::Paper(section) => section.force_batch(pressures_mpa, contractions, out)?,
-            Bound::Global(section) => {
-                let points = pressures_mpa.iter().zip(contractions).zip(out.iter_mut());
-                points.for_each(|((&p, &e), place)| *place = section.at(p, e)[0]);
-            }
-        }
-        check_finite(&self.info.name, pressures_mpa, contractions, out)
     }
 
     fn extensions(&self) -> Extensions<'_> {

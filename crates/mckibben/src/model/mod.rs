@@ -14,7 +14,6 @@ mod extensions;
 mod festo_hunt;
 mod festo_sarosi;
 mod force_balance;
-mod forces;
 mod formula;
 mod ideal;
 mod info;
@@ -47,13 +46,11 @@ pub use chou_hannaford::ChouHannaford;
 pub use conical_ends::ConicalEnds;
 pub use error::{ModelError, Result};
 pub use extensions::{
-    Contact, Extensions, Inverse, Lists, Mesh, Slopes, blocked_scale_n, notes_of, pivoting_n_per_mm,
+    Contact, Extensions, Inverse, Mesh, Slopes, blocked_scale_n, notes_of, pivoting_n_per_mm,
 };
 pub use festo_hunt::FestoHunt;
 pub use festo_sarosi::FestoSarosi;
 pub use force_balance::ForceBalance;
-pub use forces::ForcesError;
-pub(crate) use forces::{check_finite, same_length};
 pub use formula::FormulaModel;
 pub use ideal::Ideal;
 pub use info::{ModelEntry, ModelInfo};
@@ -61,7 +58,6 @@ pub use interval::{Interval, Quantity, RangeViolation};
 pub use kind::{ModelKind, UnknownModel};
 pub use klute_hannaford::KluteHannaford;
 pub use paper::Paper;
-pub use paper_batch::{BatchPath, LengthMismatch};
 pub use range::ModelRange;
 pub use response::Response;
 pub use rounded_ends::RoundedEnds;
@@ -105,22 +101,14 @@ pub trait ForceModel: Send + Sync {
 
     /// Pulls in N at pressures in MPa and contraction ratios, each into its place of `out`: faster than one by one where the
     /// model has a way for lists. A pull is what [`ForceModel::force_n`] answers, but for rounding or 1e-9 of the blocked force.
-    ///
-    /// # Errors
-    /// [`ForcesError`]: lists of different length, or the first point without an answer; places from there on hold nothing.
-    fn forces_n(
-        &self,
-        workspace: &mut Workspace,
-        pressures_mpa: &[f64],
-        contractions: &[f64],
-        out: &mut [f64],
-    ) -> Result<(), ForcesError> {
-        same_length(pressures_mpa, contractions, out)?;
-        let points = pressures_mpa.iter().zip(contractions).zip(out);
-        for (index, ((&p, &e), place)) in points.enumerate() {
-            *place = self.force_n(workspace, p, e).map_err(|error| ForcesError::Point { index, error })?;
-        }
-        Ok(())
+    /// False where the lists differ in length or a point has no answer, and then the places hold nothing.
+    fn forces_n(&self, workspace: &mut Workspace, lists: [&[f64]; 2], out: &mut [f64]) -> bool {
+        let [pressures_mpa, contractions] = lists;
+        let mut points = pressures_mpa.iter().zip(contractions).zip(out.iter_mut());
+        let mut one = |((&p, &e), place): ((&f64, &f64), &mut f64)| {
+            self.force_n(workspace, p, e).map(|pull| *place = pull).is_ok()
+        };
+        pressures_mpa.len() == contractions.len() && points.all(&mut one) && pressures_mpa.len() == out.len()
     }
 
     /// What it can do besides.

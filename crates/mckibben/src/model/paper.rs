@@ -8,9 +8,8 @@
 //! one make: θ0 28°, L0 285 mm, one rubber, one braid.
 
 use super::{
-    Accuracy, BatchPath, BlockedAt, Bounds, Extensions, ForceModel, ForcesError, Interval, Inverse, Lists,
-    ModelEntry, ModelError, ModelInfo, ModelRange, Quantity, Reference, Response, Result, Workspace,
-    check_finite,
+    Accuracy, BlockedAt, Extensions, ForceModel, Interval, Inverse, ModelEntry, ModelError, ModelInfo,
+    ModelRange, Quantity, Reference, Response, Result, Workspace,
 };
 use crate::formula::{Coefficients, Section};
 use crate::muscle::Muscle;
@@ -105,25 +104,8 @@ impl ForceModel for Paper {
         ModelError::finite(force_n, ENTRY.name, pressure_mpa, contraction)
     }
 
-    fn forces_n(
-        &self,
-        _: &mut Workspace,
-        pressures_mpa: &[f64],
-        contractions: &[f64],
-        out: &mut [f64],
-    ) -> Result<(), ForcesError> {
-        self.section.force_batch(pressures_mpa, contractions, out)?;
-        check_finite(ENTRY.name, pressures_mpa, contractions, out)
-    }
-
     fn extensions(&self) -> Extensions<'_> {
         Extensions { inverse: Some(&self.section), lists: Some(&self.section), ..Extensions::default() }
-    }
-}
-
-impl Lists for Section {
-    fn pulls_within(&self, bounds: &Bounds, lists: [&[f64]; 2], out: &mut [f64]) -> bool {
-        Section::pulls_within(self, BatchPath::widest(), bounds, lists, out)
     }
 }
 

@@ -6,30 +6,10 @@
 
 use super::Bounds;
 use crate::formula::Section;
-use thiserror::Error;
-
-/// Slices of different length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[error("a batch needs slices of one length: {name} has {length} values, the output {expected}")]
-pub struct LengthMismatch {
-    /// Which slice.
-    pub name: &'static str,
-    /// Its length.
-    pub length: usize,
-    /// Length of the output.
-    pub expected: usize,
-}
-
-pub(super) fn same(expected: usize, slices: &[(&'static str, usize)]) -> Result<(), LengthMismatch> {
-    match slices.iter().find(|(_, length)| *length != expected) {
-        None => Ok(()),
-        Some(&(name, length)) => Err(LengthMismatch { name, length, expected }),
-    }
-}
 
 /// An instruction set that the batches are compiled for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum BatchPath {
+pub(super) enum BatchPath {
     /// Whatever every machine of the target has.
     Portable,
     /// Four numbers at a time, fused.
@@ -40,12 +20,12 @@ pub enum BatchPath {
 
 impl BatchPath {
     /// The paths this machine can take, the widest last.
-    pub fn available() -> impl DoubleEndedIterator<Item = BatchPath> {
+    fn available() -> impl DoubleEndedIterator<Item = BatchPath> {
         [BatchPath::Portable, BatchPath::Avx2Fma, BatchPath::Avx512].into_iter().filter(|p| p.is_available())
     }
 
     /// The widest path this machine can take.
-    pub fn widest() -> BatchPath {
+    pub(super) fn widest() -> BatchPath {
         Self::available().next_back().unwrap_or(BatchPath::Portable)
     }
 
@@ -87,17 +67,6 @@ fn pull<const FUSED: bool>(k: &Section, p: f64, e: f64) -> f64 {
     horner::<FUSED>(e, &[a, b, c])
 }
 
-#[inline(always)]
-fn one<const FUSED: bool>(k: &Section, inputs: [&[f64]; 2], out: &mut [f64]) {
-    let [p, e] = inputs;
-    let n = out.len();
-    let (p, e) = (&p[..n], &e[..n]);
-    let k = *k;
-    for i in 0..n {
-        out[i] = pull::<FUSED>(&k, p[i], e[i]);
-    }
-}
-
 /// Pulls of a muscle that may hang slack; how many points lie outside of the bounds or have no number.
 #[inline(always)]
 fn within<const FUSED: bool>(k: &Section, bounds: &Bounds, inputs: [&[f64]; 2], out: &mut [f64]) -> u64 {
@@ -117,18 +86,6 @@ fn within<const FUSED: bool>(k: &Section, bounds: &Bounds, inputs: [&[f64]; 2], 
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f")]
-fn one_avx512(k: &Section, inputs: [&[f64]; 2], out: &mut [f64]) {
-    one::<true>(k, inputs, out);
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-fn one_avx2(k: &Section, inputs: [&[f64]; 2], out: &mut [f64]) {
-    one::<true>(k, inputs, out);
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f")]
 fn within_avx512(k: &Section, bounds: &Bounds, inputs: [&[f64]; 2], out: &mut [f64]) -> u64 {
     within::<true>(k, bounds, inputs, out)
 }
@@ -140,43 +97,9 @@ fn within_avx2(k: &Section, bounds: &Bounds, inputs: [&[f64]; 2], out: &mut [f64
 }
 
 impl Section {
-    /// F in N of one diameter and wall at every pressure and contraction, into `out`.
-    ///
-    /// # Errors
-    /// [`LengthMismatch`] where a slice has not the length of `out`.
-    pub fn force_batch(
-        &self,
-        pressure_mpa: &[f64],
-        contraction: &[f64],
-        out: &mut [f64],
-    ) -> Result<(), LengthMismatch> {
-        self.force_batch_on(BatchPath::widest(), [pressure_mpa, contraction], out)
-    }
-
-    /// The same on a chosen path (pressure, contraction).
-    pub fn force_batch_on(
-        &self,
-        path: BatchPath,
-        inputs: [&[f64]; 2],
-        out: &mut [f64],
-    ) -> Result<(), LengthMismatch> {
-        let [p, e] = inputs.map(<[f64]>::len);
-        same(out.len(), &[("pressure", p), ("contraction", e)])?;
-        match path {
-            // SAFETY: the machine has the instructions, as has just been asked.
-            #[cfg(target_arch = "x86_64")]
-            BatchPath::Avx512 if path.is_available() => unsafe { one_avx512(self, inputs, out) },
-            // SAFETY: as above.
-            #[cfg(target_arch = "x86_64")]
-            BatchPath::Avx2Fma if path.is_available() => unsafe { one_avx2(self, inputs, out) },
-            _ => one::<false>(self, inputs, out),
-        }
-        Ok(())
-    }
-
-    /// The same in one pass with what every caller looks at, slack pulls 0 ([`pulls_within`](super::pulls_within));
-    /// false where a point lies outside of the bounds or has no number, or the lists differ in length.
-    pub(crate) fn pulls_within(
+    /// F in N of one diameter and wall at every pressure and contraction, in one pass with what every caller looks at, slack pulls 0
+    /// ([`pulls_within`](super::pulls_within)); false where a point lies outside of the bounds or has no number, or the lists differ in length.
+    pub(super) fn pulls_within(
         &self,
         path: BatchPath,
         bounds: &Bounds,
@@ -211,25 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn every_path_gives_the_scalar_answer() {
-        let section = Coefficients::published().section(42.0, 2.5);
-        for path in BatchPath::available() {
-            for n in [0, 1, 7, 16, 17, 1000] {
-                let [p, e] = points(n);
-                let mut out = vec![f64::NAN; n];
-                section.force_batch_on(path, [&p, &e], &mut out).unwrap();
-                for i in 0..n {
-                    let exact = section.force_n(p[i], e[i]);
-                    // Near a pull of zero the error is that of the terms.
-                    let scale = exact.abs().max(section.c.0 * p[i]).max(1.0);
-                    assert!((out[i] - exact).abs() <= 1e-12 * scale, "{path:?} {n} {i}: {} {exact}", out[i]);
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn pulls_within_bounds_are_those_of_the_batch_and_slack_ones_nothing() {
+    fn on_every_path_pulls_are_the_scalar_ones_and_slack_ones_nothing() {
         let section = Coefficients::published().section(42.0, 2.5);
         let bounds = |push_n, rounding_mm2| Bounds {
             pressure_mpa: (0.0, 0.25),
@@ -242,9 +147,17 @@ mod tests {
                 let [p, mut e] = points(n);
                 e.iter_mut().for_each(|e| *e *= 2.0);
                 let (mut plain, mut out) = (vec![0.0; n], vec![f64::NAN; n]);
-                section.force_batch_on(path, [&p, &e], &mut plain).unwrap();
-                assert!(section.pulls_within(path, &bounds(f64::NEG_INFINITY, 0.0), [&p, &e], &mut out));
-                assert_eq!(out, plain);
+                assert!(section.pulls_within(path, &bounds(f64::NEG_INFINITY, 0.0), [&p, &e], &mut plain));
+                for i in 0..n {
+                    let exact = section.force_n(p[i], e[i]);
+                    // Near a pull of zero the error is that of the terms.
+                    let scale = exact.abs().max(section.c.0 * p[i]).max(1.0);
+                    assert!(
+                        (plain[i] - exact).abs() <= 1e-12 * scale,
+                        "{path:?} {n} {i}: {} {exact}",
+                        plain[i]
+                    );
+                }
                 assert!(section.pulls_within(path, &bounds(0.0, 100.0), [&p, &e], &mut out));
                 for i in 0..n {
                     let slack = plain[i] < 0.0 || plain[i].abs() <= 100.0 * p[i];
@@ -261,16 +174,8 @@ mod tests {
                         assert!(!section.pulls_within(path, &bounds(0.0, 0.0), [&p, &e], &mut out));
                     }
                 }
+                assert!(n == 0 || !section.pulls_within(path, &bounds(0.0, 0.0), [&p[1..], &e], &mut out));
             }
         }
-    }
-
-    #[test]
-    fn slices_of_different_length_are_refused() {
-        let (section, x, mut out) = (Coefficients::published().section(30.0, 1.0), [0.0; 4], [0.0; 4]);
-        let error = section.force_batch(&x, &x[..3], &mut out).unwrap_err();
-        assert_eq!(error, LengthMismatch { name: "contraction", length: 3, expected: 4 });
-        let error = section.force_batch(&x[..2], &x, &mut out).unwrap_err();
-        assert_eq!(error.name, "pressure");
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Universal;
 use super::coupled::{Root, Start};
-use crate::model::{ForcesError, Workspace, same_length};
+use crate::model::Workspace;
 
 /// Farthest in ε from which a point starts from the one before it.
 const NEIGHBOUR: f64 = 0.02;
@@ -12,31 +12,23 @@ impl Universal {
     /// neighbours in pressure and contraction are faster.
     ///
     /// A pull is within 1e-9 of the blocked force of what `force_n` answers, whose iteration starts elsewhere.
-    ///
-    /// # Errors
-    /// [`ForcesError`]: lists of different length, or the first point without an answer; places from there on are not written.
-    pub fn forces(
-        &self,
-        pressures_mpa: &[f64],
-        contractions: &[f64],
-        out: &mut [f64],
-    ) -> Result<(), ForcesError> {
-        same_length(pressures_mpa, contractions, out)?;
+    /// False where the lists differ in length or a point has no answer.
+    pub fn forces(&self, [pressures_mpa, contractions]: [&[f64]; 2], out: &mut [f64]) -> bool {
+        if [pressures_mpa, contractions].iter().any(|list| list.len() != out.len()) {
+            return false;
+        }
         let mut workspace = Workspace::new();
         let mut last: Option<(f64, f64, Root)> = None;
-        for (index, ((&p, &e), place)) in pressures_mpa.iter().zip(contractions).zip(out).enumerate() {
+        for ((&p, &e), place) in pressures_mpa.iter().zip(contractions).zip(out) {
             let near = last.filter(|l| (l.1 - e).abs() < NEIGHBOUR && (l.0 - p).abs() < NEIGHBOUR * p.abs());
             let from = near.map(|(_, e0, root)| root.moved((e0 - e) / root.slope));
             let root = self.coupled(p, e, from).or_else(|| from.and_then(|_| self.coupled(p, e, None)));
-            *place = match root {
-                Some(root) => root.force,
-                None => self
-                    .searched_force(&mut workspace, p, e)
-                    .map_err(|error| ForcesError::Point { index, error })?,
-            };
+            let force = root.map_or_else(|| self.searched_force(&mut workspace, p, e), |root| Ok(root.force));
+            let Ok(force) = force else { return false };
+            *place = force;
             last = root.map(|root| (p, e, root));
         }
-        Ok(())
+        true
     }
 }
 

@@ -26,8 +26,8 @@ mod volume;
 pub use end_point::EndPoint;
 
 use super::{
-    Accuracy, BlockedAt, ForceModel, ForcesError, ModelEntry, ModelId, ModelInfo, Reference, Response,
-    Result, ThickWall, Workspace, notes,
+    Accuracy, BlockedAt, ForceModel, ModelEntry, ModelId, ModelInfo, Reference, Response, Result, ThickWall,
+    Workspace, notes,
 };
 use crate::formula::{Form, UniversalFormula};
 use crate::muscle::Muscle;
@@ -180,14 +180,8 @@ impl ForceModel for Universal {
         response.with_braid_tension(s.tension, strands).finite(&self.info.name)
     }
 
-    fn forces_n(
-        &self,
-        _: &mut Workspace,
-        pressures_mpa: &[f64],
-        contractions: &[f64],
-        out: &mut [f64],
-    ) -> Result<(), ForcesError> {
-        self.forces(pressures_mpa, contractions, out)
+    fn forces_n(&self, _: &mut Workspace, lists: [&[f64]; 2], out: &mut [f64]) -> bool {
+        self.forces(lists, out)
     }
 
     fn force_n(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
