@@ -125,8 +125,7 @@ fn found(
             return Ok((p, e, here));
         }
     }
-    let residual = f64::NAN;
-    Err(ModelError::NotConverged { pressure_mpa: p, contraction: e, iterations: STEPS, residual })
+    Err(ModelError::NotConverged { pressure_mpa: p, contraction: e })
 }
 
 impl<'a> Problem<'a> {

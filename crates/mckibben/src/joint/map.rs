@@ -153,7 +153,7 @@ impl JointModel<'_> {
             }
             let model = self.of(i).info().name.to_string();
             let error = ModelError::OutOfRange { model, violations, make: range.make.clone() };
-            if !self.extrapolates() {
+            if !self.extrapolate {
                 return Err(JointError::model(i)(error));
             }
             said.push(format!("extrapolated: {error}"));

@@ -72,9 +72,10 @@ pub struct JointPoint {
 pub struct JointModel<'m> {
     joint: &'m Joint,
     models: Vec<&'m dyn ForceModel>,
-    extrapolate: bool,
-    /// Whether its muscles are of one construction.
-    alike: bool,
+    /// Whether its models answer outside of their ranges.
+    pub(super) extrapolate: bool,
+    /// Whether its muscles are of one construction: tube, rubber, braid and ends.
+    pub(super) alike: bool,
 }
 
 /// Workspaces, one a muscle, and what is known of them at fixed pressures.
@@ -107,16 +108,6 @@ impl<'m> JointModel<'m> {
 
     pub(super) fn of(&self, muscle: usize) -> &'m dyn ForceModel {
         self.models[muscle]
-    }
-
-    /// Whether its models answer outside of their ranges.
-    pub(super) fn extrapolates(&self) -> bool {
-        self.extrapolate
-    }
-
-    /// Whether its muscles are of one construction: tube, rubber, braid and ends.
-    pub(super) fn are_alike(&self) -> bool {
-        self.alike
     }
 
     pub(super) fn options(&self, direction: Direction) -> Options {

@@ -53,7 +53,7 @@ impl JointModel<'_> {
         let ([first, second], [one, other]) = (muscles, each) else { return None };
         let known = |p: &UncertaintyParts| p.fit.is_none() && p.rubber.or(p.braid).is_some();
         let apart = first.answer.slack || second.answer.slack || !known(&one.0) || !known(&other.0);
-        if apart || !self.are_alike() {
+        if apart || !self.alike {
             return None;
         }
         let mut of = |i: usize, m: &MuscleState| {

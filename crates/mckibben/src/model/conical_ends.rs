@@ -7,7 +7,7 @@
 //!
 //! That is not −P dV/dL of the same body, V = π r0² L0 [f² λ + (2kc ε/3)(1 + f − 2f²)], which gives
 //!
-//!   F = π r0² P {−f² + (2kc/3)(1 + f − 2f²) + (2λ/tan²θ0) [λ + (kc ε/3)(1/f − 4)]}   ([`ConicalEnds::pull_by_energy`])
+//!   F = π r0² P {−f² + (2kc/3)(1 + f − 2f²) + (2λ/tan²θ0) [λ + (kc ε/3)(1/f − 4)]}
 //!
 //! The published form leaves out that the cones are pressed on axially too: with kc = 0 it does not become the ideal
 //! formula but pulls π (r² − r0²) P more.
@@ -47,13 +47,6 @@ impl ConicalEnds {
         let range = ModelRange { contraction: (0.0, muscle.max_ideal_contraction()), ..ModelRange::open() };
         let info = ModelInfo { range, ..ModelInfo::new(&ENTRY, muscle) };
         Ok(Self { info, braid: Pantograph::of(muscle), kc })
-    }
-
-    /// −P dV/dL of the cylinder with two cones, in N, for comparison.
-    pub fn pull_by_energy(&self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
-        let f = self.braid.at(contraction)?.r / self.braid.r0;
-        let ends = 1.0 - f * f + 2.0 * self.kc / 3.0 * (1.0 + f - 2.0 * f * f);
-        Ok(pressure_mpa * (self.pull(contraction)?.0 + PI * self.braid.r0 * self.braid.r0 * ends))
     }
 
     /// Volume of the cylinder with two cones, up to the braid, in mm³.
@@ -123,21 +116,10 @@ mod tests {
         let (m, cones) = (Muscle::prototype(), model(Some(0.0)).unwrap());
         for e in [0.1, 0.3] {
             let ideal = Ideal::new(&m).force_n(&mut Workspace::new(), 0.2, e).unwrap();
-            assert!((cones.pull_by_energy(0.2, e).unwrap() - ideal).abs() < 1e-9);
             let r = 0.5 * m.pantograph_diameter_mm(e);
             let annulus = 0.2 * PI * (r * r - 15.0 * 15.0);
             assert!((cones.force_n(&mut Workspace::new(), 0.2, e).unwrap() - ideal - annulus).abs() < 1e-9);
         }
-    }
-
-    #[test]
-    fn the_energy_form_is_the_slope_of_the_volume() {
-        let cones = model(Some(0.4)).unwrap();
-        let (p, e, h) = (0.2, 0.15, 1e-5);
-        let v = |e: f64| cones.response(&mut Workspace::new(), p, e).unwrap().volume_mm3.unwrap();
-        let expected = p * (v(e + h) - v(e - h)) / (2.0 * h * 285.0);
-        let energy = cones.pull_by_energy(p, e).unwrap();
-        assert!((energy - expected).abs() < 1e-6 * expected, "{energy} {expected}");
     }
 
     #[test]

@@ -98,10 +98,6 @@ pub enum ModelError {
         pressure_mpa: f64,
         /// Contraction ratio.
         contraction: f64,
-        /// Iterations done.
-        iterations: usize,
-        /// Last residual.
-        residual: f64,
     },
     /// A path of equilibria ended before the one that was asked for.
     #[error("{reason}")]

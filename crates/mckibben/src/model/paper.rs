@@ -74,11 +74,6 @@ impl Paper {
         };
         Self { info: ModelInfo { range: range(muscle), accuracy, ..ModelInfo::new(&ENTRY, muscle) }, section }
     }
-
-    /// The six numbers of this muscle.
-    pub fn section(&self) -> &Section {
-        &self.section
-    }
 }
 
 impl ForceModel for Paper {

@@ -108,13 +108,7 @@ impl<M: ForceModel + ?Sized> Seated<M> {
                 force_per_pressure_mm2,
             })
         })?;
-        let (state, response) = found.zip(last).ok_or(ModelError::NotConverged {
-            pressure_mpa: p,
-            contraction: e,
-            iterations: Ends::STEPS,
-            residual: f64::NAN,
-        })?;
-        Ok((state, response))
+        found.zip(last).ok_or(ModelError::NotConverged { pressure_mpa: p, contraction: e })
     }
 
     /// The state of the ends at a point, where the muscle between them answers by `pull`: from the last state of this workspace, or without one.

@@ -186,7 +186,6 @@ impl ThickWall {
     fn solve(&self, k: f64, p: f64, l: f64, low: f64, high: f64, guess: f64) -> Result<State> {
         let (mut low, mut high, mut r) = (low, high, guess);
         let scale = 2.0 * PI * self.ro * (p.abs() + self.law.shear_modulus_mpa());
-        let mut residual = f64::INFINITY;
         for iteration in 0..ITERATIONS {
             let w = self.wall.energy(&self.law, l, r);
             let b = self.braid(k, l, r);
@@ -205,7 +204,7 @@ impl ThickWall {
                 r = 0.5 * (low + high);
                 continue;
             }
-            residual = g.abs() / scale;
+            let residual = g.abs() / scale;
             let step = -g / g_r;
             // The last digit of λf is worth r/sin²θ0 of them in r.
             if residual < 1e-13 || (g_r > 0.0 && step.abs() <= 4.0 * f64::EPSILON * r / self.sin2) {
@@ -239,12 +238,7 @@ impl ThickWall {
                 strand_stretch: LARGEST_STRAND_STRETCH,
             });
         }
-        Err(ModelError::NotConverged {
-            pressure_mpa: p,
-            contraction: 1.0 - l,
-            iterations: ITERATIONS,
-            residual,
-        })
+        Err(ModelError::NotConverged { pressure_mpa: p, contraction: 1.0 - l })
     }
 
     fn radius_at_strand_stretch(&self, stretch: f64, l: f64) -> f64 {

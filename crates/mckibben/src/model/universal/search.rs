@@ -46,8 +46,8 @@ impl SearchPoint {
 }
 
 impl Universal {
-    pub(super) fn not_converged(p: f64, contraction: f64, residual: f64) -> ModelError {
-        ModelError::NotConverged { pressure_mpa: p, contraction, iterations: ITERATIONS, residual }
+    pub(super) fn not_converged(pressure_mpa: f64, contraction: f64) -> ModelError {
+        ModelError::NotConverged { pressure_mpa, contraction }
     }
 
     /// λ near which that of the middle is sought.
@@ -67,7 +67,7 @@ impl Universal {
     /// The middle at λ, from guesses of the radius and of λs at the sections of the end.
     fn tried(&self, p: f64, l: f64, near: Option<f64>, sections: Option<[f64; 2]>) -> Result<Middle> {
         let state = self.zone.wall.state_near(p, l, near)?;
-        self.middle(p, l, state, sections).ok_or_else(|| Self::not_converged(p, 1.0 - l, f64::NAN))
+        self.middle(p, l, state, sections).ok_or_else(|| Self::not_converged(p, 1.0 - l))
     }
 
     /// −dε/dλ = 1 + (2/L0) ∂δ/∂λ
@@ -83,7 +83,7 @@ impl Universal {
     /// The middle, and the last small step in λ that is still to be taken; λ above `low`.
     fn nested(&self, p: f64, contraction: f64, start: f64, low: f64) -> Result<(Middle, f64)> {
         let (mut l, mut low, mut high) = (start, low, f64::INFINITY);
-        let (mut near, mut good, mut residual) = (None, None::<f64>, f64::NAN);
+        let (mut near, mut good) = (None, None::<f64>);
         for _ in 0..ITERATIONS {
             let m = match self.tried(p, l, near, None) {
                 Ok(m) => m,
@@ -100,7 +100,6 @@ impl Universal {
             good = Some(l);
             near = Some(m.state.r);
             let value = self.contraction(&m) - contraction;
-            residual = value.abs();
             let slope = self.slope(&m);
             let step = value / slope.max(LEAST_SLOPE);
             if step.abs() < SMALL_STEP || high - low < NARROW {
@@ -121,7 +120,7 @@ impl Universal {
                 low + 0.5 * LARGEST_STEP
             };
         }
-        Err(Self::not_converged(p, contraction, residual))
+        Err(Self::not_converged(p, contraction))
     }
 
     /// Where the muscle pulls: the middle and the step that is left; `Err`: where it pushes or is slack, λ.
@@ -172,7 +171,7 @@ impl Universal {
         let m = self.tried(p, l, near, sections)?;
         let slope = self.slope(&m);
         if slope.is_nan() || slope <= LEAST_SLOPE {
-            return Err(Self::not_converged(p, contraction, (self.contraction(&m) - contraction).abs()));
+            return Err(Self::not_converged(p, contraction));
         }
         let by_pressure = -2.0 * m.deficit.by[1] / (self.length * slope);
         Ok(SearchPoint { l, state: m.state, slope, by_pressure, ends: m })
