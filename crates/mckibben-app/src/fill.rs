@@ -63,8 +63,7 @@ impl From<FillError> for Problem {
             match error {
                 FillError::Analysis(error) => return error.into(),
                 FillError::TooLarge { .. } => "volume_mm3",
-                FillError::HeldBehind { .. } => "contraction",
-                FillError::Extends => "load",
+                FillError::Refused(refused) => refused.fields[0],
             },
         );
         Self::new(ProblemKind::NoAnswer, message, "").in_field(field)

@@ -364,7 +364,7 @@ impl From<JointError> for Problem {
                 let inner = Self::from(error);
                 Self { message: short_numbers(&message).into_owned(), ..inner }
             }
-            JointError::NoTorque { .. } | JointError::NoStiffness { .. } => Self::new(
+            JointError::OutOfReach { .. } => Self::new(
                 ProblemKind::NoAnswer,
                 message,
                 "a higher `max_pressure_mpa`, or a larger pulley or muscle",

@@ -1,6 +1,6 @@
 //! Tables of times and values.
 
-use super::vocabulary::{ANGLES, CONTRACTIONS, OPENINGS, PRESSURES, VOLUMES, Vocabulary};
+use super::vocabulary::OVER_TIME;
 use super::{Columns, Table, TableError, read_text};
 use std::io::Read;
 
@@ -29,14 +29,7 @@ pub enum OverTime {
 /// # Ok::<(), mckibben_io::table::TableError>(())
 /// ```
 pub fn read_over_time(input: impl Read, what: OverTime) -> Result<Vec<(f64, f64)>, TableError> {
-    let vocabulary: &'static Vocabulary = match what {
-        OverTime::Pressure => &PRESSURES,
-        OverTime::Opening => &OPENINGS,
-        OverTime::Volume => &VOLUMES,
-        OverTime::Contraction => &CONTRACTIONS,
-        OverTime::Angle => &ANGLES,
-    };
-    let table = Table::read(&read_text(input)?, vocabulary, &Columns::default())?;
+    let table = Table::read(&read_text(input)?, &OVER_TIME[what as usize], &Columns::default())?;
     let times = table.numbers(table.needed(0)?)?;
     let values = table.numbers(table.needed(1)?)?;
     Ok(times.into_iter().zip(values).collect())

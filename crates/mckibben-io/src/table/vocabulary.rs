@@ -267,14 +267,9 @@ pub static POINTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("point
 pub static TESTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("tests"));
 /// A load over the shortening of the muscle that meets it.
 pub(crate) static LOADS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("loads"));
-pub(crate) static PRESSURES: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("pressures"));
-/// Openings of a valve over time.
-pub(crate) static OPENINGS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("openings"));
-/// Volumes of a liquid over time.
-pub(crate) static VOLUMES: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("volumes"));
-pub(crate) static CONTRACTIONS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("contractions"));
-/// Angles of a joint over time.
-pub(crate) static ANGLES: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("angles"));
+/// A quantity over time, in the order of [`OverTime`](super::OverTime).
+pub(crate) static OVER_TIME: LazyLock<[Vocabulary; 5]> =
+    LazyLock::new(|| ["pressures", "openings", "volumes", "contractions", "angles"].map(Vocabulary::of));
 
 #[cfg(test)]
 mod tests {
@@ -283,7 +278,7 @@ mod tests {
 
     #[test]
     fn words_are_plain_and_mean_one_thing() {
-        for vocabulary in [&POINTS, &TESTS, &HISTORIES, &PRESSURES] {
+        for vocabulary in [&POINTS, &TESTS, &HISTORIES, &OVER_TIME[0]] {
             let mut seen = vec![];
             for entry in vocabulary.entries() {
                 assert!(vocabulary.entry(entry.meaning).is_some_and(|e| e.name == entry.name));

@@ -128,20 +128,6 @@ pub enum Document {
     Universal(UniversalFormula),
 }
 
-impl Document {
-    /// Reads a file.
-    ///
-    /// # Errors
-    /// [`FormulaError`] names the file and the key.
-    pub fn read(path: impl AsRef<Path>) -> Result<Self, FormulaError> {
-        from_file(path.as_ref(), Self::parse)
-    }
-}
-
-fn from_file<T>(path: &Path, parse: impl Fn(&str) -> Result<T, FormulaError>) -> Result<T, FormulaError> {
-    read_text(path).and_then(|text| parse(&text)).map_err(|e| e.in_file(path))
-}
-
 /// The text of a formula's file.
 pub fn read_text(path: &Path) -> Result<String, FormulaError> {
     let bytes = mckibben_io::files::read(path, MAX_BYTES).map_err(|e| FormulaError::new(e.to_string()))?;
@@ -149,14 +135,6 @@ pub fn read_text(path: &Path) -> Result<String, FormulaError> {
 }
 
 impl Formula {
-    /// Reads a file.
-    ///
-    /// # Errors
-    /// [`FormulaError`] names the file and the key.
-    pub fn read(path: impl AsRef<Path>) -> Result<Self, FormulaError> {
-        from_file(path.as_ref(), Self::parse)
-    }
-
     /// F in N, two-sided; does not look at the range.
     pub fn force_n(&self, outer_diameter_mm: f64, wall_mm: f64, pressure_mpa: f64, contraction: f64) -> f64 {
         match &self.body {

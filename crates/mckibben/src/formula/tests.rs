@@ -176,7 +176,8 @@ fn wrong_files_are_named_with_their_key() {
         let error = Formula::parse(&text).expect_err(name).to_string();
         assert!(error.contains(part), "{name}: {error}");
     }
-    let error = Formula::read("no/such/formula.json").unwrap_err().to_string();
+    let path = Path::new("no/such/formula.json");
+    let error = read_text(path).unwrap_err().in_file(path).to_string();
     assert!(error.starts_with("no/such/formula.json: cannot be read"), "{error}");
 }
 

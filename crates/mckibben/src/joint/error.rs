@@ -35,39 +35,23 @@ pub enum JointError {
         /// Upper limit in degrees.
         high_deg: f64,
     },
-    /// A torque that no pressures give.
+    /// A torque, or a stiffness together with a torque, that no pressures give.
     #[error(
-        "no pressures up to {max_pressure_mpa} MPa give {torque_nm} N m at {angle_deg} deg; the joint reaches {least_nm:.4} to {most_nm:.4} N m there"
+        "no pressures up to {max_pressure_mpa} MPa give {sought} at {angle_deg} deg; the joint reaches {least:.4} to {most:.4} {unit} there"
     )]
-    NoTorque {
-        /// The torque wanted in N m.
-        torque_nm: f64,
+    OutOfReach {
+        /// What is sought, with its unit.
+        sought: String,
         /// At this angle in degrees.
         angle_deg: f64,
         /// The supply in MPa.
         max_pressure_mpa: f64,
-        /// The least torque there is, in N m.
-        least_nm: f64,
-        /// The largest, in N m.
-        most_nm: f64,
-    },
-    /// A stiffness that no pressures give together with the torque.
-    #[error(
-        "no pressures up to {max_pressure_mpa} MPa give {stiffness_nm_per_rad} N m/rad with {torque_nm} N m at {angle_deg} deg; the joint reaches {least:.4} to {most:.4} N m/rad there"
-    )]
-    NoStiffness {
-        /// The stiffness wanted in N m/rad.
-        stiffness_nm_per_rad: f64,
-        /// With this torque in N m.
-        torque_nm: f64,
-        /// At this angle in degrees.
-        angle_deg: f64,
-        /// The supply in MPa.
-        max_pressure_mpa: f64,
-        /// The least stiffness there is, in N m/rad.
+        /// The least torque or stiffness there is.
         least: f64,
-        /// The largest, in N m/rad.
+        /// The largest.
         most: f64,
+        /// N m or N m/rad.
+        unit: &'static str,
     },
     /// One muscle sets a torque or a stiffness, not both.
     #[error(

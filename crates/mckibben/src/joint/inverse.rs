@@ -38,7 +38,7 @@ impl JointModel<'_> {
     /// Where several pressures give it, the lowest.
     ///
     /// # Errors
-    /// [`JointError::NoTorque`], [`JointError::NoStiffness`] with what the joint reaches; [`JointError::OneMuscle`].
+    /// [`JointError::OutOfReach`] with what the joint reaches; [`JointError::OneMuscle`].
     pub fn pressures(
         &self,
         workspaces: &mut [Workspace],
@@ -61,12 +61,13 @@ impl JointModel<'_> {
         let no_torque = || {
             let reach =
                 |sign: f64| here.iter().map(|m| sign * (sign * m.arm_mm * m.most_n).max(0.0)).sum::<f64>();
-            JointError::NoTorque {
-                torque_nm: wanted.torque_nm,
+            JointError::OutOfReach {
+                sought: format!("{} N m", wanted.torque_nm),
                 angle_deg: wanted.angle_deg,
                 max_pressure_mpa,
-                least_nm: passive + 1e-3 * reach(-1.0),
-                most_nm: passive + 1e-3 * reach(1.0),
+                least: passive + 1e-3 * reach(-1.0),
+                most: passive + 1e-3 * reach(1.0),
+                unit: "N m",
             }
         };
         let line = Line { model: self, here: &here, needed };
@@ -90,13 +91,13 @@ impl JointModel<'_> {
                     }
                     before = (pull, k);
                 }
-                let pull = found.ok_or(JointError::NoStiffness {
-                    stiffness_nm_per_rad: stiffness,
-                    torque_nm: wanted.torque_nm,
+                let pull = found.ok_or_else(|| JointError::OutOfReach {
+                    sought: format!("{stiffness} N m/rad with {} N m", wanted.torque_nm),
                     angle_deg: wanted.angle_deg,
                     max_pressure_mpa,
                     least: reach.0,
                     most: reach.1,
+                    unit: "N m/rad",
                 })?;
                 line.pressures(workspaces, pull)?
             }

@@ -251,12 +251,12 @@ fn what_the_joint_cannot_do_is_said_with_what_it_can() {
     let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
     let wanted = JointTarget { angle_deg: 0.0, torque_nm: 500.0, stiffness_nm_per_rad: None };
     let error = model.pressures(w, wanted, 0.25).unwrap_err();
-    let JointError::NoTorque { most_nm, .. } = error else { panic!("{error}") };
+    let JointError::OutOfReach { most: most_nm, .. } = error else { panic!("{error}") };
     let all = model.at(w, &[0.25, 0.0], 0.0, Turning::Mean).unwrap().torque_nm;
     assert!((most_nm - all).abs() < 1e-9, "{most_nm} {all}");
     let stiff = JointTarget { torque_nm: 1.0, stiffness_nm_per_rad: Some(1e4), ..wanted };
     assert!(
-        matches!(model.pressures(w, stiff, 0.25), Err(JointError::NoStiffness { most, .. }) if most > 1.0)
+        matches!(model.pressures(w, stiff, 0.25), Err(JointError::OutOfReach { most, .. }) if most > 1.0)
     );
     // The lowest pressures that hold a torque leave the other muscle alone.
     let low = model.pressures(w, JointTarget { torque_nm: 5.0, ..wanted }, 0.25).unwrap();

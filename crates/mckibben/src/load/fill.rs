@@ -11,6 +11,7 @@ use super::Load;
 use crate::analysis::{AnalysisError, HIGHEST_PRESSURE_MPA, Options};
 use crate::answer::{self, Answer};
 use crate::model::{ForceModel, ModelError, Workspace};
+use crate::refused::Refused;
 use serde::Serialize;
 use thiserror::Error;
 use way::{Leg, Slopes, Way, cavity_mm3};
@@ -80,20 +81,9 @@ pub enum FillError {
         /// The contraction there.
         contraction: f64,
     },
-    /// A muscle that is held where filling does not bring it.
-    #[error(
-        "the muscle is filled at its length at rest and does not come to a contraction of {contraction}: hold it at {} or leave `contraction` out",
-        if *.extends { "a contraction of zero or below" } else { "zero or above" }
-    )]
-    HeldBehind {
-        /// The contraction.
-        contraction: f64,
-        /// Whether the muscle extends.
-        extends: bool,
-    },
-    /// A load that pulls at a muscle that extends.
-    #[error("a muscle that extends gives way to a load that pulls: fill it free, or hold it")]
-    Extends,
+    /// A hold or a load that the muscle does not meet.
+    #[error(transparent)]
+    Refused(#[from] Refused),
     /// The model has no answer.
     #[error(transparent)]
     Analysis(#[from] AnalysisError),
@@ -117,14 +107,19 @@ pub fn fill(
     let length_mm = model.muscle().length_mm();
     let sign = if extends { -1.0 } else { 1.0 };
     if let Some(contraction) = filling.held_at.filter(|e| sign * e < 0.0) {
-        return Err(FillError::HeldBehind { contraction, extends });
+        let side = if extends { "a contraction of zero or below" } else { "zero or above" };
+        let message = format!(
+            "the muscle is filled at its length at rest and does not come to a contraction of {contraction}: hold it at {side} or leave `contraction` out"
+        );
+        return Err(Refused { fields: vec!["contraction"], message }.into());
     }
     let rest_mm3 = cavity_mm3(model, w, 0.0, 0.0)?;
     // The way begins without pressure, which may be outside of the range; where it ends is checked.
     let along = Options { extrapolate: options.extrapolate || range.pressure_mpa.0 > 0.0, ..options };
     let way = Way { model, filling: *filling, rest_mm3, length_mm, options: along };
     if extends && way.load_n(0.0) > 0.0 {
-        return Err(FillError::Extends);
+        let message = "a muscle that extends gives way to a load that pulls: fill it free, or hold it".into();
+        return Err(Refused { fields: vec!["load"], message }.into());
     }
     let highest_mpa = match options.extrapolate {
         true => HIGHEST_PRESSURE_MPA,
