@@ -12,7 +12,7 @@ use crate::shape::ShapeRequest;
 use crate::units::Units;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use mckibben::analysis::{Burst, blocked_force_n, free_contraction};
+use mckibben::analysis::{Burst, force_on, free_contraction};
 use mckibben::answer::{Options, check_range};
 use mckibben::cancel;
 use mckibben::model::Workspace;
@@ -232,7 +232,7 @@ fn operating(
         free_contractions.extend(free_contraction(model, w, p, options).ok().map(|free| (p, free)));
         cancel::check()?;
     }
-    let blocked_force_n = blocked_force_n(model, w, pressure_mpa, options)?;
+    let blocked_force_n = force_on(model, w, pressure_mpa, 0.0, options.direction)?;
     let shape = ShapeRequest {
         muscle: request.muscle.clone(),
         pressure_mpa: Some(pressure_mpa),

@@ -4,7 +4,7 @@ use crate::fields::TextFile;
 use crate::model::Model;
 use crate::muscle::MuscleSummary;
 use crate::problem::Problem;
-use mckibben::analysis::{blocked_force_n, free_contraction};
+use mckibben::analysis::{force_on, free_contraction};
 use mckibben::answer::Options;
 use mckibben::model::Workspace;
 use mckibben::muscle::file::to_toml;
@@ -69,7 +69,7 @@ impl LibraryMuscle {
     fn of(facts: &Facts, muscle: &Muscle) -> Result<Self, Problem> {
         let (model, w) = (Model::FE.build(muscle)?, &mut Workspace::new());
         let (pressure_mpa, points) = muscle.bench().map_or((0.0, 0), |b| (b.pressure_mpa.1, b.points));
-        let blocked = blocked_force_n(&*model, w, pressure_mpa, Options::default()).ok();
+        let blocked = force_on(&*model, w, pressure_mpa, 0.0, Direction::Mean).ok();
         let half = blocked.and_then(|n| uncertainty(&*model, w, (pressure_mpa, 0.0), n, Direction::Mean));
         Ok(Self {
             name: format!("{PREFIX}{}", facts.name),

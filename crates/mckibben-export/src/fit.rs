@@ -6,7 +6,7 @@
 
 use crate::error::ExportError;
 use crate::form::{FUNCTIONS, Form, functions};
-use mckibben::analysis::{Options, blocked_force_n, force_on, free_contraction};
+use mckibben::analysis::{Options, force_on, free_contraction};
 use mckibben::cancel;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
@@ -85,7 +85,7 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, low: f64) -> Result<Fi
     let w = &mut Workspace::new();
     let options = Options::extrapolating();
     model.muscle().check_contracts()?;
-    let blocked_n = blocked_force_n(model, w, supply, options)?;
+    let blocked_n = force_on(model, w, supply, 0.0, options.direction)?;
     let high = match wanted.contraction_high {
         Some(high) => high,
         None => free_contraction(model, w, supply, options)?,

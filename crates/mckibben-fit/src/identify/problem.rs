@@ -16,7 +16,7 @@ use super::history::shares;
 use super::parameter::Target;
 use crate::least_squares::Residuals;
 use crate::measured::{DataPoint, Quantity, Section};
-use mckibben::analysis::{force_on, friction_half_width_n, response_on, slope_by_pressure, stiffness_of};
+use mckibben::analysis::{force_on, friction_on, response_on, slope_by_pressure, stiffness_of};
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, OUTER_DIAMETER};
 use mckibben::muscle::{BraidStiffness, Direction, Friction, Muscle};
@@ -183,7 +183,7 @@ impl<'a> Problem<'a> {
                 Quantity::Force => {
                     let e = at.contraction + candidate.contraction_offset;
                     if let Some(share) = shares.as_ref().and_then(|list| list.get(i)) {
-                        let half = friction_half_width_n(m, w, at.pressure_mpa, e)?;
+                        let half = friction_on(m, w, (at.pressure_mpa, e), Direction::Elongation)?;
                         return Ok(m.force_n(w, at.pressure_mpa, e)? - share * half - at.force_n);
                     }
                     Ok(force_on(m, w, at.pressure_mpa, e, at.direction())? - at.force_n)

@@ -34,8 +34,8 @@ pub(super) fn friction(model: &dyn ForceModel, direction: Direction) -> Option<&
     model.muscle().friction().filter(|_| !direction.is_mean())
 }
 
-/// The friction that counts, in N, signed.
-fn friction_n(
+/// The friction that counts, in N, signed: of the branch of lengthening half the width of the hysteresis loop, C P^β + μw G.
+pub fn friction_on(
     model: &dyn ForceModel,
     workspace: &mut Workspace,
     (pressure_mpa, contraction): (f64, f64),
@@ -48,16 +48,6 @@ fn friction_n(
     }
     let pivoting = pivoting_n_per_mm(model, workspace, pressure_mpa, contraction)?;
     Ok(rule + direction.sign() * friction.lever_mm * pivoting)
-}
-
-/// Half the width of the hysteresis loop by the friction that the muscle states, C P^β + μw G, in N; 0 where it states none.
-pub fn friction_half_width_n(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-    contraction: f64,
-) -> Result<f64> {
-    friction_n(model, workspace, (pressure_mpa, contraction), Direction::Elongation)
 }
 
 /// What a model says, with the friction of the muscle's braid in a direction of motion: F = F_model ± (C P^β + μw G), and its slopes in
@@ -76,7 +66,7 @@ pub fn response_on(
     if let Some(friction) = friction(model, direction) {
         /// Of the pressure (relative) and the contraction, for differences of G.
         const STEP: f64 = 1e-4;
-        response.force_n += friction_n(model, workspace, (pressure_mpa, contraction), direction)?;
+        response.force_n += friction_on(model, workspace, (pressure_mpa, contraction), direction)?;
         let mut slope = friction.slope_mm2(pressure_mpa, direction);
         if friction.lever_mm > 0.0 && pressure_mpa > 0.0 {
             let lever = direction.sign() * friction.lever_mm;
@@ -107,7 +97,7 @@ pub fn force_on(
 ) -> Result<f64> {
     cancel::check().map_err(ModelError::Cancelled)?;
     let force_n = model.force_n(workspace, pressure_mpa, contraction)?;
-    Ok(force_n + friction_n(model, workspace, (pressure_mpa, contraction), direction)?)
+    Ok(force_n + friction_on(model, workspace, (pressure_mpa, contraction), direction)?)
 }
 
 /// K = ∂F/∂L in N/mm of a response: the model's, or by differences of its pull where it does not state it.

@@ -1,19 +1,9 @@
-//! Blocked force, free contraction, dead pressure and work.
+//! Free contraction, dead pressure and work.
 
 use super::ask::{Options, force_on};
 use super::error::Result;
 use super::inverse::{contraction_at, pressure_at};
 use crate::model::{ForceModel, Workspace};
-
-/// Blocked force F(P, 0) in N.
-pub fn blocked_force_n(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-    options: Options,
-) -> Result<f64> {
-    Ok(force_on(model, workspace, pressure_mpa, 0.0, options.direction)?)
-}
 
 /// Free contraction: the ε at which a muscle at this pressure no longer pulls.
 ///

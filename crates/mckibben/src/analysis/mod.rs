@@ -11,11 +11,9 @@ mod root;
 mod sweep;
 
 pub use air::{ATMOSPHERE_MPA, Air, HEAT_RATIO, air_per_stroke, normal_litres};
-pub use ask::{
-    Options, force_on, friction_half_width_n, response_on, slope_by_pressure, source_of, stiffness_of,
-};
+pub use ask::{Options, force_on, friction_on, response_on, slope_by_pressure, source_of, stiffness_of};
 pub use burst::{Burst, FailureMode, FailurePressure, NoBurst, SAFETY, burst};
-pub use characteristics::{blocked_force_n, free_contraction, start_pressure_mpa, work_per_stroke_j};
+pub use characteristics::{free_contraction, start_pressure_mpa, work_per_stroke_j};
 pub use error::{AnalysisError, Result};
 pub use golden::{Abscissa, golden};
 pub(crate) use inverse::{HIGHEST_PRESSURE_MPA, straight_strands};

@@ -44,7 +44,7 @@ mod shifts;
 
 pub use shifts::{ONE_AXIS, Shifts};
 
-use crate::analysis::friction_half_width_n;
+use crate::analysis::friction_on;
 use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, Workspace, blocked_scale_n};
 use crate::muscle::{Bench, Direction, Muscle};
 use crate::rubber::RubberLaw;
@@ -319,7 +319,7 @@ impl Pull<'_> {
         let both = Direction::BRANCHES.iter().all(|b| bench.branches.contains(b));
         self.model.muscle().friction().filter(|_| both)?;
         let (p, e) = (self.pressure_mpa, self.contraction);
-        let half = friction_half_width_n(self.model, self.workspace, p, e).ok()?;
+        let half = friction_on(self.model, self.workspace, (p, e), Direction::Elongation).ok()?;
         Some((half * (half + 2.0 * fit_n)).sqrt())
     }
 }
@@ -339,7 +339,7 @@ fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> Unc
 pub fn friction_n(
     model: &dyn ForceModel,
     workspace: &mut Workspace,
-    (pressure_mpa, contraction): (f64, f64),
+    at: (f64, f64),
     direction: Direction,
     blocked_n: f64,
 ) -> f64 {
@@ -347,7 +347,7 @@ pub fn friction_n(
     if model.muscle().friction().is_none() {
         return unknown;
     }
-    match friction_half_width_n(model, workspace, pressure_mpa, contraction) {
+    match friction_on(model, workspace, at, Direction::Elongation) {
         Ok(half) if direction.is_mean() => (1.0 + FRICTION_LAW) * half,
         Ok(half) => FRICTION_LAW * half,
         Err(_) => unknown,
