@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 /// The pressure at which the clamps of a model's muscle let go.
 ///
 /// # Errors
-/// [`AnalysisError`] where the work is cancelled, or the model has no answer at all.
+/// [`AnalysisError`](crate::analysis::AnalysisError) where the work is cancelled, or the model has no answer at all.
 pub fn pull_off(model: &dyn ForceModel) -> Result<FailurePressure> {
     let muscle = model.muscle();
     let Some(bears) = muscle.terminals().pull_off_n else {

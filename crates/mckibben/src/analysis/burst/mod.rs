@@ -27,7 +27,7 @@ use crate::model::ForceModel;
 /// The burst pressure of a model's muscle.
 ///
 /// # Errors
-/// [`AnalysisError`] where the work is cancelled, or the model has no answer at all.
+/// [`AnalysisError`](crate::analysis::AnalysisError) where the work is cancelled, or the model has no answer at all.
 pub fn burst(model: &dyn ForceModel) -> Result<Burst> {
     let muscle = model.muscle();
     let (strands, from_thick_wall) = strands::breaking(model)?;

@@ -17,7 +17,7 @@ pub struct LiquidStroke {
 /// Liquid from rest (ε = 0, no pressure, filled without air) to (P, ε).
 ///
 /// # Errors
-/// [`AnalysisError::Unknown`] for a model without volume; the model's own errors.
+/// [`AnalysisError::Unknown`](crate::analysis::AnalysisError::Unknown) for a model without volume; the model's own errors.
 pub fn liquid_per_stroke(
     model: &dyn ForceModel,
     workspace: &mut Workspace,
