@@ -7,6 +7,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::read_muscle;
+use mckibben_fem::solver::body::Body as _;
 use mckibben_fem::solver::continuation::Continuation;
 use mckibben_fem::three_dimensional::{BrickSpec, Match, MuscleInBricks, MuscleMesh, Ring, ThreeDimensional};
 use std::hint::black_box;
@@ -29,7 +30,7 @@ fn muscle(through: usize, around: usize) -> Continuation<MuscleInBricks> {
 
 /// The path of the peers, increment by increment.
 fn walk(c: &mut Continuation<MuscleInBricks>, targets: &[(f64, f64)]) -> f64 {
-    c.reset();
+    c.body.rest();
     let half = c.body.mesh.tube.half_mm;
     for &(contraction, pressure) in targets {
         c.increment(pressure, -contraction * half).unwrap();

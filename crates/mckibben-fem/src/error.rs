@@ -89,11 +89,9 @@ impl FemError {
 
     /// Refuses a measure of a mesh that does not lie between two values.
     pub(crate) fn check_mesh(name: &str, value: f64, low: f64, high: f64) -> Result<(), Self> {
-        if (low..=high).contains(&value) {
-            Ok(())
-        } else {
-            Err(Self::Refused(format!("mesh: {name} is {value}; it must lie between {low} and {high}")))
-        }
+        let refused =
+            || Self::Refused(format!("mesh: {name} is {value}; it must lie between {low} and {high}"));
+        (low..=high).contains(&value).then_some(()).ok_or_else(refused)
     }
 
     /// Why a tube is not in equilibrium on its plugs.
@@ -143,14 +141,10 @@ fn ended(
         _ => format!("no equilibrium found {asked}"),
     };
     let because = of_muscle(reason);
-    let followed = if last.pressure_mpa > 0.0 || last.contraction != 0.0 {
-        format!(
-            "; on the way there from rest, the last one is at {:.4} MPa and {} %",
-            last.pressure_mpa,
-            percent(last.contraction)
-        )
-    } else {
-        String::new()
+    let (last_mpa, at) = (last.pressure_mpa, percent(last.contraction));
+    let followed = match last_mpa > 0.0 || last.contraction != 0.0 {
+        true => format!("; on the way there from rest, the last one is at {last_mpa:.4} MPa and {at} %"),
+        false => String::new(),
     };
     // No sleeve contracts further.
     let stiffer = if contraction < 0.4 { ", or take stiffer strands" } else { "" };

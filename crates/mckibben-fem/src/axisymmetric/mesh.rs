@@ -83,13 +83,9 @@ pub struct Mesh {
 impl Mesh {
     /// Maps the unit square of (through, along) to the section.
     pub fn mapped(through: usize, along: usize, place: impl Fn(f64, f64) -> [f64; 2]) -> Self {
-        let mut nodes = Vec::with_capacity((2 * through + 1) * (2 * along + 1));
-        for j in 0..=2 * along {
-            for i in 0..=2 * through {
-                nodes.push(place(i as f64 / (2 * through) as f64, j as f64 / (2 * along) as f64));
-            }
-        }
-        Self { through, along, nodes }
+        let at = |i: usize, j: usize| place(i as f64 / (2 * through) as f64, j as f64 / (2 * along) as f64);
+        let station = |j: usize| (0..=2 * through).map(move |i| (i, j));
+        Self { through, along, nodes: (0..=2 * along).flat_map(station).map(|(i, j)| at(i, j)).collect() }
     }
 
     /// A tube between radii `inner` and `outer`, of half length `half` in mm; middle nodes stand in the middle of their

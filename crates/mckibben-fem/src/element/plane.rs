@@ -14,6 +14,7 @@
 
 pub use super::plane_law::{AnyPlaneLaw, Gradient, PlaneLaw, Stress};
 
+use super::spatial::inverse_cube_root;
 use super::stretches::ByStretches;
 use mckibben::rubber::{InvariantLaw, Law, LawVisitor, RubberLaw};
 
@@ -30,22 +31,6 @@ struct Phi {
     dd: f64,
     dt: f64,
     tt: f64,
-}
-
-/// x^(−1/3). Rubber keeps its volume: near 1 a series and two Newton steps y(4 − x y³)/3 are exact to rounding and take
-/// a tenth of the time of a cube root.
-#[inline(always)]
-fn inverse_cube_root(x: f64) -> f64 {
-    let d = x - 1.0;
-    if d.abs() < 0.12 {
-        let mut y = 1.0 - d * (1.0 / 3.0 - d * (2.0 / 9.0 - d * (14.0 / 81.0 - d * (35.0 / 243.0))));
-        for _ in 0..2 {
-            y *= (4.0 - x * y * y * y) * (1.0 / 3.0);
-        }
-        y
-    } else {
-        1.0 / x.cbrt()
-    }
 }
 
 /// A law in I1 and I2.

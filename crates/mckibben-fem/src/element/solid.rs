@@ -25,7 +25,7 @@ pub struct Unknowns {
 }
 
 /// What an element contributes.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Contribution {
     /// Forces on the nodes, r.
     pub fr: NodalRow,
@@ -47,24 +47,6 @@ pub struct Contribution {
     pub energy: f64,
     /// Smallest volume ratio at an integration point.
     pub smallest_j: f64,
-}
-
-impl Default for Contribution {
-    fn default() -> Self {
-        let row = [0.0; PADDED];
-        Self {
-            fr: row,
-            fz: row,
-            g: [0.0; MODES],
-            br: [row; MODES],
-            bz: [row; MODES],
-            rr: [row; NODES],
-            rz: [row; NODES],
-            zz: [row; NODES],
-            energy: 0.0,
-            smallest_j: f64::INFINITY,
-        }
-    }
 }
 
 /// The rubber of an element.

@@ -70,7 +70,8 @@ impl<T, W: FnOnce(SpatialLaw<'_>) -> T> LawVisitor for InSpace<W> {
     }
 }
 
-/// x^(−1/3), lane by lane.
+/// x^(−1/3), lane by lane. Rubber keeps its volume: near 1 a series and two Newton steps y(4 − x y³)/3 are exact to rounding and take
+/// a tenth of the time of a cube root.
 #[inline(always)]
 pub(crate) fn inverse_cube_root<R: Real>(x: R) -> R {
     let mut out = x;
@@ -86,7 +87,7 @@ pub(crate) fn inverse_cube_root<R: Real>(x: R) -> R {
         y = y.mul_add(d, R::splat(-1.0 / 3.0));
         y = y.mul_add(d, R::splat(1.0));
         for _ in 0..2 {
-            y = y * (R::splat(4.0) - x * y * y * y) * R::splat(1.0 / 3.0);
+            y = y * ((R::splat(4.0) - x * y * y * y) * R::splat(1.0 / 3.0));
         }
         return y;
     }

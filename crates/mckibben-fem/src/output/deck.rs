@@ -130,9 +130,7 @@ fn steps(contraction: f64, pressures: &[f64]) -> Result<Vec<Step>, FemError> {
     rising(&pressures[..=filled], 0.0, 0.0, &mut out);
     let turns = (contraction.abs() / CONTRACTION - 1e-9).ceil().max(1.0);
     out.push(Step { increments: turns as usize, contraction, pressure_mpa: pressures[filled] });
-    let mut rest = vec![];
-    rising(&pressures[filled + 1..], contraction, pressures[filled], &mut rest);
-    out.extend(rest);
+    rising(&pressures[filled + 1..], contraction, pressures[filled], &mut out);
     Ok(out)
 }
 
@@ -173,13 +171,8 @@ fn sets(out: &mut String, model: &ThreeDimensional) {
     let mesh = &model.divided.mesh;
     let [ni, nj, nk] = mesh.grid();
     let all = |keep: &dyn Fn(usize, usize, usize) -> bool| {
-        let mut list = vec![];
-        for k in 0..nk {
-            for j in 0..nj {
-                list.extend((0..ni).filter(|&i| keep(i, j, k)).map(|i| mesh.node(i, j, k) + 1));
-            }
-        }
-        list
+        let kept = (0..ni * nj * nk).filter(|n| keep(n % ni, n / ni % nj, n / (ni * nj)));
+        kept.map(|n| n + 1).collect()
     };
     let last = nk - 1;
     let mut write = |head: &str, list: Vec<usize>| {

@@ -121,12 +121,6 @@ impl NewtonOptions {
     };
 }
 
-impl Default for NewtonOptions {
-    fn default() -> Self {
-        Self::DEFAULT
-    }
-}
-
 /// What a solve cost.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Effort {

@@ -10,6 +10,7 @@ use super::discretisation::Discretisation;
 use super::mesh::BrickMesh;
 use crate::axisymmetric::Section;
 use crate::solver::body::State;
+use std::cmp::Ordering;
 
 /// Lagrange's weights through three places.
 fn lagrange(x: [f64; 3], at: f64) -> [f64; 3] {
@@ -77,26 +78,23 @@ pub(super) fn carry_over(
         let u = if bonded { [0.0, 0.0, state.terminal] } else { [dr * x[0] / r, dr * x[1] / r, dz] };
         for i in 0..3 {
             let number = d.unknown[node][i] as usize;
-            state.u[3 * node + i] = if number < d.free {
-                u[i]
-            } else if number == d.free {
-                state.terminal
-            } else {
-                0.0
+            state.u[3 * node + i] = match number.cmp(&d.free) {
+                Ordering::Less => u[i],
+                Ordering::Equal => state.terminal,
+                Ordering::Greater => 0.0,
             };
         }
     }
     for (e, modes) in d.rest.iter().enumerate() {
         let c = modes.centre;
         let mut mean = 0.0;
+        state.p[e * d.modes..(e + 1) * d.modes].fill(0.0);
         if d.material[e] > 0 {
-            state.p[e * d.modes..(e + 1) * d.modes].fill(0.0);
             continue;
         }
         find.at(c[0].hypot(c[1]), c[2].min(mesh.tube.half_mm), |n, w| {
             mean += w * (n.stress_mpa[0] + n.stress_mpa[1] + n.stress_mpa[2]) / 3.0;
         });
-        state.p[e * d.modes..(e + 1) * d.modes].fill(0.0);
         state.p[e * d.modes] = mean;
     }
     let strands = &section.strands;

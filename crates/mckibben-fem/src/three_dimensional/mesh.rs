@@ -24,10 +24,7 @@ pub enum Brick {
 impl Brick {
     /// Intervals of the grid a side.
     pub fn order(self) -> usize {
-        match self {
-            Self::Linear => 1,
-            Self::Quadratic => 2,
-        }
+        if self == Self::Linear { 1 } else { 2 }
     }
 
     /// Nodes of so many bricks each way on a grid of nodes.
@@ -37,32 +34,25 @@ impl Brick {
         node: impl Fn(usize, usize, usize) -> usize,
     ) -> Vec<Vec<u32>> {
         let p = self.order();
-        let mut out = Vec::with_capacity(n0 * n1 * n2);
-        for k in 0..n2 {
-            for j in 0..n1 {
-                for i in 0..n0 {
-                    let at = |a: usize| {
-                        let (x, y, z) = (a % (p + 1), a / (p + 1) % (p + 1), a / ((p + 1) * (p + 1)));
-                        node(p * i + x, p * j + y, p * k + z) as u32
-                    };
-                    out.push((0..(p + 1).pow(3)).map(at).collect());
-                }
-            }
-        }
-        out
+        let one = |e: usize| {
+            let (i, j, k) = (e % n0, e / n0 % n1, e / (n0 * n1));
+            let at = |a: usize| {
+                let (x, y, z) = (a % (p + 1), a / (p + 1) % (p + 1), a / ((p + 1) * (p + 1)));
+                node(p * i + x, p * j + y, p * k + z) as u32
+            };
+            (0..(p + 1).pow(3)).map(at).collect()
+        };
+        (0..n0 * n1 * n2).map(one).collect()
     }
 
     /// Nodes of a sheet of so many faces along its first and its second direction.
     pub fn faces(self, [n0, n1]: [usize; 2], node: impl Fn(usize, usize) -> usize) -> Vec<Vec<u32>> {
         let p = self.order();
-        let mut out = Vec::with_capacity(n0 * n1);
-        for j in 0..n1 {
-            for i in 0..n0 {
-                let at = |a: usize| node(p * i + a % (p + 1), p * j + a / (p + 1)) as u32;
-                out.push((0..(p + 1).pow(2)).map(at).collect());
-            }
-        }
-        out
+        let one = |e: usize| {
+            let at = |a: usize| node(p * (e % n0) + a % (p + 1), p * (e / n0) + a / (p + 1)) as u32;
+            (0..(p + 1).pow(2)).map(at).collect()
+        };
+        (0..n0 * n1).map(one).collect()
     }
 }
 
@@ -110,11 +100,6 @@ pub struct BrickSpec {
     pub plug: Option<Plug>,
 }
 
-/// The word for [`Ring::OnCircle`] behind a mesh.
-const CIRCLE: &str = "circle";
-/// The word for [`Brick::Quadratic`].
-const QUADRATIC: &str = "quadratic";
-
 impl BrickSpec {
     /// Reads `12` (bricks around the quarter), `2x12` (through the wall x around) or `2x12x39` (x along the half length);
     /// `:quadratic` behind it takes quadratic bricks, `:circle` puts the nodes of linear ones on the circle. `None` where
@@ -132,8 +117,8 @@ impl BrickSpec {
         };
         for word in words {
             match word {
-                CIRCLE => out.ring = Some(Ring::OnCircle),
-                QUADRATIC => out.brick = Brick::Quadratic,
+                "circle" => out.ring = Some(Ring::OnCircle),
+                "quadratic" => out.brick = Brick::Quadratic,
                 _ => return None,
             }
         }

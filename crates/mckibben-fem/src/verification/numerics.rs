@@ -56,7 +56,7 @@ pub fn numerics(rows: &mut Rows) {
     let order = bonded(rubber(), Bulk::Incompressible, STIFFNESS).and_then(|mut w| {
         w.walk(0.2, -0.05 * 142.5, 1.0).ok()?;
         w.body.control = Control::Length(-0.10 * 142.5);
-        let options = NewtonOptions { small: 0.0, tolerance: 1e-13, ..NewtonOptions::default() };
+        let options = NewtonOptions { small: 0.0, tolerance: 1e-13, ..NewtonOptions::DEFAULT };
         order_of_newton(&mut w.body, &options, 3e-13)
     });
     rows.add("order of Newton's last residuals (2 or more)", 2.0, order, 0.2);

@@ -8,7 +8,7 @@ use mckibben::rubber::Law;
 
 /// A unit cube of the cases' rubber in 2 × 2 × 2 bricks whose inner places are bent.
 pub fn bent_cube(brick: Brick) -> (Block, Problem) {
-    let block = Block::new(brick, [2, 2, 2]);
+    let block = Block { brick, elements: [2, 2, 2] };
     // Zero on the surface, and trilinear in each brick, so that quadratic bricks have plain sides as well.
     let hat = |x: f64| 1.0 - (2.0 * x - 1.0).abs();
     let problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
@@ -20,16 +20,12 @@ pub fn bent_cube(brick: Brick) -> (Block, Problem) {
 
 /// A box of bricks on the unit cube, mapped.
 pub struct Block {
-    brick: Brick,
-    elements: [usize; 3],
+    pub brick: Brick,
+    /// So many bricks each way.
+    pub elements: [usize; 3],
 }
 
 impl Block {
-    /// So many bricks each way.
-    pub fn new(brick: Brick, elements: [usize; 3]) -> Self {
-        Self { brick, elements }
-    }
-
     /// Nodes each way.
     pub fn grid(&self) -> [usize; 3] {
         self.elements.map(|n| n * self.brick.order() + 1)

@@ -10,7 +10,7 @@ use mckibben::muscle::Bulk;
 
 /// u_y of the upper right corner in mm with n × n bricks and F = 100 N.
 fn tip(n: usize) -> Option<f64> {
-    let block = Block::new(Brick::Linear, [1, n, n]);
+    let block = Block { brick: Brick::Linear, elements: [1, n, n] };
     // First direction: the thickness (z); second and third: along and across.
     let mut problem = block.problem(neo_hookean(80.1938), Bulk::Modulus(400_889.806), |[t, x, y]| {
         let (low, high) = (44.0 * x, 44.0 + 16.0 * x);

@@ -71,7 +71,7 @@ fn coarse(brick: Brick) -> BrickSpec {
 }
 
 fn tight() -> NewtonOptions {
-    NewtonOptions { tolerance: 1e-12, iterations: 30, small: 0.0, ..NewtonOptions::default() }
+    NewtonOptions { tolerance: 1e-12, iterations: 30, small: 0.0, ..NewtonOptions::DEFAULT }
 }
 
 /// Solves with the terminal at `w` and the present pressure.

@@ -15,7 +15,7 @@ const HEIGHT: f64 = 2.0;
 
 /// Moment and axial force on the top.
 fn loads(elements: usize) -> Option<(f64, f64)> {
-    let block = Block::new(Brick::Quadratic, [elements, elements, 1]);
+    let block = Block { brick: Brick::Quadratic, elements: [elements, elements, 1] };
     // The square becomes a disc (the elliptical map).
     let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
         let (u, v) = (2.0 * x - 1.0, 2.0 * y - 1.0);

@@ -18,7 +18,7 @@ fn ring(
     divisions: (usize, usize),
 ) -> Option<(f64, f64)> {
     let (through, around) = divisions;
-    let block = Block::new(brick, [through, around, 1]);
+    let block = Block { brick, elements: [through, around, 1] };
     let [_, nj, nk] = block.grid();
     let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
         let (r, phi) = (radii.0 + x * (radii.1 - radii.0), FRAC_PI_2 * y);
