@@ -68,7 +68,7 @@ PARTS = {
         r"python/mckibben/_campaign\.py", r"python/tests/test_executors\.py", r"checks/(slurm|campaigns)\.sh", r"docs/campaigns-engines\.md",
     ], None, ["bash checks/campaigns.sh \"$MCKIBBEN\""]),
     "editors": ("schemas of files in a TOML language server", [
-        r"crates/mckibben-app/src/file_schema/.*", r"crates/mckibben/src/muscle/(file|measures)/.*", r"checks/editors.*", r"(examples|plans)/.*\.toml",
+        r"crates/mckibben-app/src/file_schema/.*", r"crates/mckibben/data/keys.txt", r"crates/mckibben/src/muscle/(file|measures)/.*", r"checks/editors.*", r"(examples|plans)/.*\.toml",
     ], None, ["bash checks/editors.sh \"$MCKIBBEN\""]),
     "book": ("the book in a browser, at 400 and 1440 pixels", [
         r"docs/.*", r"web/(book.*|build\.sh|tests/book\.mjs)",

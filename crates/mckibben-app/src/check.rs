@@ -152,7 +152,6 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
     };
     let rubber = &muscle.tube().rubber;
     let (law, reach) = (&rubber.law, muscle.reach());
-    let warnings = library::warnings(rubber);
     let beyond = rubber.fitted_to_stretch.filter(|limit| reach > *limit).map(|limit| {
         format!(
             "free to contract, this muscle stretches its rubber to {reach:.2} at the bore; the constants of {} were fitted up to {limit:.2}",
@@ -185,7 +184,7 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
         warnings: said
             .into_iter()
             .chain(muscle.warnings())
-            .chain(warnings.iter().map(ToString::to_string))
+            .chain(library::warnings(rubber))
             .chain(beyond)
             .collect(),
         characteristics,

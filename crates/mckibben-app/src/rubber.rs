@@ -143,7 +143,7 @@ pub(crate) fn rubber_details(name: &str) -> Result<Option<RubberDetails>, Proble
         source: entry.source.clone(),
         terms: entry.terms.clone(),
         note: entry.note.clone(),
-        warnings: library::warnings(&found).iter().map(ToString::to_string).collect(),
+        warnings: library::warnings(&found),
         rubber: word,
     }))
 }

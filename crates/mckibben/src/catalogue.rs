@@ -53,6 +53,32 @@ impl<'t> Catalogue<'t> {
     }
 }
 
+/// A name as tables of parts write it: without regard to case; spaces and underscores are as good as hyphens.
+pub fn plain(name: &str) -> String {
+    name.trim().to_lowercase().replace([' ', '_'], "-")
+}
+
+/// The part of a name or alias; else that there is none, with the nearest name or all of them.
+pub(crate) fn named<'a, T>(
+    kind: &str,
+    parts: &'a [T],
+    names: impl Fn(&'a T) -> (&'a str, &'a [String]),
+    name: &str,
+) -> Result<&'a T, String> {
+    let sought = plain(name);
+    let found = parts.iter().find(|part| names(part).0 == sought || names(part).1.contains(&sought));
+    found.ok_or_else(|| {
+        let all = parts.iter().map(&names);
+        let spellings = all.clone().flat_map(|(name, also)| also.iter().map(String::as_str).chain([name]));
+        let given: String = name.chars().take(60).collect();
+        let known = match nearest(&sought, spellings) {
+            None => format!("; known: {}", all.map(|names| names.0).collect::<Vec<_>>().join(", ")),
+            near => meant(near),
+        };
+        format!("there is no {kind} named \"{given}\"{known}")
+    })
+}
+
 /// A row of a table of parts.
 #[derive(Clone, Copy)]
 pub struct Row<'a> {

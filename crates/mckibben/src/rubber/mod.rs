@@ -25,7 +25,7 @@ pub use form::Form;
 pub use invariants::{InvariantDerivatives, InvariantLaw};
 pub use law::{LawError, LawVisitor};
 pub use laws::*;
-pub use library::{LibraryError, RubberEntry, RubberFit, RubberWarning};
+pub use library::{LibraryError, RubberEntry, RubberFit};
 pub use stability::{
     MUSCLE_AXIAL_STRETCH, MUSCLE_HOOP_STRETCH, Stability, biaxial_stability, is_stable_at, log_hessian,
     muscle_stability, muscle_states,

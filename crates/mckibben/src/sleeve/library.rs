@@ -1,31 +1,15 @@
 //! Named sleeves, from `data/braids.toml`, which states source and terms of each.
 
 use super::{Helix, OF_STIFFNESS, Sleeve, SleeveError, SleeveShape};
-use crate::catalogue::{Catalogue, CatalogueError, Row};
-use crate::nearest::nearest;
-use std::fmt;
+use crate::catalogue::{Catalogue, CatalogueError, Row, named};
 use std::sync::OnceLock;
 
-/// From what a sleeve's helix was found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum HelixFrom {
-    /// An angle at a diameter, as stated.
-    Angle,
-    /// Least and largest diameter, at which the strands are taken to touch.
-    Range,
-    /// The least diameter and the width of all strands, which are taken to touch there.
-    LeastAndStrands,
-}
-
-impl fmt::Display for HelixFrom {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Angle => "the angle that its source states at a diameter",
-            Self::Range => "the range that its source states; strands are taken to touch at both ends of it",
-            Self::LeastAndStrands => "its least diameter and its strands, which are taken to touch there",
-        })
-    }
-}
+/// An angle at a diameter, as stated.
+const OF_ANGLE: &str = "the angle that its source states at a diameter";
+/// Least and largest diameter.
+const OF_RANGE: &str = "the range that its source states; strands are taken to touch at both ends of it";
+/// The least diameter and the width of all strands.
+const OF_LEAST: &str = "its least diameter and its strands, which are taken to touch there";
 
 /// A sleeve of the library.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
@@ -43,9 +27,9 @@ pub struct SleeveEntry {
     /// Nominal diameter, mm.
     #[serde(rename = "nominal_diameter_mm")]
     pub nominal_mm: Option<f64>,
-    /// From what its helix was found.
+    /// From what its helix was found, for people.
     #[serde(skip)]
-    pub helix_from: HelixFrom,
+    pub helix_from: &'static str,
     /// Where the data come from.
     pub source: String,
     /// Terms under which they may be used.
@@ -105,21 +89,8 @@ pub fn materials() -> Result<&'static [Material], SleeveError> {
 
 /// The entry of a name or alias, without regard to case; spaces and underscores are as good as hyphens.
 pub fn entry(name: &str) -> Result<&'static SleeveEntry, SleeveError> {
-    let entries = entries()?;
-    let plain = name.trim().to_lowercase().replace([' ', '_'], "-");
-    let found = entries.iter().find(|e| e.sleeve.name() == plain || e.aliases.contains(&plain));
-    found.ok_or_else(|| {
-        let names =
-            entries.iter().flat_map(|e| e.aliases.iter().map(String::as_str).chain([e.sleeve.name()]));
-        let given: String = name.chars().take(60).collect();
-        let known = match nearest(&plain, names) {
-            Some(near) => format!(" (did you mean {near}?)"),
-            None => {
-                format!("; known: {}", entries.iter().map(|e| e.sleeve.name()).collect::<Vec<_>>().join(", "))
-            }
-        };
-        SleeveError::Refused(format!("there is no sleeve named \"{given}\"{known}"))
-    })
+    let found = named("sleeve", entries()?, |e| (e.sleeve.name(), &e.aliases), name);
+    found.map_err(SleeveError::Refused)
 }
 
 /// The sleeve of a name.
@@ -178,12 +149,10 @@ fn read_entry(row: &Row<'_>, materials: &'static [Material]) -> Result<SleeveEnt
     let strand_diameter_mm = row.number("strand_diameter")?;
     let width = strands.zip(strand_diameter_mm).map(|(n, d)| f64::from(n * filaments) * d);
     let (helix, helix_from) = match (nominal_mm.zip(angle), least.zip(largest), least.zip(width)) {
-        (Some((diameter, angle)), _, _) => (Helix::at(diameter, angle), HelixFrom::Angle),
-        (None, Some((least, largest)), _) => (Helix::jammed_at(least, largest), HelixFrom::Range),
-        (None, None, Some((least, width))) => {
-            (Helix::jammed_at_least(least, width), HelixFrom::LeastAndStrands)
-        }
-        (None, None, None) => (None, HelixFrom::Angle),
+        (Some((diameter, angle)), _, _) => (Helix::at(diameter, angle), OF_ANGLE),
+        (None, Some((least, largest)), _) => (Helix::jammed_at(least, largest), OF_RANGE),
+        (None, None, Some((least, width))) => (Helix::jammed_at_least(least, width), OF_LEAST),
+        (None, None, None) => (None, OF_ANGLE),
     };
     let helix = helix.ok_or_else(|| row.wrong("nothing that gives a helix"))?;
     // What is not stated of the range is where the strands jam.

@@ -18,7 +18,7 @@ mod helix;
 pub mod library;
 
 pub use helix::{Helix, NEUTRAL_ANGLE_DEG};
-pub use library::{HelixFrom, Material, SleeveEntry};
+pub use library::{Material, SleeveEntry};
 
 use std::f64::consts::PI;
 use thiserror::Error;

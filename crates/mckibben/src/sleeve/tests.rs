@@ -182,7 +182,7 @@ fn every_sleeve_of_the_library_makes_a_muscle_somewhere() {
         assert!(Muscle::prototype().with_braid(braid).is_ok(), "{name}");
         assert_eq!(library::find(name).unwrap(), entry.sleeve);
         assert!(entry.source.contains("http"), "{name} has no address");
-        if let (HelixFrom::Angle, Some(nominal)) = (entry.helix_from, entry.nominal_mm) {
+        if let (true, Some(nominal)) = (entry.helix_from.contains("angle"), entry.nominal_mm) {
             assert!(close(entry.sleeve.shape.angle_deg_on(nominal).unwrap(), 18.0), "{name}");
         }
     }

@@ -44,28 +44,22 @@ pub fn share<'de, D: Deserializer<'de>>(d: D) -> Result<f64, D::Error> {
 }
 
 pub fn maybe_positive<'de, D: Deserializer<'de>>(d: D) -> Result<Option<f64>, D::Error> {
-    let v = Option::<f64>::deserialize(d)?;
-    let wrong = |v: f64| D::Error::invalid_value(Unexpected::Float(v), &"a number above zero");
-    v.filter(|v| *v <= 0.0).map_or(Ok(v), |v| Err(wrong(v)))
+    #[derive(Deserialize)]
+    struct Positive(#[serde(deserialize_with = "positive")] f64);
+    Ok(Option::<Positive>::deserialize(d)?.map(|value| value.0))
 }
 
 /// `[low, high]`
 pub fn interval<'de, D: Deserializer<'de>>(d: D) -> Result<(f64, f64), D::Error> {
-    let (low, high) = <(f64, f64)>::deserialize(d)?;
-    if low <= high {
-        Ok((low, high))
-    } else {
-        Err(D::Error::custom("expected [low, high] with low ≤ high"))
-    }
+    ordered(<(f64, f64)>::deserialize(d)?)
 }
 
 /// `[low, high]` or `[low, null]`
 pub fn open_interval<'de, D: Deserializer<'de>>(d: D) -> Result<(f64, f64), D::Error> {
     let (low, high) = <(f64, Option<f64>)>::deserialize(d)?;
-    let high = high.unwrap_or(f64::INFINITY);
-    if low <= high {
-        Ok((low, high))
-    } else {
-        Err(D::Error::custom("expected [low, high] with low ≤ high"))
-    }
+    ordered((low, high.unwrap_or(f64::INFINITY)))
+}
+
+fn ordered<E: Error>((low, high): (f64, f64)) -> Result<(f64, f64), E> {
+    if low <= high { Ok((low, high)) } else { Err(E::custom("expected [low, high] with low ≤ high")) }
 }

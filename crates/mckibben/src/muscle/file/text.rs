@@ -34,6 +34,13 @@ impl Text {
         self.line(&line);
     }
 
+    /// A key, where it is stated.
+    pub(super) fn stated(&mut self, key: &str, value: Option<String>, comment: &str) {
+        if let Some(value) = value {
+            self.key(key, &value, comment);
+        }
+    }
+
     /// The values of a table that are stated, in the order of its keys.
     pub(super) fn values(&mut self, keys: &[Key], values: &impl Serialize) {
         // Numbers, texts, lists and objects with texts as keys: nothing that JSON has not.

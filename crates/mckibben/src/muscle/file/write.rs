@@ -27,22 +27,23 @@ pub fn to_toml(muscle: &Muscle) -> String {
         }
         out.measures(muscle, section);
     }
-    if muscle.terminals().end_factor.is_some() {
-        out.table("model.tondu-lopez");
-    }
-    match muscle.terminals().end_factor {
-        Some(EndFactor::Constant(k)) => {
-            out.key("end_factor", &number(k), "multiplies the contraction (Tondu & Lopez 2000)");
+    let (factor, comment) = match muscle.terminals().end_factor {
+        Some(EndFactor::OfPressure { a, b }) => (
+            Some(format!("{{ a = {}, b = {} }}", number(a), number(b))),
+            "k(P) = a·e^(−P) + b, P in bar (Tondu & Lopez 2000)",
+        ),
+        Some(EndFactor::Constant(k)) => (Some(number(k)), "multiplies the contraction (Tondu & Lopez 2000)"),
+        None => (None, ""),
+    };
+    let cones = muscle.terminals().cone_factor.map(number);
+    let tips = "conical tips of length kc·L0·ε (Tondu 2012)";
+    for (model, key, value, comment) in
+        [("tondu-lopez", "end_factor", factor, comment), ("conical-ends", "cone_factor", cones, tips)]
+    {
+        if value.is_some() {
+            out.table(&format!("model.{model}"));
+            out.stated(key, value, comment);
         }
-        Some(EndFactor::OfPressure { a, b }) => {
-            let table = format!("{{ a = {}, b = {} }}", number(a), number(b));
-            out.key("end_factor", &table, "k(P) = a·e^(−P) + b, P in bar (Tondu & Lopez 2000)");
-        }
-        None => {}
-    }
-    if let Some(kc) = muscle.terminals().cone_factor {
-        out.table("model.conical-ends");
-        out.key("cone_factor", &number(kc), "conical tips of length kc·L0·ε (Tondu 2012)");
     }
     if let Some(bench) = muscle.bench() {
         out.table("identified");
@@ -84,60 +85,49 @@ impl Text {
         let braid = muscle.braid();
         self.table("braid");
         let sleeve = named_sleeve(braid, outer_diameter_mm);
-        if let Some(sleeve) = &sleeve {
-            self.key("name", &text(sleeve.name()), "a sleeve: `mckibben parts show`");
-        }
+        self.stated("name", sleeve.as_ref().map(|s| text(s.name())), "a sleeve: `mckibben parts show`");
         let own = braid.clone().on_diameter(outer_diameter_mm).map(|b| b.angle_deg);
-        if sleeve.is_none() || own != Ok(braid.angle_deg) {
-            let comment = "strands to the muscle's axis, at rest";
-            self.key("angle", &quantity(braid.angle_deg, "deg"), comment);
-        }
+        let is_own = sleeve.is_some() && own == Ok(braid.angle_deg);
+        let angle = Some(braid.angle_deg).filter(|_| !is_own).map(|angle_deg| quantity(angle_deg, "deg"));
+        self.stated("angle", angle, "strands to the muscle's axis, at rest");
         let stiffness = match braid.stiffness {
             BraidStiffness::Paper => Some(text("paper")),
             BraidStiffness::Inextensible => Some(text("inextensible")),
             BraidStiffness::NewtonPerMm(k) => Some(quantity(k, "N/mm")),
             BraidStiffness::OfStrands => None,
         };
-        if let Some(stiffness) = &stiffness {
-            let comment = "k of one strand family: \"321 N/mm\", \"inextensible\", or \"paper\"";
-            self.key("stiffness", stiffness, comment);
-        }
+        let is_stated = stiffness.is_some();
+        let comment = "k of one strand family: \"321 N/mm\", \"inextensible\", or \"paper\"";
+        self.stated("stiffness", stiffness, comment);
         // What the sleeve says by itself need not be written.
-        let known = sleeve.as_ref().and_then(|s| match stiffness {
-            Some(_) => s.strands_beside_stiffness(),
-            None => s.of_strands().ok(),
+        let known = sleeve.as_ref().and_then(|sleeve| match is_stated {
+            true => sleeve.strands_beside_stiffness(),
+            false => sleeve.of_strands().ok(),
         });
         if let Some(strands) = braid.strands.as_ref().filter(|s| known.as_ref() != Some(s)) {
             self.key("strands", &strands.count.to_string(), "both families together");
-            if let Some((area, modulus)) = strands.section {
-                let unused = if stiffness.is_some() { "# " } else { "" };
-                let why =
-                    if stiffness.is_some() { "not used: `stiffness` is given" } else { "of one strand" };
-                self.key(&format!("{unused}strand_area"), &quantity(area, "mm2"), why);
-                self.key(&format!("{unused}strand_modulus"), &quantity(modulus, "MPa"), "");
-            }
-            if let Some(strength) = strands.strength_n {
-                self.key("strand_strength", &quantity(strength, "N"), "force at which one strand breaks");
-            }
+            let (unused, why) =
+                if is_stated { ("# ", "not used: `stiffness` is given") } else { ("", "of one strand") };
+            let area = strands.section.map(|section| quantity(section.0, "mm2"));
+            self.stated(&format!("{unused}strand_area"), area, why);
+            let modulus = strands.section.map(|section| quantity(section.1, "MPa"));
+            self.stated(&format!("{unused}strand_modulus"), modulus, "");
+            let strength = strands.strength_n.map(|strength_n| quantity(strength_n, "N"));
+            self.stated("strand_strength", strength, "force at which one strand breaks");
         }
         let follows = match &sleeve {
-            Some(sleeve) if stiffness.is_none() && braid.strands == known => sleeve.stiffness_factor(),
+            Some(sleeve) if !is_stated && braid.strands == known => sleeve.stiffness_factor(),
             _ => 1.0,
         };
-        if braid.stiffness_factor != follows {
-            let comment = "the stiffness is known within this factor; the ± of the pull carries it";
-            self.key("stiffness_factor", &number(braid.stiffness_factor), comment);
-        }
-        if let Some(b) = braid
-            .strands_per_carrier
-            .filter(|_| braid.strands_per_carrier != sleeve.and_then(|s| s.strands_per_carrier))
-        {
-            self.key("strands_per_carrier", &number(b), "side by side, which leaves openings between them");
-        }
+        let factor = Some(braid.stiffness_factor).filter(|factor| *factor != follows).map(number);
+        let comment = "the stiffness is known within this factor; the ± of the pull carries it";
+        self.stated("stiffness_factor", factor, comment);
+        let of_sleeve = sleeve.and_then(|sleeve| sleeve.strands_per_carrier);
+        let per_carrier = braid.strands_per_carrier.filter(|b| Some(*b) != of_sleeve).map(number);
+        self.stated("strands_per_carrier", per_carrier, "side by side, which leaves openings between them");
         self.measures(muscle, "braid");
-        if braid.compression {
-            self.key("compression", "true", "strands that carry compression");
-        }
+        let compression = braid.compression.then(|| "true".into());
+        self.stated("compression", compression, "strands that carry compression");
     }
 }
 

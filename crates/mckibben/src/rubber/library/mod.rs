@@ -24,9 +24,9 @@ pub use named::{
 pub use window::{Standing, Window, WindowLaw};
 
 use super::{Stability, biaxial_stability};
-use crate::nearest::nearest;
+use crate::catalogue::named as named_part;
+pub use crate::catalogue::plain;
 use crate::rubber::Rubber;
-use std::fmt;
 use std::sync::OnceLock;
 
 /// The table of published fits of silicones, as a path in `data/` of the repository.
@@ -54,66 +54,24 @@ pub fn entries() -> Result<&'static [RubberEntry], LibraryError> {
     ENTRIES.get_or_init(read).as_deref().map_err(LibraryError::clone)
 }
 
-/// A name as the library writes it.
-pub fn plain(name: &str) -> String {
-    name.trim().to_lowercase().replace([' ', '_'], "-")
-}
-
 /// The entry of a name or alias, without regard to case; spaces and underscores are as good as hyphens.
 pub fn entry(name: &str) -> Result<&'static RubberEntry, LibraryError> {
-    let entries = entries()?;
-    let plain = plain(name);
-    let found = entries.iter().find(|e| e.name == plain || e.aliases.contains(&plain));
-    found.ok_or_else(|| {
-        let names = entries.iter().flat_map(|e| e.aliases.iter().chain([&e.name])).map(String::as_str);
-        let given: String = name.chars().take(60).collect();
-        let known = match nearest(&plain, names) {
-            Some(near) => format!(" (did you mean {near}?)"),
-            None => {
-                format!("; known: {}", entries.iter().map(|e| e.name.as_str()).collect::<Vec<_>>().join(", "))
-            }
-        };
-        LibraryError(format!("there is no rubber named \"{given}\"{known}"))
-    })
-}
-
-/// What to mind about a rubber.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum RubberWarning {
-    /// The law loses stability within a muscle's range of stretches.
-    Unstable {
-        /// Hoop stretch from which on it is unstable.
-        hoop_stretch: f64,
-    },
-    /// Mooney–Rivlin with C01 < 0, as uniaxial fits give.
-    NegativeC01 {
-        /// C01 in MPa.
-        c01_mpa: f64,
-    },
-}
-
-impl fmt::Display for RubberWarning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            RubberWarning::Unstable { hoop_stretch } => write!(
-                f,
-                "the law is unstable in two-axis stretch from a hoop stretch of {hoop_stretch:.2}; a muscle reaches up to {LARGEST_HOOP_STRETCH}"
-            ),
-            RubberWarning::NegativeC01 { c01_mpa } => write!(
-                f,
-                "C01 is {c01_mpa} MPa: a negative C01 comes from uniaxial tests and is wrong in the two-axis stretch of a muscle; prefer neo-hookean or yeoh"
-            ),
-        }
-    }
+    named_part("rubber", entries()?, |e| (&e.name, &e.aliases), name).map_err(LibraryError)
 }
 
 /// What to mind about a rubber in a muscle.
-pub fn warnings(rubber: &Rubber) -> Vec<RubberWarning> {
+pub fn warnings(rubber: &Rubber) -> Vec<String> {
     let unstable = match biaxial_stability(&rubber.law, LARGEST_HOOP_STRETCH) {
-        Stability::UnstableFrom { hoop_stretch } => Some(RubberWarning::Unstable { hoop_stretch }),
+        Stability::UnstableFrom { hoop_stretch } => Some(format!(
+            "the law is unstable in two-axis stretch from a hoop stretch of {hoop_stretch:.2}; a muscle reaches up to {LARGEST_HOOP_STRETCH}"
+        )),
         Stability::Stable => None,
     };
-    let negative = rubber.law.negative_c01_mpa().map(|c01_mpa| RubberWarning::NegativeC01 { c01_mpa });
+    let negative = rubber.law.negative_c01_mpa().map(|c01_mpa| {
+        format!(
+            "C01 is {c01_mpa} MPa: a negative C01 comes from uniaxial tests and is wrong in the two-axis stretch of a muscle; prefer neo-hookean or yeoh"
+        )
+    });
     unstable.into_iter().chain(negative).collect()
 }
 

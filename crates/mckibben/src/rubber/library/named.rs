@@ -43,7 +43,7 @@ pub fn find_up_to(name: &str, stretch: f64) -> Result<Rubber, LibraryError> {
         None => (name, None),
     };
     let entry = entry(plain)?;
-    let law = law.map(|law| law.trim().to_lowercase().replace([' ', '_'], "-"));
+    let law = law.map(super::plain);
     let found = entry.up_to(law.as_deref(), stretch).ok_or_else(|| {
         let law: String = law.as_deref().unwrap_or("").chars().take(60).collect();
         LibraryError(format!(

@@ -143,9 +143,8 @@ fn names_are_forgiving_and_slips_are_named() {
 fn one_axis_mooney_rivlin_fits_warn() {
     let dragon = Rubber::of(published("dragon-skin-20", "mooney-rivlin", Some(0.5)));
     let found = warnings(&dragon);
-    assert!(matches!(found[0], RubberWarning::Unstable { hoop_stretch } if hoop_stretch < 1.5));
-    assert_eq!(found[1], RubberWarning::NegativeC01 { c01_mpa: -0.0838 });
-    assert!(found[1].to_string().contains("-0.0838 MPa"));
+    assert!(found[0].contains("from a hoop stretch of 1."), "{}", found[0]);
+    assert!(found[1].contains("-0.0838 MPa"));
     assert!(warnings(&find("natural-rubber:mooney-rivlin").unwrap()).is_empty());
 }
 
