@@ -343,7 +343,10 @@ mod tests {
                 "keep one",
             ),
             (format!("muscle = 'm.toml'\n[liquid]\nname = 'oil'\n[pump]\n{TAIL}"), "Largest flow"),
-            ("joint = 'j.toml'\n[valve]\nname = 'festo-mh2'\n[load]\nmass = '1 kg'\n".into(), "own file"),
+            (
+                format!("joint = 'j.toml'\n[valve]\nname = 'festo-mh2'\n[load]\nmass = '1 kg'\n{TAIL}"),
+                "own file",
+            ),
         ] {
             let error = parse_drive(&text, &Tables::default())
                 .map(|_| String::new())
