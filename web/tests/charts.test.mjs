@@ -94,7 +94,7 @@ inBrowser(({ name, open, blank, url }) => {
     const half = page.locator(".numbers dd.head button");
     await half.click();
     const parts = page.getByRole("region", { name: "Parts of the ±" });
-    await page.getByText("would leave about ± 55 N").waitFor();
+    await page.getByText("would reduce the ± to about 55 N").waitFor();
     const { uncertainty_n: total, uncertainty_parts_n: said } = ask("force", "-p", "2.5bar", "-e", "15%");
     await soon(async () => {
       const shown = (await parts.locator("dd:not(.wide)").allInnerTexts()).map((text) => Number(text.replace(/[^\d.]/g, "")));

@@ -146,8 +146,10 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
             asked => asked?,
         };
         // Plugs that are wider than the bore add to it: a model knows how much.
-        let rest = answer::point(&*question.model, &mut question.workspace, 0.0, 0.0, question.options);
-        volume_mm3 = rest.ok().and_then(|point| point.response.volume_mm3);
+        if question.muscle.terminals().plug_diameter_mm.is_some() {
+            let rest = answer::point(&*question.model, &mut question.workspace, 0.0, 0.0, question.options);
+            volume_mm3 = rest.ok().and_then(|point| point.response.volume_mm3);
+        }
         (question.muscle, asked)
     };
     let rubber = &muscle.tube().rubber;
@@ -435,7 +437,7 @@ impl CheckAnswer {
             }
             Some(left) => {
                 format!(
-                    "{}; no less than ± {} {} would be left",
+                    "{}; the ± would still be at least {} {}",
                     finding.text,
                     u.force.half_width(left),
                     u.force.name

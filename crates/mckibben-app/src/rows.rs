@@ -181,7 +181,7 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
     list.extend(listed(&row, STRETCHES, u));
     let words = &answer.uncertainty_words;
     list.extend(words.text_in(u).map(|text| ("uncertainty".to_owned(), format!("{of}{text}"))));
-    list.extend(words.bench_in(u).map(|text| ("smallest bench".to_owned(), text)));
+    list.extend(words.bench_in(u).map(|text| ("suggested test".to_owned(), text)));
     list
 }
 

@@ -6,22 +6,22 @@ use mckibben::uncertainty::{UncertaintyParts, identified_n};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Points of the smallest bench.
+/// Points of the suggested test.
 const BENCH_POINTS: usize = 10;
 /// Its lower pressure over the higher one, about.
 const LOWER_PRESSURE: f64 = 0.4;
 /// A bench is worth its work where it leaves less than this share of the ±.
 const WORTH: f64 = 0.8;
 
-/// The ± of a pull in words, and the smallest bench that would make it smaller.
+/// The ± of a pull in words, and the suggested test that would make it smaller.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 pub struct UncertaintyWords {
     /// The ± with its parts: `± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1`.
     pub text: Option<String>,
-    /// 95 % half-width of the pull after `identify` from the smallest bench, N; none where the muscle was measured, or where this helps little.
+    /// 95 % half-width of the pull after `identify` from the suggested test, N; none where the muscle was measured, or where this helps little.
     pub bench_uncertainty_n: Option<f64>,
-    /// That bench: `10 points on both branches at 0.1 MPa and 0.3 MPa would leave about ± 30 N`.
+    /// That bench: `10 points on both branches at 0.1 MPa and 0.3 MPa would reduce the ± to about 30 N`.
     pub bench: Option<String>,
     #[serde(skip)]
     parts: Option<UncertaintyParts>,
@@ -48,13 +48,13 @@ impl UncertaintyWords {
         self.parts.map(|parts| breakdown(&parts, &u.force))
     }
 
-    /// The smallest bench, in units.
+    /// The suggested test, in units.
     pub fn bench_in(&self, u: &Units) -> Option<String> {
         bench(self.bench_uncertainty_n?, self.pressure_mpa, u)
     }
 }
 
-/// What the smallest bench would leave of a ± in N; `None` where the muscle was measured, or where it helps little.
+/// What the suggested test would leave of a ± in N; `None` where the muscle was measured, or where it helps little.
 pub(crate) fn bench_n(
     parts: &UncertaintyParts,
     model: &dyn ForceModel,
@@ -81,7 +81,7 @@ pub fn breakdown(parts: &UncertaintyParts, scale: &Scale) -> String {
     if each.is_empty() { head } else { format!("{head}: {}", each.join(", ")) }
 }
 
-/// The smallest bench for a ± of `left_n` about a pressure; `None` without pressure.
+/// The suggested test for a ± of `left_n` about a pressure; `None` without pressure.
 pub fn bench(left_n: f64, pressure_mpa: f64, u: &Units) -> Option<String> {
     let high = u.pressure.value(pressure_mpa);
     if !(high > 0.0 && high.is_finite()) {
@@ -90,7 +90,7 @@ pub fn bench(left_n: f64, pressure_mpa: f64, u: &Units) -> Option<String> {
     let unit = 10f64.powi((LOWER_PRESSURE * high).log10().floor() as i32);
     let low = (LOWER_PRESSURE * high / unit).round() * unit;
     Some(format!(
-        "{BENCH_POINTS} points on both branches at {} {} and {} would leave about ± {} {}",
+        "{BENCH_POINTS} points on both branches at {} {} and {} would reduce the ± to about {} {}",
         crate::words::number(low, 1),
         u.pressure.name,
         u.pressure.to(pressure_mpa, 3) + " " + &u.pressure.name,

@@ -42,7 +42,7 @@ pub(crate) fn sheet(plan: &Plan, what: &str, number: u32, scale: f64) -> Sheet {
     let cells = [
         (left, rows[0], "scale", ratio(scale)),
         (columns[0], rows[0], "lengths", "mm, ±0.5".into()),
-        (columns[1], rows[0], "known masses", mass),
+        (columns[1], rows[0], "mass (known parts)", mass),
         (columns[2], rows[0], "sheet", format!("{number}/2")),
         (left, bottom, "format", "A4".into()),
         (columns[0], bottom, "drawn by", version.into()),

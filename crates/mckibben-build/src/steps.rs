@@ -234,7 +234,7 @@ fn tests(plan: &Plan, out: &mut String) {
          | proof pressure | {} |\n| energy of the air at the working pressure | {} J |\n| energy of air at the proof pressure | {} J |\n\n\
          Hoses for compressed air burst at 4 times their working pressure or above (RMA IP-2, Hose Handbook). The allowed pressure is a \
          quarter of that at which strands or clamps fail, half of that at which the tube does, which then leaks, and at most that of the fittings. The proof is at twice the working \
-         pressure, and at most at three quarters of the burst pressure, so that it does not destroy a good muscle (both are choices). The burst pressure is that of new parts; hand-made ends may fail far below it. The energy is that of an isothermal expansion, \
+         pressure, and at most at three quarters of the burst pressure, so that it does not destroy a good muscle (rules of thumb, no source). The burst pressure is that of new parts; hand-made ends may fail far below it. The energy is that of an isothermal expansion, \
          p V ln(p/p₀) with the absolute pressure p: an upper bound.",
         found.pressure(safety.pressure_mpa),
         burst,

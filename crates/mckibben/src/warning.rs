@@ -140,11 +140,11 @@ impl fmt::Display for Warning {
             Self::Said(sentence) => f.write_str(&short_numbers(sentence)),
             Self::Burst { pressure_mpa, burst_mpa, by } => write!(
                 f,
-                "{BURST}: {pressure_mpa:.3} MPa is not below the burst pressure of this muscle, {burst_mpa:.3} MPa, at which {by}"
+                "{BURST}: {pressure_mpa:.3} MPa exceeds the burst pressure of this muscle, {burst_mpa:.3} MPa, at which {by}"
             ),
             Self::AboveAllowed { pressure_mpa, allowed_mpa, by: Some(by) } => write!(
                 f,
-                "{ABOVE}: {pressure_mpa:.3} MPa; {allowed_mpa:.3} MPa is allowed, since {by} at {:.3} MPa (safety factor {})",
+                "{ABOVE}: {pressure_mpa:.3} MPa; the allowed pressure is {allowed_mpa:.3} MPa, since {by} at {:.3} MPa (safety factor {})",
                 allowed_mpa * SAFETY * by.share(),
                 SAFETY * by.share()
             ),

@@ -30,7 +30,7 @@ fn each_kind_of_finding_is_found_on_a_muscle_that_has_it() {
     assert!(texts(&answer, FindingKind::Unknown).contains("`pull_off`"));
     // The prototype has 30 mm; the widest measured muscle is the DMSP-20.
     assert!(texts(&answer, FindingKind::Outside).contains("the outer diameter is 30 mm"));
-    assert!(texts(&answer, FindingKind::Measure).contains("would leave about"));
+    assert!(texts(&answer, FindingKind::Measure).contains("would reduce the ± to about"));
     let short = of(CheckRequest {
         question: MuscleFields::from([(&LENGTH, 100.0)]).into(),
         ..CheckRequest::default()

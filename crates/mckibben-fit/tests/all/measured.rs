@@ -82,7 +82,7 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
 }
 
 /// Ten points at the highest pressure and at 0.4 of it, as far as they are there: the ± that they leave over the blocked force, which is what is said of the
-/// smallest bench (0.06), and the held-out points at it.
+/// suggested test (0.06), and the held-out points at it.
 #[test]
 fn ten_points_leave_about_the_uncertainty_that_the_smallest_bench_promises() {
     let thick = |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m);
