@@ -14,7 +14,7 @@ const SAME_MM: f64 = 0.011;
 
 /// A line of the bill.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, serde::Serialize, schemars::JsonSchema)]
 pub struct BuildPart {
     /// Number in the drawing.
     pub number: u32,
@@ -48,7 +48,7 @@ pub(crate) fn bill(
     cut: &Cut,
     clamps: Clamps,
     (air_plug, eye_plug): (&AirPlug, &EyePlug),
-    printed: bool,
+    end_load_n: f64,
 ) -> Vec<BuildPart> {
     let tube = tube_of(muscle, cut);
     let rubber = muscle.tube().rubber.name.as_deref();
@@ -78,11 +78,9 @@ pub(crate) fn bill(
         number,
         part,
         amount: amount.into(),
-        sold_as: None,
-        mass_g: None,
-        price: None,
-        source: None,
+        ..BuildPart::default()
     };
+    let printed = air_plug.is_printed(end_load_n);
     let plug = |number, part: &str, volume_mm3: f64| BuildPart {
         mass_g: printed.then_some(PRINTED_G_PER_MM3 * volume_mm3),
         ..bought(number, part.into(), if printed { "1, printed solid" } else { "1, turned from metal" })

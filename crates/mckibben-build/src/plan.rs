@@ -97,11 +97,8 @@ impl Plan {
         );
         let clamps = Clamps::of(tie, stem.grooves, end_load_n);
         let fitting = wishes.fitting.unwrap_or_else(|| Fitting::usual(muscle.outer_diameter_mm()));
-        let safety = Safety::new(&operating);
-        let test = test_points::points(&operating);
         let (air_plug, eye_plug) = (AirPlug::new(stem, fitting), EyePlug::new(stem, bolt_mm));
-        let printed = air_plug.is_printed(end_load_n);
-        let parts = material::bill(&muscle, &cut, clamps, (&air_plug, &eye_plug), printed);
+        let parts = material::bill(&muscle, &cut, clamps, (&air_plug, &eye_plug), end_load_n);
         Ok(Self {
             clamped_diameter_mm: stem.diameter_mm + 2.0 * (cut.tube_wall_mm + sleeve_mm),
             crimp_diameter_mm: stem.diameter_mm + 2.0 * (0.75 * cut.tube_wall_mm + sleeve_mm),
@@ -112,9 +109,9 @@ impl Plan {
             clamps,
             air_plug,
             eye_plug,
-            safety,
+            safety: Safety::new(&operating),
             parts,
-            test,
+            test: test_points::points(&operating),
             muscle,
             operating,
         })

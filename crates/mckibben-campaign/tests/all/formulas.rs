@@ -121,14 +121,10 @@ fn errors_by_hand() {
             &points,
             |p| if same(p.pressure_mpa, 0.05) && same(p.contraction, 0.1) { 10.0 } else { 0.0 },
         );
-    let e = errors(&l.unwrap(), |_| true).unwrap();
-    assert!(
-        (e.summary.max - 0.01).abs() < 1e-12
-            && (e.summary.max_12 - 0.05).abs() < 1e-12
-            && e.summary.max_n == 10.0
-    );
-    assert!((e.summary.rms - 0.01 / 5.0).abs() < 1e-12, "one of 25 points: {}", e.summary.rms);
-    assert_eq!(e.summary.points, 500);
+    let e = errors(&l.unwrap(), |_| true).unwrap().summary;
+    assert!((e.max - 0.01).abs() < 1e-12 && (e.max_12 - 0.05).abs() < 1e-12 && e.max_n == 10.0);
+    assert!((e.rms - 0.01 / 5.0).abs() < 1e-12, "one of 25 points: {}", e.rms);
+    assert_eq!(e.points, 500);
 }
 
 fn row(force_n: Option<f64>, status: Status) -> PointRow {

@@ -98,10 +98,7 @@ fn a_signal_leaves_no_folder_behind_whatever_the_command_waits_for() {
     let at = |name: &str| dir.path().join(name);
     fs::create_dir(at("tmp")).unwrap();
     let browser = at("chromium");
-    // As the processes of a browser do, one outlives it and makes its folder anew.
-    let outlives = "(while kill -0 $$; do sleep 0.05; done; mkdir -p \"$TMPDIR/profile\") &";
-    fs::write(&browser, format!("#!/bin/sh\n[ \"$1\" = --version ] && exit 0\n{outlives}\nexec sleep 3\n"))
-        .unwrap();
+    fs::write(&browser, include_str!("browser.sh")).unwrap();
     fs::set_permissions(&browser, fs::Permissions::from_mode(0o755)).unwrap();
     let path = format!("{}:{}", dir.path().display(), std::env::var("PATH").unwrap());
     let started = |line: &str| {

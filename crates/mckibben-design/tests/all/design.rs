@@ -9,7 +9,7 @@ use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
 use mckibben::progress::Silent;
 use mckibben::units::Values;
 use mckibben_design::{
-    BraidChoice, Build, Check, Demand, JointDemand, Limit, Limits, Models, Objective, OperatingPoint, Reason,
+    BraidChoice, Build, Check, Demand, JointDemand, Limit, Limits, Models, Objective, OperatingPoint,
     Relaxation, Spec, SpecError, Tolerances, TorqueWanted, design, design_joint, spread,
 };
 
@@ -119,11 +119,8 @@ fn bounds_bind_and_are_named() {
     let outcome = design(&spec, BUILD).unwrap();
     assert!(outcome.candidates.is_empty());
     let closest = outcome.closest.unwrap();
-    let Reason::Limit(Check { limit: Limit::BulgedDiameter, value: diameter_mm, bound: 10.0, .. }) =
-        closest.rejected.reason
-    else {
-        panic!("{closest:?}")
-    };
+    let &Check { limit, value: diameter_mm, bound, .. } = closest.rejected.reason.check().unwrap();
+    assert_eq!((limit, bound), (Limit::BulgedDiameter, 10.0));
     assert_eq!(closest.relaxations, [Relaxation::MaxBulgedDiameter { bulged_diameter_mm: diameter_mm }]);
     assert!(diameter_mm < 40.0, "{diameter_mm}");
 }

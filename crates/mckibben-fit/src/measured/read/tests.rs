@@ -89,84 +89,9 @@ fn columns_are_chosen_where_headings_say_nothing() {
 
 #[test]
 fn what_is_not_understood_is_named_with_the_way_out() {
-    let cases = [
-        ("a,b\n1,2\n", "", "no column of pressures (the columns are: a, b)"),
-        ("p_bar,F_N\n1,2\n", "", "`columns` contraction=\"HEADING\""),
-        ("Druck;Kontraktion;Kraft [N]\n1;0,1;2\n", "", "column Druck does not state its unit"),
-        ("Druck;Kontraktion;Kraft [N]\n1;0,1;2\n", "", "`columns` pressure=\"Druck:kPa\""),
-        ("p [furlong];e;F\n1;2;3\n", "contraction=e,force=F:N", "that in its brackets is not known"),
-        ("p_bar,contraction,F\n1,0.1,3\n", "", "column F does not state its unit"),
-        (
-            "p_bar,strain,F_N\n1,0,9\n1,5,3\n1,12,1\n",
-            "",
-            "line 3, column strain: 5 is not a valid contraction ratio",
-        ),
-        ("p_bar,strain,F_N\n1,0,9\n1,5,3\n", "", "`columns` contraction=\"strain:%\""),
-        ("p_bar,x_mm,contraction,F_N\n1,0,9,3\n", "", "write 0.15 for 15 %"),
-        ("p_bar,stroke [mm],F_N\n1,500,9\n", "", "is not a valid shortening of this muscle"),
-        ("p_bar,length_mm,F_N\n1,200,9\n2,200,8\n", "", "the same in all lines"),
-        (
-            "Set pressure [bar],Pressure 1,p_bar,Pressure [bar],contraction,force_n\n",
-            "",
-            "columns p_bar, Pressure [bar] could all be pressure",
-        ),
-        ("Absolute pressure [bar],contraction,force_n\n1,0,1\n", "", "has absolute pressures"),
-        (
-            "p_bar,contraction,force_n,length_mm\n1,0,9,200\n1,0.1,5,180\n",
-            "",
-            "length_mm decreases with the contraction",
-        ),
-        (
-            "p_bar,x_mm,F_N\n1,2,3\n",
-            "contraction=y:mm",
-            "there is no column \"y:mm\" (the columns are: p_bar, x_mm, F_N)",
-        ),
-        ("p,x,F\n1,2,3\n", "pressure=p:bar,contraction=x:mm,force=x:N", "chosen for two quantities"),
-        ("p_bar,x_mm,F_N\n1,2,3\n", "strength=x_mm", "no quantity \"strength\""),
-        (
-            "1,2,3\np_bar,contraction,F_N\n1,0,3\n",
-            "",
-            "line 1 contains numbers, but the heading is in line 2",
-        ),
-        (
-            "p_bar,contraction,F_N\n1,5,0,1,3,5\n",
-            "",
-            "line 2 has 6 fields and the heading 3; if commas are decimal",
-        ),
-        ("p_bar;contraction;F_N\n1;0,1;1.234\n", "", "line 2, column F_N: \"1.234\" can be read in two ways"),
-        (
-            "p_bar,contraction,F_N\n1,0.1,\"1,234\"\n",
-            "",
-            "line 2, column F_N: \"1,234\" can be read in two ways",
-        ),
-        ("p_bar,contraction,F_N\n1.5,0.1,\"2,5\"\n", "", "can be read in two ways"),
-        (
-            "pressure,contraction,force\nkPa,%,furlong\n1,0,1\n",
-            "",
-            "line 2, column force: \"furlong\" is not a unit of force",
-        ),
-        ("p_bar,contraction,F_N\nkPa,%,N\n1,0,1\n", "", "or not the one above (bar)"),
-        ("p_bar,contraction,F_N\n1 kPa,0,1\n", "", "its heading is bar"),
-        (
-            "p_bar,contraction,F_N\n1,0.1,2\nend of data\n",
-            "",
-            "line 3, column p_bar: \"end of data\" is not a finite number",
-        ),
-        ("1 0 3\n1.1 0.06 4\n", "", "`columns` pressure=\"#1:MPa\",contraction=\"#2\",force=\"#3:N\""),
-        ("p_bar,contraction,F_N\n1,0,\n2,0,\n", "", "without a number in any line: F_N"),
-        ("Pressure (V),contraction,F_N\n1,0,2\n", "", "column Pressure (V): V is no unit of pressure"),
-        ("Pressure (V),contraction,F_N\n1,0,2\n", "pressure=#1:bar", "says V, and \"#1:bar\" says bar"),
-        (
-            "p_bar,contraction,F_N\n1,0,2\n",
-            "pressure=p:kPa",
-            "the heading \"p_bar\" says bar, and \"p:kPa\" says kPa",
-        ),
-        ("\n\np_bar,contraction,F_N\n\n1,0.1,-\n", "", "line 5, column F_N: \"-\" is not a finite number"),
-        ("p_bar,contraction,F_N\n", "", "no points"),
-        ("", "", "no column of pressures"),
-    ];
-    for (text, columns, fragment) in cases {
-        let message = refused(text, columns);
+    for line in include_str!("refused.tsv").lines().skip(1) {
+        let [text, columns, fragment] = line.split('\t').collect::<Vec<_>>()[..] else { panic!("{line}") };
+        let message = refused(&text.replace("\\n", "\n"), columns);
         assert!(message.contains(fragment), "{text}: {message}");
     }
     // Without a muscle there is no L0.
