@@ -165,8 +165,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
     }
 }
 
-/// The kind of what a command ended with, and when. It has threads of its own: on those of the process its parts would wait
-/// behind the parts of other tests, which may take seconds each.
+/// The kind of what a command ended with, and when, on threads of its own: other tests occupy those of the process for seconds.
 fn ended(command: &str, request: Value, cancel: &Cancel) -> (Result<Value, (ProblemKind, String)>, Duration) {
     let threads = Threads::new(Threads::shared().count()).unwrap();
     let from = Instant::now();
@@ -178,12 +177,13 @@ fn ended(command: &str, request: Value, cancel: &Cancel) -> (Result<Value, (Prob
 #[test]
 fn a_caller_that_leaves_ends_every_command_within_a_second() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    // A campaign goes on where the last run of this test left it.
+    let _ = std::fs::remove_file(folder.join("c.parquet"));
     let mut late = vec![];
     for command in COMMANDS.iter().map(|c| c.name) {
         let requests = dear(command, folder).into_iter().flat_map(|request| {
             // A long table is read for a while, and then worked on.
-            let twice = request.to_string().contains(LONG);
-            let stays = if twice { [300, 2000].as_slice() } else { &[300] };
+            let stays = if request.to_string().contains(LONG) { [300, 2000].as_slice() } else { &[300] };
             stays.iter().map(move |stays| (request.clone(), Duration::from_millis(*stays)))
         });
         for (request, stays) in requests {
