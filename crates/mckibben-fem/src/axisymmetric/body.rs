@@ -170,7 +170,7 @@ impl Body {
         if self.linearised { Ok(self.totals) } else { self.factorise() }
     }
 
-    /// Half of ∂V/∂P at fixed length in mm³/MPa, of the last tangent, and ∂F/∂P as [`Self::force_per_pressure`] has it.
+    /// Half of ∂V/∂P at fixed length in mm³/MPa, of the last tangent, and ∂F/∂P as [`crate::solver::body::Body::force_per_pressure`] has it.
     pub fn by_pressure(&mut self) -> (f64, f64) {
         let mut rhs = std::mem::take(&mut self.second);
         rhs.copy_from_slice(&self.assembled.volume);
