@@ -123,8 +123,7 @@ type Asked = (Option<Characteristics>, Vec<String>, Vec<MuscleFinding>);
 
 /// What is known of a muscle, and what is not.
 pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAnswer, Problem> {
-    let mut volume_mm3 = None;
-    let (muscle, (characteristics, said, findings)) = if request.only_data {
+    let (muscle, rest_volume_mm3, (characteristics, said, findings)) = if request.only_data {
         let (model, asking) = (&request.question.model, request.question.asking);
         let fields = [
             ("pressure_mpa", request.pressure_mpa.is_some()),
@@ -135,7 +134,7 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
             ("direction", !asking.direction.is_mean()),
         ];
         Problem::refuse_unused(&fields, "`only_data` asks no model")?;
-        (request.question.muscle.resolve()?, Asked::default())
+        (request.question.muscle.resolve()?, None, Asked::default())
     } else {
         let mut question = request.question.ask()?;
         let asked = match asked(&mut question, request.pressure_mpa) {
@@ -146,11 +145,11 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
             asked => asked?,
         };
         // Plugs that are wider than the bore add to it: a model knows how much.
-        if question.muscle.terminals().plug_diameter_mm.is_some() {
-            let rest = answer::point(&*question.model, &mut question.workspace, 0.0, 0.0, question.options);
-            volume_mm3 = rest.ok().and_then(|point| point.response.volume_mm3);
-        }
-        (question.muscle, asked)
+        let rest_volume_mm3 = question.muscle.terminals().plug_diameter_mm.and_then(|_| {
+            let (model, options) = (&*question.model, question.options);
+            answer::point(model, &mut question.workspace, 0.0, 0.0, options).ok()?.response.volume_mm3
+        });
+        (question.muscle, rest_volume_mm3, asked)
     };
     let rubber = &muscle.tube().rubber;
     let (law, reach) = (&rubber.law, muscle.reach());
@@ -180,7 +179,7 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
             strand_length_per_turn_mm: muscle.strand_length_per_turn_mm(),
             max_ideal_contraction: muscle.max_ideal_contraction(),
             reach,
-            volume_mm3: volume_mm3.unwrap_or_else(|| muscle.rest_volume_mm3()),
+            volume_mm3: rest_volume_mm3.unwrap_or_else(|| muscle.rest_volume_mm3()),
         },
         build_sheet: muscle.build_sheet(),
         warnings: said

@@ -2,7 +2,7 @@
 
 use crate::{MeshFields, Model, Problem, ProblemKind, Units, figure};
 use mckibben::{muscle::Muscle, progress::Progress, size};
-use mckibben_fit::validation::case::{CaseError, Measurement, MuscleCase, measurements};
+use mckibben_fit::validation::case::{self, CaseError, Measurement, MuscleCase};
 pub use mckibben_fit::validation::case::{CaseFiles as MeasuredFolder, Facts as MeasuredFacts};
 pub use mckibben_fit::validation::report::MeasuredBranch;
 use mckibben_fit::validation::report::{FitResult, Group, ReportError, report};
@@ -123,9 +123,12 @@ pub struct MeasuredStress {
 pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<MeasuredAnswer, Problem> {
     let own = request.cases.iter().map(Measurement::read).collect::<Result<Vec<_>, _>>();
     let own = own.map_err(|error| Problem::from(&error))?;
-    let all = if own.is_empty() { measurements().map_err(Problem::from)? } else { &own };
-    let cases: Vec<&MuscleCase> = all.iter().filter_map(Measurement::muscle).collect();
-    let stretched: Vec<&RubberCase> = all.iter().filter_map(Measurement::rubber).collect();
+    let (cases, stretched): (Vec<&MuscleCase>, Vec<&RubberCase>) = if own.is_empty() {
+        (case::muscles().map_err(Problem::from)?, case::rubbers().map_err(Problem::from)?)
+    } else {
+        let muscles = own.iter().filter_map(Measurement::muscle);
+        (muscles.collect(), own.iter().filter_map(Measurement::rubber).collect())
+    };
     if request.figure.is_some() && cases.is_empty() {
         let message = "the figure shows measured muscles, and these cases are rubbers only: leave it out";
         return Err(Problem::new(

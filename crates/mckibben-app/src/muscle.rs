@@ -217,8 +217,8 @@ pub const PAPER: &str = "paper";
 
 /// The text of a muscle file; of a name of the library without a text (`lib:NAME`) that of its muscle.
 pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
-    let says = |line: &str| !matches!(line.trim(), "") && !line.trim().starts_with('#');
-    if file.text.lines().any(says) || file.name == PAPER {
+    let mut lines = file.text.lines().map(str::trim);
+    if lines.any(|line| !line.is_empty() && !line.starts_with('#')) || file.name == PAPER {
         return Ok(Cow::Borrowed(&file.text));
     }
     let Some(name) = muscles::named(&file.name) else {

@@ -139,7 +139,7 @@ impl Plan {
     /// What should be said beside the plan, in sentences.
     pub fn warnings(&self) -> Vec<String> {
         let mut out = vec![];
-        let bore_mm = self.air_plug.stem.diameter_mm - self.air_plug.stem.interference_mm;
+        let bore_mm = self.air_plug.stem.bore_mm();
         if bore_mm < 4.0 {
             out.push(format!(
                 "a plug for a bore of {} mm is too thin for most printers; a turned plug, or a needle with a knot of thread, takes its place",

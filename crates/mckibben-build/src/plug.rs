@@ -84,6 +84,11 @@ impl Stem {
         }
     }
 
+    /// Bore of the tube that it is for, in mm.
+    pub(crate) fn bore_mm(&self) -> f64 {
+        self.diameter_mm - self.interference_mm
+    }
+
     /// How exact its diameter must be, in mm: a quarter of the interference, to which the tolerance of lengths would be as large.
     pub fn tolerance_mm(&self) -> f64 {
         (0.25 * self.interference_mm.abs()).max(0.05)

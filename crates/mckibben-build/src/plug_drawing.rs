@@ -90,11 +90,7 @@ pub(crate) fn on_paper(plan: &Plan) -> Sheet {
 
     let stem = &air.stem;
     let notes = [
-        format!(
-            "Stem: bore {} and {}",
-            mm(stem.diameter_mm - stem.interference_mm),
-            mm(stem.interference_mm)
-        ),
+        format!("Stem: bore {} and {}", mm(stem.bore_mm()), mm(stem.interference_mm)),
         format!("Grooves {} wide, {} deep, sides at 45°", mm(stem.groove_width_mm), mm(stem.groove_depth_mm)),
         if plan.is_printed() { "Print solid; seal the surface" } else { "Turn from metal" }.into(),
     ];

@@ -123,8 +123,7 @@ fn plugs(plan: &Plan, out: &mut String) {
         )
     };
     let fit = if plan.muscle.terminals().plug_diameter_mm.is_some() {
-        let bore = mm(stem.diameter_mm - stem.interference_mm);
-        format!("what the muscle file states. The bore of the tube has {bore} mm.")
+        format!("what the muscle file states. The bore of the tube has {} mm.", mm(stem.bore_mm()))
     } else {
         format!(
             "the bore of the tube and {} mm. How tight it sits is a choice; sellers of barbs say only that a barb is a little larger than the bore. If the tube does not go on or slides off, {scale}.",

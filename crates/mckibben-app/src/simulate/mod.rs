@@ -307,18 +307,13 @@ fn judged(
     };
     let hangs = free_contraction.filter(|_| slack);
     let hanging = hangs.and_then(|free| model.solve(workspace, Given::at(pressure_mpa, free)).ok());
-    let solution = match hanging {
-        Some(mut s) => {
+    let hangs = hanging.is_some();
+    let solution = hanging.map_or(solution, Ok).map(|mut s| {
+        if hangs || overloaded(model.muscle(), &s.response).is_some() {
             (s.response, s.sensitivities) = (s.response.hanging(), vec![]);
-            Ok(s)
         }
-        None => solution.map(|mut s| {
-            if overloaded(model.muscle(), &s.response).is_some() {
-                (s.response, s.sensitivities) = (s.response.hanging(), vec![]);
-            }
-            s
-        }),
-    };
+        s
+    });
     Simulated { pressure_mpa, held, solution, slack, free_contraction, status }
 }
 

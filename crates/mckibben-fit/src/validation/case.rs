@@ -135,35 +135,35 @@ pub(super) fn with_file(file: &str) -> Vec<String> {
     names
 }
 
-static BUILT_IN: LazyLock<Result<Vec<Measurement>, CaseError>> = LazyLock::new(|| {
+type BuiltIn = LazyLock<Result<Vec<Measurement>, CaseError>>;
+
+static MUSCLES: BuiltIn = LazyLock::new(|| read_built_in(false));
+static RUBBERS: BuiltIn = LazyLock::new(|| read_built_in(true));
+
+fn read_built_in(rubbers: bool) -> Result<Vec<Measurement>, CaseError> {
     // For every caller, and not for the first alone, who may leave.
     let _entered = Cancel::default().enter();
-    built_in().iter().map(Measurement::read).collect()
-});
-
-/// The measurements that are built in.
-pub fn measurements() -> Result<&'static [Measurement], &'static CaseError> {
-    BUILT_IN.as_ref().map(Vec::as_slice)
+    let wanted = |files: &&CaseFiles| files.muscle.trim().is_empty() == rubbers;
+    built_in().iter().filter(wanted).map(Measurement::read).collect()
 }
 
-/// The muscles among them.
+/// The measured muscles that are built in.
 pub fn muscles() -> Result<Vec<&'static MuscleCase>, &'static CaseError> {
-    Ok(measurements()?.iter().filter_map(Measurement::muscle).collect())
+    Ok(MUSCLES.as_ref()?.iter().filter_map(Measurement::muscle).collect())
+}
+
+/// The measured rubbers that are built in.
+pub fn rubbers() -> Result<Vec<&'static RubberCase>, &'static CaseError> {
+    Ok(RUBBERS.as_ref()?.iter().filter_map(Measurement::rubber).collect())
 }
 
 impl Measurement {
     pub fn muscle(&self) -> Option<&MuscleCase> {
-        match self {
-            Self::Muscle(case) => Some(case),
-            Self::Rubber(_) => None,
-        }
+        if let Self::Muscle(case) = self { Some(case) } else { None }
     }
 
     pub fn rubber(&self) -> Option<&RubberCase> {
-        match self {
-            Self::Rubber(case) => Some(case),
-            Self::Muscle(_) => None,
-        }
+        if let Self::Rubber(case) = self { Some(case) } else { None }
     }
 }
 

@@ -128,15 +128,14 @@ pub struct RubberGroup {
 
 #[cfg(test)]
 mod tests {
-    use super::super::case::{Measurement, measurements};
+    use super::super::case::rubbers;
     use super::*;
     use mckibben::progress::Silent;
 
     /// Every fit of every rubber that is built in has an answer; a fit to some modes predicts the others.
     #[test]
     fn every_rubber_that_is_built_in_is_fitted() {
-        let cases: Vec<&RubberCase> =
-            measurements().unwrap().iter().filter_map(Measurement::rubber).collect();
+        let cases = rubbers().unwrap();
         let found = report(&cases, &Silent).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(found.len(), cases.iter().map(|c| c.fits.len()).sum::<usize>());
         for r in &found {
