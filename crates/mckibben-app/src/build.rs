@@ -6,8 +6,8 @@ use crate::{
 };
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use mckibben::analysis::{Burst, force_on, free_contraction};
-use mckibben::answer::{Options, check_range};
+use mckibben::analysis::{Burst, Evaluation};
+use mckibben::answer::Options;
 use mckibben::progress::{Progress, Silent};
 use mckibben::{cancel, model::Workspace};
 use mckibben_build::{BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes, proof_mpa};
@@ -211,21 +211,21 @@ fn operating(
 ) -> Result<(Operating, Burst), Problem> {
     let choice = Model::choose(&ModelFields::default())?;
     let model = choice.bound(muscle)?;
-    let (model, options) = (&*model, Options::default());
-    let w = &mut Workspace::new();
+    let (model, mut workspace) = (&*model, Workspace::new());
+    let mut evaluation = Evaluation::new(model, &mut workspace, Options::default());
     let burst = burst_of(&choice, model)?;
     let allowed_mpa = burst.allowed().map(|a| a.0);
     let pressure_mpa = asked_mpa.unwrap_or(usual_mpa(&burst));
     borne(&burst, pressure_mpa, request.overpressure)?;
-    check_range(model, pressure_mpa, 0.0, options)?;
-    let free = free_contraction(model, w, pressure_mpa, options)?;
+    evaluation.check_range(pressure_mpa, 0.0)?;
+    let free = evaluation.free_contraction(pressure_mpa)?;
     let mut free_contractions = vec![];
     for p in Plan::test_pressures_mpa(pressure_mpa) {
         // Below the pressure at which it begins to pull there is nothing to test.
-        free_contractions.extend(free_contraction(model, w, p, options).ok().map(|free| (p, free)));
+        free_contractions.extend(evaluation.free_contraction(p).ok().map(|free| (p, free)));
         cancel::check()?;
     }
-    let blocked_force_n = force_on(model, w, pressure_mpa, 0.0, options.direction)?;
+    let blocked_force_n = evaluation.force_n(pressure_mpa, 0.0)?;
     let shape = ShapeRequest {
         muscle: request.muscle.clone(),
         pressure_mpa: Some(pressure_mpa),
@@ -242,8 +242,8 @@ fn operating(
     let volume_mm3 = response.volume_mm3.unwrap_or_else(|| muscle.rest_volume_mm3());
     let proof_mpa = proof_mpa(pressure_mpa, burst.first().map(|f| f.1));
     // A muscle whose free state at the proof pressure is not found stores at least what its cavity at the working pressure does.
-    let at_proof = free_contraction(model, w, proof_mpa, options).ok();
-    let at_proof = at_proof.and_then(|free| model.response(w, proof_mpa, free).ok()?.volume_mm3);
+    let at_proof = evaluation.free_contraction(proof_mpa);
+    let at_proof = at_proof.and_then(|free| evaluation.cavity_mm3(proof_mpa, free)).ok();
     let found = Operating {
         model: model.info().name.to_string(),
         pressure_mpa,

@@ -5,11 +5,11 @@ use crate::{
     MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question, QuestionFields,
     UncertaintyWords, Units, finite, muscle_fields::Stated, number, percent, said_of, usual_mpa,
 };
-use mckibben::analysis::{Burst, FailurePressure, air_per_stroke, free_contraction, work_per_stroke_j};
+use mckibben::analysis::{Burst, FailurePressure};
 use mckibben::muscle::{BuildSheet, Bulk, Muscle, MuscleKind};
 use mckibben::rubber::{RubberLaw, library};
 use mckibben::warning::{Warning, is_of_burst};
-use mckibben::{answer, muscle::file::to_toml, progress::Progress, uncertainty::UncertaintyParts};
+use mckibben::{muscle::file::to_toml, progress::Progress, uncertainty::UncertaintyParts};
 use mckibben_fit::validation::case::{MuscleCase, muscles};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -145,10 +145,11 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
             asked => asked?,
         };
         // Plugs that are wider than the bore add to it: a model knows how much.
-        let rest_volume_mm3 = question.muscle.terminals().plug_diameter_mm.and_then(|_| {
-            let (model, options) = (&*question.model, question.options);
-            answer::point(model, &mut question.workspace, 0.0, 0.0, options).ok()?.response.volume_mm3
-        });
+        let rest_volume_mm3 = question
+            .muscle
+            .terminals()
+            .plug_diameter_mm
+            .and_then(|_| question.evaluation().point(0.0, 0.0).ok()?.response.volume_mm3);
         (question.muscle, rest_volume_mm3, asked)
     };
     let rubber = &muscle.tube().rubber;
@@ -198,18 +199,18 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
 fn asked(question: &mut Question, pressure_mpa: Option<f64>) -> Result<Asked, Problem> {
     let burst = question.burst()?;
     let pressure_mpa = finite("pressure_mpa", pressure_mpa.unwrap_or_else(|| usual_mpa(&burst)))?;
-    let (model, options, w) = (&*question.model, question.options, &mut question.workspace);
-    let point = answer::point(model, w, pressure_mpa, 0.0, options)?;
-    let free = free_contraction(model, w, pressure_mpa, options).ok();
-    let air = free.and_then(|e| air_per_stroke(model, w, pressure_mpa, e).ok());
+    let mut model = question.evaluation();
+    let point = model.point(pressure_mpa, 0.0)?;
+    let free = model.free_contraction(pressure_mpa).ok();
+    let air = free.and_then(|e| model.air_per_stroke(pressure_mpa, e).ok());
     let values = Characteristics {
         model: point.model.to_string(),
         pressure_mpa,
         blocked_force_n: point.response.force_n,
         blocked_force_uncertainty_n: point.uncertainty_n,
-        uncertainty_words: UncertaintyWords::of(point.uncertainty_parts_n, model, w, pressure_mpa),
+        uncertainty_words: UncertaintyWords::of(point.uncertainty_parts_n, &mut model, pressure_mpa),
         free_contraction: free,
-        work_j: free.and_then(|e| work_per_stroke_j(model, w, pressure_mpa, 0.0, e, options).ok()),
+        work_j: free.and_then(|e| model.work_per_stroke_j(pressure_mpa, 0.0, e).ok()),
         volume_mm3: air.map(|a| a.volume_mm3),
         air_normal_litres: air.map(|a| a.normal_litres),
         limits: (&burst).into(),

@@ -4,8 +4,8 @@ use crate::{
     AskFields, Columns, Direction, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind,
     TextFile, UnderstoodTable, Units, check_direction, contractions, figure, list, number, steps, warnings,
 };
-use mckibben::answer::{Options, point};
 use mckibben::model::{ForceModel, ModelError, Workspace};
+use mckibben::{analysis::Evaluation, answer::Options};
 use mckibben::{muscle::Muscle, muscle::measures::END_FACTOR, progress::Progress, size, warning::Warning};
 use mckibben_fit::compare::{
     Comparison, MeasuredPoint, VolumeComparison, compare as errors_of, compare_volumes, mean_of_branches,
@@ -180,6 +180,12 @@ struct Compared {
     row: ComparedModel,
 }
 
+impl Compared {
+    fn evaluation(&mut self, options: Options) -> Evaluation<'_> {
+        Evaluation::new(&*self.model, &mut self.workspace, options)
+    }
+}
+
 /// Models compared with measured points, or with the first model.
 pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<CompareAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
@@ -214,13 +220,14 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
             };
             let bound = model.bound(&muscle)?;
             let mut workspace = Workspace::new();
+            let mut evaluation = Evaluation::new(&*bound, &mut workspace, options);
             // Without measured points, the first model that answers is what the others are held against.
             let points = match &reference {
                 Some(points) => points.clone(),
-                None => answers(&*bound, &mut workspace, &pressures, &contractions, options)?,
+                None => answers(&mut evaluation, &pressures, &contractions)?,
             };
-            let comparison = errors_of(&*bound, &mut workspace, &points, options)?;
-            let cavity = compare_volumes(&*bound, &mut workspace, &volumes, options);
+            let comparison = errors_of(&mut evaluation, &points)?;
+            let cavity = compare_volumes(&mut evaluation, &volumes);
             if points.is_empty() && cavity.is_none() {
                 return Err(ModelError::NoVolume { model: bound.info().name.to_string() }.into());
             }
@@ -245,7 +252,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     let points = reference.unwrap_or_default();
     let asked: Vec<(f64, f64)> = points.iter().map(|p| (p.pressure_mpa, p.contraction)).collect();
     let beyond = compared.iter_mut().filter_map(|c| {
-        let stretch = warnings::largest_stretch(&*c.model, &mut c.workspace, &asked, options)?;
+        let stretch = warnings::largest_stretch(&mut c.evaluation(options), &asked)?;
         Warning::of_stretch(&c.model.muscle().tube().rubber, stretch)
     });
     let said = muscle.warnings().into_iter().chain(doubts).map(Warning::from);
@@ -254,10 +261,9 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         let fits = compared.iter().filter(|c| !c.row.fitted().is_empty());
         let fits: String = fits.map(|c| format!(". {} fitted: {}", c.row.model, c.row.fitted())).collect();
         let about = format!("{}{fits}", MuscleSummary::from(&muscle).line(unit));
-        let drawn: Vec<(&dyn ForceModel, &mut Workspace)> =
-            compared.iter_mut().map(|c| (&*c.model, &mut c.workspace)).collect();
+        let drawn = compared.iter_mut().map(|c| c.evaluation(options)).collect();
         let measured = measured.as_deref().unwrap_or_default();
-        figure::compare(drawn, measured, &pressures, &contractions, options, &about, unit)
+        figure::compare(drawn, measured, &pressures, &contractions, &about, unit)
     });
     Ok(CompareAnswer {
         reference: if measured.is_some() { "measured".into() } else { compared[0].row.model.clone() },
@@ -339,16 +345,14 @@ fn grid(
 
 /// A model's own answers, as if they had been measured.
 fn answers(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
+    evaluation: &mut Evaluation<'_>,
     pressures: &[f64],
     contractions: &[f64],
-    options: Options,
 ) -> Result<Vec<MeasuredPoint>, Problem> {
     let mut points = vec![];
     for &pressure_mpa in pressures {
         for &contraction in contractions {
-            let force_n = point(model, workspace, pressure_mpa, contraction, options)?.response.force_n;
+            let force_n = evaluation.point(pressure_mpa, contraction)?.response.force_n;
             points.push(MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) });
         }
     }

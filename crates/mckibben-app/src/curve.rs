@@ -6,14 +6,20 @@ use crate::{
     said_of, warnings,
 };
 use mckibben::answer::{Answer, Options};
-use mckibben::curve::{Curve, CurvePoint, Test, curves};
-use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::measures::{LENGTH, OUTER_DIAMETER, WALL, fields};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::study::{Finding, Study, StudyPanel, thickness};
 use mckibben::{
-    analysis::free_contraction, cancel, progress::Progress, size, status::Status, units::Values,
-    units::short_numbers, warning::Warning,
+    analysis::Evaluation,
+    curve::{Curve, CurvePoint, Test},
+};
+use mckibben::{
+    cancel,
+    progress::Progress,
+    size,
+    status::Status,
+    units::{Values, short_numbers},
+    warning::Warning,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -88,8 +94,7 @@ fn each(
         Test::Isotonic => vec![],
         _ => {
             let step = if isobaric { 0.01 } else { 0.05 };
-            let (model, workspace) = (&*question.model, &mut question.workspace);
-            let reach = || reach(model, workspace, &pressures, step, isobaric, question.options);
+            let reach = || reach(&mut question.evaluation(), &pressures, step, isobaric);
             contractions(&request.contractions, reach)?
         }
     };
@@ -108,10 +113,9 @@ fn each(
     let all = fixed.len().saturating_mul(along.len()).saturating_mul(branches.len());
     size::points("pressures_mpa", all as f64)?;
     size::bytes("pressures_mpa", held_bytes * all as f64)?;
-    let (model, workspace) = (&*question.model, &mut question.workspace);
     let loaded = match (&request.load.load, isobaric) {
         (None, _) => None,
-        (Some(_), true) => loaded(&request.load, model, workspace, &fixed, question.options)?,
+        (Some(_), true) => loaded(&request.load, &mut question.evaluation(), &fixed)?,
         (Some(_), false) => {
             let message = "`load` is for isobaric tests only, where the pressure is constant along a curve";
             return Err(Problem::new(ProblemKind::Usage, message, "").in_field("load"));
@@ -123,8 +127,7 @@ fn each(
         progress.report(i, fixed.len());
         for &direction in branches {
             let options = Options { direction, ..question.options };
-            let found =
-                curves(&*question.model, &mut question.workspace, request.test, &[value], &along, options);
+            let found = question.evaluation().with(options).curves(request.test, &[value], &along);
             cancel::check()?;
             for curve in found {
                 progress.check()?;
@@ -157,22 +160,15 @@ fn each(
 
 /// Contractions from 0 by a round step to the free contraction (or extension) at the highest pressure, which is the last one of a closed
 /// list, or to the end of the model's range.
-pub(crate) fn reach(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    pressures: &[f64],
-    step: f64,
-    closed: bool,
-    options: Options,
-) -> Vec<f64> {
+pub(crate) fn reach(evaluation: &mut Evaluation<'_>, pressures: &[f64], step: f64, closed: bool) -> Vec<f64> {
     const UNKNOWN: f64 = 0.2;
     let highest = pressures.iter().copied().fold(0.0, f64::max);
+    let model = evaluation.model;
     let (sign, range) = match (model.muscle().is_extensile(), model.info().range.contraction) {
         (true, range) => (-1.0, -range.0),
         (false, range) => (1.0, range.1),
     };
-    let free =
-        free_contraction(model, workspace, highest, options).ok().map(|e| sign * e).filter(|e| *e > 0.0);
+    let free = evaluation.free_contraction(highest).ok().map(|e| sign * e).filter(|e| *e > 0.0);
     let end = free.unwrap_or(UNKNOWN).min(if range > 0.0 { range } else { f64::INFINITY });
     let round = (0..).map(|i| f64::from(i) * step).map(|e| (e * 1e6).round() / 1e6);
     let mut list: Vec<f64> = round.take_while(|e| *e < end - 1e-9).collect();

@@ -4,7 +4,8 @@ use crate::{
     BuiltFile, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, above_zero,
     borne, burst_of, finite, said_of, usual_mpa,
 };
-use mckibben::answer::{Options, check_range};
+use mckibben::analysis::{Evaluation, Options};
+use mckibben::model::Workspace;
 use mckibben::progress::Progress;
 use mckibben_export::{ExportError, ExportedMuscle, Target, Wanted};
 use schemars::JsonSchema;
@@ -87,7 +88,7 @@ pub fn export(request: &ExportRequest, _progress: &dyn Progress) -> Result<Expor
     let supply_mpa = request.pressure_mpa.unwrap_or(usual_mpa(&burst));
     borne(&burst, supply_mpa, request.overpressure)?;
     above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
-    check_range(model, supply_mpa, 0.0, Options::default())?;
+    Evaluation::new(model, &mut Workspace::new(), Options::default()).check_range(supply_mpa, 0.0)?;
     let contraction_low = request.contraction_low.map(|e| finite("contraction_low", e)).transpose()?;
     let contraction_high = request.contraction_high.map(|e| finite("contraction_high", e)).transpose()?;
     let name = request.name.clone().unwrap_or_else(|| {

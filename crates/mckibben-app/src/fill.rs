@@ -5,7 +5,7 @@ use crate::{
     UncertaintyWords, above_zero, given, put_first, ratio, said_of,
 };
 use mckibben::liquid::{Liquid, LiquidError, LiquidSupply};
-use mckibben::load::{Fill, FillError, Filling, fill as filled};
+use mckibben::load::{Fill, FillError, Filling};
 use mckibben::{analysis::source_of, cancel, progress::Progress, uncertainty::basis_of};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -72,7 +72,7 @@ pub fn fill(request: &FillRequest, _progress: &dyn Progress) -> Result<FillAnswe
     let mut question = request.question.ask()?;
     let load = request.load.resolve(question.muscle.length_mm())?;
     let asked = Filling { liquid: &liquid, volume_mm3, dead_volume_mm3, load: load.as_ref(), held_at };
-    let found = filled(&*question.model, &mut question.workspace, &asked, question.options);
+    let found = question.evaluation().fill(&asked);
     cancel::check()?;
     let mut fill = found?;
     let burst = question.burst()?;
@@ -80,12 +80,7 @@ pub fn fill(request: &FillRequest, _progress: &dyn Progress) -> Result<FillAnswe
     put_first(&mut fill.answer.warnings, said_of(&burst, pressure_mpa, QUIET_MPA));
     let parts = fill.answer.uncertainty_parts_n;
     Ok(FillAnswer {
-        uncertainty_words: UncertaintyWords::of(
-            parts,
-            &*question.model,
-            &mut question.workspace,
-            pressure_mpa,
-        ),
+        uncertainty_words: UncertaintyWords::of(parts, &mut question.evaluation(), pressure_mpa),
         limits: (&burst).into(),
         muscle: (&question.muscle).into(),
         about: ModelAbout {

@@ -5,9 +5,10 @@ use crate::{
     UnderstoodTable, Units, check_count, contractions, figure, finite, list, number, steps,
     warnings::largest_stretch,
 };
+use mckibben::analysis::{Evaluation, Options};
 use mckibben::muscle::file::{parse_muscle, to_toml};
 use mckibben::muscle::{Direction, Muscle};
-use mckibben::{answer::Options, model::Workspace, progress::Progress, warning::Warning};
+use mckibben::{model::Workspace, progress::Progress, warning::Warning};
 use mckibben_fit::identify::{
     Identification, Identified, IdentifyError, LawTrial, Parameter, PointFit, Request, Target,
     identify_default, try_laws,
@@ -481,7 +482,8 @@ fn beyond_data(found: &Identification, model: &Model) -> Option<Warning> {
     let model = model.build(&found.muscle).ok()?;
     let asked: Vec<(f64, f64)> =
         found.points.iter().map(|f| (f.point.at.pressure_mpa, f.point.at.contraction)).collect();
-    let stretch = largest_stretch(&*model, &mut Workspace::new(), &asked, Options::default())?;
+    let workspace = &mut Workspace::new();
+    let stretch = largest_stretch(&mut Evaluation::new(&*model, workspace, Options::default()), &asked)?;
     Warning::of_stretch(&found.muscle.tube().rubber, stretch)
 }
 

@@ -1,9 +1,9 @@
 //! Muscles that were identified from measured points, each with its bench data, its ± and its terms.
 
 use crate::{Model, MuscleSummary, Problem, TextFile};
-use mckibben::analysis::{force_on, free_contraction};
+use mckibben::analysis::Evaluation;
 use mckibben::muscle::{Direction, Muscle};
-use mckibben::{answer::Options, model::Workspace, muscle::file::to_toml, threads, uncertainty::uncertainty};
+use mckibben::{model::Workspace, muscle::file::to_toml, threads};
 use mckibben_fit::validation::case::Facts;
 use mckibben_fit::validation::library::{self, Agreement, PREFIX, agreement, library};
 use schemars::JsonSchema;
@@ -62,8 +62,9 @@ impl LibraryMuscle {
     fn of(facts: &Facts, muscle: &Muscle) -> Result<Self, Problem> {
         let (model, w) = (Model::FE.build(muscle)?, &mut Workspace::new());
         let (pressure_mpa, points) = muscle.bench().map_or((0.0, 0), |b| (b.pressure_mpa.1, b.points));
-        let blocked = force_on(&*model, w, pressure_mpa, 0.0, Direction::Mean).ok();
-        let half = blocked.and_then(|n| uncertainty(&*model, w, (pressure_mpa, 0.0), n, Direction::Mean));
+        let mut model = Evaluation::new(&*model, w, Direction::Mean);
+        let blocked = model.force_n(pressure_mpa, 0.0).ok();
+        let half = blocked.and_then(|n| model.uncertainty(pressure_mpa, 0.0, n));
         Ok(Self {
             name: format!("{PREFIX}{}", facts.name),
             title: facts.title.clone(),
@@ -72,7 +73,7 @@ impl LibraryMuscle {
             pressure_mpa,
             blocked_force_n: blocked,
             uncertainty_n: half.map(|parts| parts.total()),
-            free_contraction: free_contraction(&*model, w, pressure_mpa, Options::default()).ok(),
+            free_contraction: model.free_contraction(pressure_mpa).ok(),
             points,
             source: facts.source.clone(),
             terms: facts.terms.clone(),

@@ -1,9 +1,11 @@
 //! Loads in requests, and what a muscle does with them.
 
 use crate::{Problem, ProblemKind, TextFile};
-use mckibben::load::{Balance, Cycle, Load, LoadError, LoadTable, balances, cycle};
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::{answer::Options, cancel, units::short_numbers};
+use mckibben::{
+    analysis::Evaluation,
+    load::{Balance, Cycle, Load, LoadError, LoadTable, cycle},
+};
+use mckibben::{cancel, units::short_numbers};
 use mckibben_io::table::read_load;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
@@ -91,17 +93,15 @@ fn reason<S: Serializer>(error: &Option<LoadError>, serializer: S) -> Result<S::
 /// Equilibria of a model and a load at pressures.
 pub(crate) fn loaded(
     fields: &LoadFields,
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
+    evaluation: &mut Evaluation<'_>,
     pressures_mpa: &[f64],
-    options: Options,
 ) -> Result<Option<LoadAnswer>, Problem> {
-    let length = model.muscle().length_mm();
+    let length = evaluation.model.muscle().length_mm();
     let Some(load) = fields.resolve(length)? else { return Ok(None) };
     let mut stable: Vec<(f64, Option<Balance>)> = vec![];
     let mut at = vec![];
     for &pressure_mpa in pressures_mpa {
-        let found = balances(model, workspace, &load, pressure_mpa, options);
+        let found = evaluation.balances(&load, pressure_mpa);
         cancel::check()?;
         let (found, error) = match found {
             Ok(found) => (found, None),
@@ -117,7 +117,7 @@ pub(crate) fn loaded(
             let (contraction, volume) = match from {
                 Some(from) => (from.answer.response.contraction, from.answer.response.volume_mm3),
                 // It stands on its stop.
-                None => (0.0, model.response(workspace, *low, 0.0).ok().and_then(|r| r.volume_mm3)),
+                None => (0.0, evaluation.cavity_mm3(*low, 0.0).ok()),
             };
             Some(cycle(&load, length, (*low, contraction, volume), to))
         }

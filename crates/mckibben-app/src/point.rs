@@ -5,11 +5,11 @@ use crate::{
     PressureLimits, Problem, ProblemKind, QUIET_MPA, UncertaintyWords, burst_of, check_both, check_direction,
     load::loaded, put_first, said_of,
 };
-use mckibben::answer::{self, Answer, Options};
+use mckibben::answer::{Answer, Options};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::{
-    analysis::Burst, analysis::source_of, cancel, muscle::Direction, muscle::Muscle, progress::Progress,
-    uncertainty::basis_of, units::NamedUnit,
+    analysis::Burst, analysis::Evaluation, analysis::source_of, cancel, muscle::Direction, muscle::Muscle,
+    progress::Progress, uncertainty::basis_of, units::NamedUnit,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -99,9 +99,7 @@ pub fn force(request: &ForceRequest, _progress: &dyn Progress) -> Result<PointAn
     let question = request.question.ask()?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
-    answered(question, request.both, |model, workspace, options| {
-        Ok(answer::force(model, workspace, pressure_mpa, contraction, options)?)
-    })
+    answered(question, request.both, |model| Ok(model.answer(pressure_mpa, contraction)?))
 }
 
 /// P(F, ε).
@@ -110,9 +108,7 @@ pub fn pressure(request: &PressureRequest, _progress: &dyn Progress) -> Result<P
     let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
     pull(force_n, question.options)?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
-    answered(question, request.both, |model, workspace, options| {
-        Ok(answer::pressure(model, workspace, force_n, contraction, options)?)
-    })
+    answered(question, request.both, |model| Ok(model.pressure(force_n, contraction)?))
 }
 
 /// ε(F, P).
@@ -122,17 +118,15 @@ pub fn contraction(request: &ContractionRequest, _progress: &dyn Progress) -> Re
     let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
     pull(force_n, question.options)?;
     if request.load.load.is_none() {
-        return answered(question, request.both, |model, workspace, options| {
-            Ok(answer::contraction(model, workspace, force_n, pressure_mpa, options)?)
-        });
+        return answered(question, request.both, |model| Ok(model.contraction(force_n, pressure_mpa)?));
     }
     if request.force_n.is_some() {
         let message = "`force_n` conflicts with `load`: give the load, or the pull";
         return Err(Problem::new(ProblemKind::Usage, message, "`load` takes `force:300N` as well"));
     }
     let mut said: Option<LoadAnswer> = None;
-    let mut answer = answered(question, request.both, |model, workspace, options| {
-        let found = loaded(&request.load, model, workspace, &[pressure_mpa], options)?;
+    let mut answer = answered(question, request.both, |model| {
+        let found = loaded(&request.load, model, &[pressure_mpa])?;
         if let Some(error) = found.iter().flat_map(|f| &f.at).find_map(|at| at.error.clone()) {
             return Err(error.into());
         }
@@ -149,13 +143,13 @@ pub fn contraction(request: &ContractionRequest, _progress: &dyn Progress) -> Re
 fn answered(
     mut question: Question,
     both: bool,
-    mut ask: impl FnMut(&dyn ForceModel, &mut Workspace, Options) -> Result<Answer, Problem>,
+    mut ask: impl FnMut(&mut Evaluation<'_>) -> Result<Answer, Problem>,
 ) -> Result<PointAnswer, Problem> {
     let options = question.options;
     if both {
         check_both(options.direction, &question.muscle)?;
     }
-    let mut on = |options| ask(&*question.model, &mut question.workspace, options);
+    let mut on = |options| ask(&mut question.evaluation().with(options));
     let mut all = || -> Result<(Answer, Vec<Answer>), Problem> {
         let point = on(options)?;
         let both = Direction::BRANCHES.into_iter().filter(|_| both);
@@ -170,10 +164,8 @@ fn answered(
     let all = std::iter::once(&point).chain(&branches);
     let highest_mpa = all.map(|a| a.response.pressure_mpa).fold(0.0, f64::max);
     put_first(&mut point.warnings, said_of(&found, highest_mpa, QUIET_MPA));
-    let uncertainty_words = {
-        let (parts, pressure_mpa) = (point.uncertainty_parts_n, point.response.pressure_mpa);
-        UncertaintyWords::of(parts, &*question.model, &mut question.workspace, pressure_mpa)
-    };
+    let (parts, pressure_mpa) = (point.uncertainty_parts_n, point.response.pressure_mpa);
+    let uncertainty_words = UncertaintyWords::of(parts, &mut question.evaluation(), pressure_mpa);
     let about = ModelAbout {
         source: source_of(&*question.model, options.direction),
         uncertainty_basis: basis_of(&question.model.info().accuracy),
@@ -283,6 +275,11 @@ impl QuestionFields {
 }
 
 impl Question {
+    /// Its model with its memory, as it is asked.
+    pub(crate) fn evaluation(&mut self) -> Evaluation<'_> {
+        Evaluation::new(&*self.model, &mut self.workspace, self.options)
+    }
+
     /// The burst pressure of its muscle.
     pub(crate) fn burst(&self) -> Result<Burst, Problem> {
         burst_of(&self.choice, &*self.model)

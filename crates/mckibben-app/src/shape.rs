@@ -3,10 +3,8 @@
 use crate::{
     MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite, given, pull, ratio,
 };
-use mckibben::answer::{self, Answer, Options};
-use mckibben::{
-    analysis::contraction_or_stretch_at, cancel, model::Workspace, muscle::Muscle, progress::Progress,
-};
+use mckibben::answer::{Answer, Options};
+use mckibben::{analysis::Evaluation, cancel, model::Workspace, muscle::Muscle, progress::Progress};
 use mckibben_fem::axisymmetric::{Axisymmetric, Section};
 use mckibben_fem::{elements::Elements, output::Stations, simulation::free_contraction, with_ends};
 use schemars::JsonSchema;
@@ -97,18 +95,18 @@ fn at(
     pressure_mpa: f64,
     request: &ShapeRequest,
 ) -> Result<(Answer, f64, Section), Problem> {
-    let options = Options::default().of(muscle);
     // The same equilibria, of the whole muscle, whose ends may give way.
     let whole = with_ends(muscle, Box::new(fe.clone()));
+    let mut evaluation = Evaluation::new(&*whole, workspace, Options::default());
     let contraction = match request.force_n {
         Some(force_n) => {
             let force_n = finite("force_n", force_n)?;
-            pull(force_n, options)?;
-            contraction_or_stretch_at(&*whole, workspace, force_n, pressure_mpa, options)?
+            pull(force_n, evaluation.options)?;
+            evaluation.contraction_or_stretch_at(force_n, pressure_mpa)?
         }
         None => ratio(request.contraction.unwrap_or(0.0))?,
     };
-    let mut point = answer::point(&*whole, workspace, pressure_mpa, contraction, options)?;
+    let mut point = evaluation.point(pressure_mpa, contraction)?;
     let mut shape_contraction = contraction;
     if point.slack {
         let free = match point.free_contraction {

@@ -1,8 +1,7 @@
 //! The ± in words: one text for the terminal, the report and the page.
 
 use crate::{Scale, Units, words::part};
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::uncertainty::{UncertaintyParts, identified_n};
+use mckibben::{analysis::Evaluation, uncertainty::UncertaintyParts};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -31,13 +30,8 @@ pub struct UncertaintyWords {
 
 impl UncertaintyWords {
     /// Of the ± of a pull at a pressure by a model.
-    pub(crate) fn of(
-        parts: Option<UncertaintyParts>,
-        model: &dyn ForceModel,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-    ) -> Self {
-        let left = parts.and_then(|parts| bench_n(&parts, model, workspace, pressure_mpa));
+    pub(crate) fn of(parts: Option<UncertaintyParts>, model: &mut Evaluation<'_>, pressure_mpa: f64) -> Self {
+        let left = parts.and_then(|parts| bench_n(&parts, model, pressure_mpa));
         let mut out = Self { bench_uncertainty_n: left, parts, pressure_mpa, ..Self::default() };
         (out.text, out.bench) = (out.text_in(&Units::default()), out.bench_in(&Units::default()));
         out
@@ -55,14 +49,9 @@ impl UncertaintyWords {
 }
 
 /// What the suggested test would leave of a ± in N; `None` where the muscle was measured, or where it helps little.
-pub(crate) fn bench_n(
-    parts: &UncertaintyParts,
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-) -> Option<f64> {
-    let left = identified_n(model, workspace, pressure_mpa)
-        .filter(|_| parts.fit.is_none() || parts.transfer.is_some())?;
+fn bench_n(parts: &UncertaintyParts, model: &mut Evaluation<'_>, pressure_mpa: f64) -> Option<f64> {
+    let left =
+        model.identified_n(pressure_mpa).filter(|_| parts.fit.is_none() || parts.transfer.is_some())?;
     (left > 0.0 && left < WORTH * parts.total()).then_some(left)
 }
 

@@ -1,9 +1,9 @@
 //! Sentences for a whole answer, once each, in place of one a point.
 
-use mckibben::answer::{Answer, point};
-use mckibben::model::{ForceModel, Response, Workspace};
+use mckibben::model::Response;
+use mckibben::muscle::Muscle;
 use mckibben::warning::{Warning, of_response};
-use mckibben::{analysis::Options, muscle::Muscle};
+use mckibben::{analysis::Evaluation, answer::Answer};
 
 /// What points of a muscle warn of: each sentence once, of each kind the gravest.
 pub(crate) fn of_points<'a>(answers: impl Iterator<Item = &'a Answer>) -> Vec<Warning> {
@@ -22,16 +22,10 @@ pub(crate) fn of_responses<'a>(
 
 /// The largest stretch of a model's rubber at points of pressure in MPa and contraction: at each pressure that of the largest
 /// contraction that is not slack, since contraction stretches the wall. `None` where the rubber's data have no end.
-pub(crate) fn largest_stretch(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    points: &[(f64, f64)],
-    options: Options,
-) -> Option<f64> {
-    model.muscle().tube().rubber.fitted_to_stretch?;
+pub(crate) fn largest_stretch(evaluation: &mut Evaluation<'_>, points: &[(f64, f64)]) -> Option<f64> {
+    evaluation.model.muscle().tube().rubber.fitted_to_stretch?;
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
-    let mut stretch =
-        |&(p, e): &(f64, f64)| point(model, workspace, p, e, options).ok()?.response.rubber_stretch();
+    let mut stretch = |&(p, e): &(f64, f64)| evaluation.point(p, e).ok()?.response.rubber_stretch();
     sorted.chunk_by(|a, b| a.0 == b.0).filter_map(|same| same.iter().find_map(&mut stretch)).reduce(f64::max)
 }

@@ -5,7 +5,7 @@
 //! the n points of a hexagonal lattice which are nearest to one of its centres of symmetry: ρ = 1 + d/r, d the distance of the farthest of them.
 //! Such a bundle is up to a tenth wider than the best one that is known.
 
-use mckibben::analysis::{Options, free_contraction};
+use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 
 /// ρ(n) of 1 to 20 circles.
@@ -76,7 +76,8 @@ pub fn touches_at(
     if diameter(0.0)? >= pitch_mm {
         return Some(0.0);
     }
-    let free = free_contraction(model, &mut Workspace::new(), pressure_mpa, Options::default()).ok()?;
+    let workspace = &mut Workspace::new();
+    let free = Evaluation::new(model, workspace, Options::default()).free_contraction(pressure_mpa).ok()?;
     let (mut low, mut high) = (0.0, free);
     if diameter(high)? < pitch_mm {
         return None;

@@ -2,13 +2,10 @@
 
 use crate::limit::{Probe, Score, full_response, need};
 use crate::{Build, Limit, OperatingPoint, Spec};
-use mckibben::analysis::{
-    AnalysisError, Burst, air_per_stroke, burst, force_on, free_contraction, work_per_stroke_j,
-};
-use mckibben::load::{LiquidStroke, liquid_per_stroke};
+use mckibben::analysis::{AnalysisError, Burst, Evaluation, burst};
+use mckibben::load::LiquidStroke;
 use mckibben::model::{ForceModel, ModelError, ModelKind, Response, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben::uncertainty::uncertainty;
 use serde::Serialize;
 
 /// A candidate at one operating point.
@@ -117,29 +114,25 @@ pub(super) fn candidate(
     muscle: &Muscle,
     probe: &Probe,
 ) -> Result<Candidate, ModelError> {
-    let model = build(muscle)?;
-    let model = model.as_ref();
-    let workspace = &mut Workspace::new();
+    let (model, workspace) = (build(muscle)?, &mut Workspace::new());
+    let model = &mut Evaluation::new(model.as_ref(), workspace, spec.options());
     let thick_wall = ModelKind::ThickWall.build(muscle)?;
     let thick_wall = &*thick_wall;
     let mut from_thick_wall: Vec<&'static str> = vec![];
-    let options = spec.options();
     let wanted = spec.points(muscle);
     let mut points = Vec::with_capacity(wanted.len());
     for point in wanted.iter() {
-        let available_n =
-            force_on(model, workspace, spec.max_pressure_mpa, point.contraction, options.direction)?;
-        let pressure_mpa = need(spec, model, workspace, point)?;
-        let (mut response, filled) =
-            full_response(model, workspace, thick_wall, pressure_mpa, point.contraction)?;
+        let available_n = model.force_n(spec.max_pressure_mpa, point.contraction)?;
+        let pressure_mpa = need(spec, model, point)?;
+        let (mut response, filled) = full_response(model, thick_wall, pressure_mpa, point.contraction)?;
         (response.pressure_mpa, response.force_n) = (pressure_mpa, point.force_n);
         from_thick_wall.extend(filled);
-        let at = (pressure_mpa, point.contraction);
-        let (filled, helped) = stroke(spec, model, workspace, thick_wall, at);
+        let (filled, helped) = stroke(spec, model, thick_wall, (pressure_mpa, point.contraction));
         if helped {
             from_thick_wall.push(if spec.liquid.is_some() { "liquid volume" } else { "air" });
         }
         let liquid = filled.and_then(|f| f.liquid());
+        let parts = model.uncertainty(pressure_mpa, point.contraction, point.force_n);
         points.push(CandidatePoint {
             force_at_max_pressure_n: available_n,
             margin: available_n / point.force_n - 1.0,
@@ -147,16 +140,15 @@ pub(super) fn candidate(
             air_normal_litres: filled.and_then(|f| f.air()),
             liquid_volume_mm3: liquid.map(|l| l.volume_mm3),
             liquid_mass_g: liquid.map(|l| l.mass_g),
-            uncertainty_n: uncertainty(model, workspace, at, point.force_n, options.direction)
-                .map(|parts| parts.total()),
+            uncertainty_n: parts.map(|parts| parts.total()),
         });
     }
     let max = spec.max_pressure_mpa;
-    let free = free_contraction(model, workspace, max, options).ok().or_else(|| {
+    let free = model.free_contraction(max).ok().or_else(|| {
         from_thick_wall.push("free contraction");
-        free_contraction(thick_wall, workspace, max, options).ok()
+        Evaluation::new(thick_wall, model.workspace, model.options).free_contraction(max).ok()
     });
-    let burst = burst(model).ok();
+    let burst = burst(model.model).ok();
     if burst.is_some_and(|b| b.from_thick_wall) {
         from_thick_wall.push("burst pressure");
     }
@@ -167,14 +159,14 @@ pub(super) fn candidate(
     Ok(Candidate {
         pressure_mpa: points.iter().map(|p| p.response.pressure_mpa).fold(0.0, f64::max),
         margin: points.iter().map(|p| p.margin).fold(f64::INFINITY, f64::min),
-        blocked_force_n: force_on(model, workspace, max, 0.0, options.direction)?,
+        blocked_force_n: model.force_n(max, 0.0)?,
         free_contraction: free,
-        work_j: work_per_stroke_j(model, workspace, max, 0.0, furthest, options).ok(),
+        work_j: model.work_per_stroke_j(max, 0.0, furthest).ok(),
         burst,
         from_thick_wall,
         points,
         tube: None,
-        model: model.info().name.to_string(),
+        model: model.model.info().name.to_string(),
         score: probe.score,
         binds: probe.worst().filter(|c| c.excess() > -BINDS).map(|c| c.limit),
         muscle: muscle.clone(),
@@ -211,19 +203,18 @@ impl Stroke {
 /// What is pushed in from rest to a point, and whether the thick-wall model gave it.
 pub(super) fn stroke(
     spec: &Spec,
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
+    model: &mut Evaluation<'_>,
     thick_wall: &dyn ForceModel,
     (p, contraction): (f64, f64),
 ) -> (Option<Stroke>, bool) {
-    let mut of = |m: &dyn ForceModel| -> Result<Stroke, AnalysisError> {
+    let of = |model: &mut Evaluation<'_>| -> Result<Stroke, AnalysisError> {
         Ok(match &spec.liquid {
-            Some(supply) => Stroke::Liquid(liquid_per_stroke(m, workspace, supply, p, contraction)?),
-            None => Stroke::Air(air_per_stroke(m, workspace, p, contraction)?.normal_litres),
+            Some(supply) => Stroke::Liquid(model.liquid_per_stroke(supply, p, contraction)?),
+            None => Stroke::Air(model.air_per_stroke(p, contraction)?.normal_litres),
         })
     };
     match of(model) {
         Ok(stroke) => (Some(stroke), false),
-        Err(_) => (of(thick_wall).ok(), true),
+        Err(_) => (of(&mut Evaluation::new(thick_wall, model.workspace, model.options)).ok(), true),
     }
 }

@@ -3,13 +3,10 @@
 use crate::candidate::stroke;
 use crate::{Build, Objective, OperatingPoint, Spec};
 use mckibben::analysis::burst::{ends, mesh};
-use mckibben::analysis::{
-    AnalysisError, FailureMode, FailurePressure, burst, force_on, pressure_at, pressure_below,
-};
+use mckibben::analysis::{AnalysisError, Evaluation, FailureMode, FailurePressure, burst};
 use mckibben::cancel;
 use mckibben::model::{ForceModel, ModelError, ModelKind, Response, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben::uncertainty::uncertainty;
 use mckibben::warning::strand_strength_n;
 use serde::{Deserialize, Serialize};
 
@@ -117,19 +114,20 @@ pub(super) fn probe_with(
     // Of what is to end, not even the model is made.
     cancel::check()?;
     let model = build(muscle)?;
-    let model = model.as_ref();
-    let (max, direction) = (spec.max_pressure_mpa, spec.options().direction);
+    let model = &mut Evaluation::new(model.as_ref(), workspace, spec.options());
+    let max = spec.max_pressure_mpa;
     let thick_wall = ModelKind::ThickWall.build(muscle)?;
     let thick_wall = &*thick_wall;
     let mut checks = vec![];
     let points = spec.points(muscle);
     for &point in points.iter() {
         if !spec.extrapolate {
-            model.info().range.check(&model.info().name, max, point.contraction)?;
+            let info = model.model.info();
+            info.range.check(&info.name, max, point.contraction)?;
         }
-        let mut value = force_on(model, workspace, max, point.contraction, direction)?;
+        let mut value = model.force_n(max, point.contraction)?;
         if let Some(widths) = spec.half_widths() {
-            let parts = uncertainty(model, workspace, (max, point.contraction), value, direction);
+            let parts = model.uncertainty(max, point.contraction, value);
             value -= widths * parts.map_or(0.0, |parts| parts.total()) * point.force_n.signum();
         }
         let (contraction, pressure_mpa) = (point.contraction, max);
@@ -149,7 +147,7 @@ pub(super) fn probe_with(
     {
         for (i, point) in points.iter().enumerate() {
             // Too weak: its other limits are looked at where it pulls hardest.
-            let p = if checks[i].excess() > 0.0 { max } else { need(spec, model, workspace, point)? };
+            let p = if checks[i].excess() > 0.0 { max } else { need(spec, model, point)? };
             highest = highest.max(p);
             if buckles {
                 let least_n = ThickWall::new(muscle).buckling_n(p, point.contraction)?;
@@ -157,9 +155,9 @@ pub(super) fn probe_with(
             }
             if pumped {
                 let at = (p, point.contraction);
-                let amount = stroke(spec, model, workspace, thick_wall, at).0.map(|s| s.amount());
+                let amount = stroke(spec, model, thick_wall, at).0.map(|s| s.amount());
                 if let Some(bound) = most_liquid {
-                    let unknown = || ModelError::NoVolume { model: model.info().name.to_string() };
+                    let unknown = || ModelError::NoVolume { model: model.model.info().name.to_string() };
                     checks.push(Check::new(Limit::LiquidVolume, amount.ok_or_else(unknown)?, bound));
                 }
                 fluid = fluid.max(amount.unwrap_or(f64::INFINITY));
@@ -167,7 +165,7 @@ pub(super) fn probe_with(
             if !(shaped || by_pressure) {
                 continue;
             }
-            let (full, _) = full_response(model, workspace, thick_wall, p, point.contraction)?;
+            let (full, _) = full_response(model, thick_wall, p, point.contraction)?;
             if let (Some(bound), Some(value)) = (limits.bulged_diameter_mm, full.bulged_diameter_mm) {
                 checks.push(Check::new(Limit::BulgedDiameter, value, bound));
             }
@@ -177,7 +175,7 @@ pub(super) fn probe_with(
             bulge = bulge.max(full.bulged_diameter_mm.unwrap_or(0.0));
         }
     }
-    checks.extend(strands(spec, &points, model, workspace, thick_wall)?);
+    checks.extend(strands(spec, &points, model, thick_wall)?);
     let margin = points.iter().zip(&checks).map(|(q, c)| c.value / q.force_n - 1.0);
     let score = match spec.objective {
         Objective::Diameter => [muscle.outer_diameter_mm(), highest],
@@ -199,18 +197,17 @@ pub fn fits(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> bool {
 pub(super) fn strands(
     spec: &Spec,
     points: &[OperatingPoint],
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
+    model: &mut Evaluation<'_>,
     thick_wall: &dyn ForceModel,
 ) -> Result<Vec<Check>, ModelError> {
-    let (limits, max, muscle) = (&spec.limits, spec.max_pressure_mpa, model.muscle());
+    let (limits, max, muscle) = (&spec.limits, spec.max_pressure_mpa, model.model.muscle());
     let strength = strand_strength_n(muscle);
     let mut checks = vec![];
     let places = || std::iter::once(0.0).chain(points.iter().map(|q| q.contraction));
     if let Some(bound) = limits.strand_strain {
         let mut largest: Option<f64> = None;
         for e in places() {
-            let (full, _) = full_response(model, workspace, thick_wall, max, e)?;
+            let (full, _) = full_response(model, thick_wall, max, e)?;
             let strain = full.braid_tension_n.and_then(|t| muscle.strand_strain(t));
             largest = strain.map_or(largest, |s| Some(largest.map_or(s, |l| l.max(s))));
         }
@@ -220,7 +217,7 @@ pub(super) fn strands(
     let pull_off = muscle.terminals().pull_off_n;
     // Blocked, as the burst pressure is; without an equilibrium at that pressure it bursts before.
     let blocked = (strength.is_some() || pull_off.is_some())
-        .then(|| full_response(model, workspace, thick_wall, bound * max, 0.0).ok().map(|(r, _)| r))
+        .then(|| full_response(model, thick_wall, bound * max, 0.0).ok().map(|(r, _)| r))
         .flatten();
     let mut margin = |by, value: f64| {
         checks.push(Check { by, ..Check::new(Limit::BurstMargin, value, bound) });
@@ -253,16 +250,14 @@ pub(super) fn burst_margin(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> O
 /// The pressure a point takes, where the pull at the maximum pressure is known to be enough.
 pub(super) fn need(
     spec: &Spec,
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
+    model: &mut Evaluation<'_>,
     point: &OperatingPoint,
 ) -> Result<f64, ModelError> {
     let OperatingPoint { force_n, contraction } = *point;
-    let options = spec.options();
-    if let Some(p) = pressure_below(model, workspace, force_n, contraction, spec.max_pressure_mpa, options) {
+    if let Some(p) = model.pressure_below(force_n, contraction, spec.max_pressure_mpa) {
         return Ok(p);
     }
-    match pressure_at(model, workspace, force_n, contraction, options) {
+    match model.pressure_at(force_n, contraction) {
         Ok(p) => Ok(p.min(spec.max_pressure_mpa)),
         Err(AnalysisError::Model(error)) => Err(error),
         // At the lowest pressure of its range the model already pulls more: that pressure is enough.
@@ -277,19 +272,18 @@ pub(super) fn need(
 
 /// A response with what the model does not know filled in from the thick-wall model.
 pub(super) fn full_response(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
+    model: &mut Evaluation<'_>,
     thick_wall: &dyn ForceModel,
     p: f64,
     contraction: f64,
 ) -> Result<(Response, Vec<&'static str>), ModelError> {
     cancel::check()?;
-    let mut r = model.response(workspace, p, contraction)?;
+    let mut r = model.model.response(model.workspace, p, contraction)?;
     let mut filled = vec![];
     if r.bulged_diameter_mm.is_some() && r.volume_mm3.is_some() && r.max_stretch.is_some() {
         return Ok((r, filled));
     }
-    if let Ok(other) = thick_wall.response(workspace, p, contraction) {
+    if let Ok(other) = thick_wall.response(model.workspace, p, contraction) {
         let mut fill = |slot: &mut Option<f64>, value: Option<f64>, name| {
             if slot.is_none() && value.is_some() {
                 *slot = value;

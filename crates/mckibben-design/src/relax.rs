@@ -2,7 +2,7 @@
 
 use crate::limit::{burst_margin, probe};
 use crate::{Build, Demand, Limit, Limits, OperatingPoint, Spec};
-use mckibben::analysis::{Options, contraction_at, force_on, pressure_at};
+use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::muscle::Muscle;
 use serde::Serialize;
@@ -89,11 +89,9 @@ pub(super) fn relaxations<'a>(
 /// What would make a muscle fit. Each is tried: only what really makes it fit is returned. Wider tubes are looked for where `widen`.
 fn of_muscle(spec: &Spec, build: &Build<'_>, muscle: &Muscle, widen: bool) -> Vec<Relaxation> {
     let Ok(model) = build(muscle) else { return vec![] };
-    let model = model.as_ref();
     let workspace = &mut Workspace::new();
-    let direction = spec.options().direction;
-    let mut pull =
-        |p: &OperatingPoint| force_on(model, workspace, spec.max_pressure_mpa, p.contraction, direction).ok();
+    let mut model = Evaluation::new(model.as_ref(), workspace, spec.options());
+    let mut pull = |p: &OperatingPoint| model.force_n(spec.max_pressure_mpa, p.contraction).ok();
     let wanted = spec.points(muscle);
     let pulls: Vec<Option<f64>> = wanted.iter().map(&mut pull).collect();
     let mut out = vec![];
@@ -107,9 +105,7 @@ fn of_muscle(spec: &Spec, build: &Build<'_>, muscle: &Muscle, widen: bool) -> Ve
         );
         out.extend(
             points(spec, build, muscle, &pulls, |p, _| {
-                let contraction =
-                    contraction_at(model, workspace, p.force_n, spec.max_pressure_mpa, spec.options())
-                        .ok()?;
+                let contraction = model.contraction_at(p.force_n, spec.max_pressure_mpa).ok()?;
                 Some(OperatingPoint { contraction, ..*p })
             })
             .map(|points| Relaxation::Contraction { points }),
@@ -152,12 +148,11 @@ fn of_muscle(spec: &Spec, build: &Build<'_>, muscle: &Muscle, widen: bool) -> Ve
 
 /// The pressure that all points need.
 fn pressure(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> {
-    let model = build(muscle).ok()?;
-    let workspace = &mut Workspace::new();
+    let (model, workspace) = (build(muscle).ok()?, &mut Workspace::new());
     let beyond = Options { extrapolate: true, ..spec.options() };
+    let mut evaluation = Evaluation::new(model.as_ref(), workspace, beyond);
     let wanted = spec.points(muscle);
-    let needs =
-        wanted.iter().map(|p| pressure_at(model.as_ref(), workspace, p.force_n, p.contraction, beyond));
+    let needs = wanted.iter().map(|p| evaluation.pressure_at(p.force_n, p.contraction));
     let pressure_mpa = needs.collect::<Result<Vec<f64>, _>>().ok()?.into_iter().fold(0.0, f64::max);
     let extrapolated = pressure_mpa > model.info().range.pressure_mpa.1;
     let relaxed = Spec { max_pressure_mpa: pressure_mpa * (1.0 + 1e-9), extrapolate: true, ..spec.clone() };

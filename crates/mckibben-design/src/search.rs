@@ -6,8 +6,8 @@
 
 use crate::limit::{Check, Score, burst_margin, probe, probe_with, strands};
 use crate::line::{self, Found, Merit, NO_SCORE, Sample};
-use crate::{BraidChoice, Build, Limit, Models, Objective, Reason, Spec, TubePart};
-use mckibben::analysis::{force_on, golden};
+use crate::{BraidChoice, Build, Limit, Models, Objective, OperatingPoint, Reason, Spec, TubePart};
+use mckibben::analysis::{Evaluation, golden};
 use mckibben::model::{ModelError, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
 use mckibben::progress::Progress;
@@ -274,11 +274,12 @@ impl<'a> Search<'a> {
     fn is_far_too_weak(&self, muscle: &Muscle) -> bool {
         let Ok(model) = ModelKind::ThickWall.build(muscle) else { return false };
         let workspace = &mut Workspace::new();
-        let (max, direction) = (self.spec.max_pressure_mpa, self.spec.options().direction);
-        self.spec.points(muscle).iter().any(|q| {
-            force_on(&*model, workspace, max, q.contraction, direction)
-                .is_ok_and(|pull| pull / q.force_n < FAR_TOO_WEAK)
-        })
+        let (max, mut model) =
+            (self.spec.max_pressure_mpa, Evaluation::new(&*model, workspace, self.spec.options()));
+        let far_too_weak = |q: &OperatingPoint| {
+            model.force_n(max, q.contraction).is_ok_and(|pull| pull / q.force_n < FAR_TOO_WEAK)
+        };
+        self.spec.points(muscle).iter().any(far_too_weak)
     }
 
     /// Keeps a muscle that does not fit; what is no muscle at all is none.
@@ -441,7 +442,9 @@ impl<'a> Search<'a> {
     /// Of a muscle without an answer at the maximum pressure: whether its strands stretch too far there, by the thick-wall model.
     fn overstretched(&self, muscle: &Muscle) -> Option<Reason> {
         let (model, spec) = (ThickWall::new(muscle), self.spec);
-        match strands(spec, &spec.points(muscle), &model, &mut Workspace::new(), &model) {
+        let workspace = &mut Workspace::new();
+        let evaluation = &mut Evaluation::new(&model, workspace, spec.options());
+        match strands(spec, &spec.points(muscle), evaluation, &model) {
             Ok(checks) => checks.into_iter().find(|c| c.excess() > 0.0).map(Reason::Limit),
             Err(error @ ModelError::Overstretched { .. }) => Some(Reason::Model(error)),
             Err(_) => None,

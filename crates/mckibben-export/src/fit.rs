@@ -6,7 +6,7 @@
 
 use crate::form::{FUNCTIONS, functions};
 use crate::{ExportError, Form};
-use mckibben::analysis::{Options, force_on, free_contraction};
+use mckibben::analysis::{Evaluation, Options};
 use mckibben::cancel;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
@@ -83,12 +83,12 @@ fn nodes(low: f64, high: f64) -> Vec<f64> {
 pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, low: f64) -> Result<Fitted, ExportError> {
     let supply = wanted.supply_mpa;
     let w = &mut Workspace::new();
-    let options = Options::extrapolating();
+    let mut evaluation = Evaluation::new(model, w, Options::extrapolating());
     model.muscle().check_contracts()?;
-    let blocked_n = force_on(model, w, supply, 0.0, options.direction)?;
+    let blocked_n = evaluation.force_n(supply, 0.0)?;
     let high = match wanted.contraction_high {
         Some(high) => high,
-        None => free_contraction(model, w, supply, options)?,
+        None => evaluation.free_contraction(supply)?,
     };
     if !(blocked_n > 0.0 && high > low.max(0.0)) {
         return Err(ExportError::NoPull(supply));
@@ -104,7 +104,7 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, low: f64) -> Result<Fi
     let asked: Vec<f64> = [0.0].into_iter().chain(middles).chain([1.0]).collect();
     let held_out = sample(model, (&asked, &held), supply, blocked_n)?;
     // A muscle without pressure at its length at rest pulls nothing, unless its tube is stretched: exactly.
-    let at_rest = force_on(model, w, 0.0, 0.0, Direction::Mean).is_ok_and(|f| f.abs() < 1e-6 * blocked_n);
+    let at_rest = evaluation.force_n(0.0, 0.0).is_ok_and(|f| f.abs() < 1e-6 * blocked_n);
     let mut form = Form {
         length_m: 1e-3 * model.muscle().length_mm(),
         supply_pa: 1e6 * supply,
@@ -378,7 +378,9 @@ fn friction(model: &dyn ForceModel, w: &mut Workspace, supply: f64, high: f64) -
         return [0.0; 2];
     }
     let mut half = |q: f64| {
-        let at = |w: &mut Workspace, direction| force_on(model, w, q * supply, 0.25 * high, direction).ok();
+        let at = |w: &mut Workspace, direction| {
+            Evaluation::new(model, w, direction).force_n(q * supply, 0.25 * high).ok()
+        };
         let (more, less) = (at(w, Direction::Elongation)?, at(w, Direction::Contraction)?);
         Some(0.5 * (more - less))
     };

@@ -2,9 +2,9 @@
 
 use crate::fit::{Fitted, Sample, fit};
 use crate::{ExportError, Form, FormErrors, MARK, Wanted};
+use mckibben::analysis::Evaluation;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Direction, file::to_toml};
-use mckibben::uncertainty::uncertainty;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
@@ -89,7 +89,7 @@ impl ExportedMuscle {
             fitted => fitted?,
         };
         let w = &mut Workspace::new();
-        let half = uncertainty(model, w, (wanted.supply_mpa, 0.0), blocked_n, Direction::Mean);
+        let half = Evaluation::new(model, w, Direction::Mean).uncertainty(wanted.supply_mpa, 0.0, blocked_n);
         let muscle_file = to_toml(model.muscle());
         let (version, model) = (env!("CARGO_PKG_VERSION"), model.info().name.to_string());
         let digest = Sha256::digest(format!("{muscle_file}{model}{version}{form:?}"));

@@ -1,7 +1,7 @@
 //! A force model as the equations of motion ask it: both pulls and volumes with their derivatives, and the slack muscle.
 
 use crate::{Actuated, Hysteresis};
-use mckibben::analysis::{Options, free_contraction};
+use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{ForceModel, Ideal, ModelError, ThickWall, Workspace, pivoting_n_per_mm};
 use std::cell::{Cell, OnceCell, RefCell};
 
@@ -298,8 +298,8 @@ impl<'a> Member<'a> {
             None => {
                 // Below zero where the ends give way or the sleeve is wider than the tube: it then hangs longer than at rest.
                 let options = Options { two_sided: true, ..Options::extrapolating() };
-                let search =
-                    free_contraction(self.model, &mut self.memory.workspace.borrow_mut(), p, options);
+                let search = Evaluation::new(self.model, &mut self.memory.workspace.borrow_mut(), options)
+                    .free_contraction(p);
                 let e = search.map_err(|error| ModelError::NoEquilibrium {
                     reason: format!("a slack muscle has no free contraction: {error}"),
                 })?;

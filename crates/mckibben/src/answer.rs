@@ -2,14 +2,11 @@
 
 pub use crate::analysis::Options;
 
-use crate::analysis::{
-    AnalysisError, contraction_or_stretch_at, force_on, free_contraction, pressure_at, response_on,
-    slope_by_pressure, start_pressure_mpa, stiffness_of,
-};
-use crate::model::{ForceModel, ModelError, Response, Result, Workspace, notes_of};
+use crate::analysis::{AnalysisError, Evaluation};
+use crate::model::{ModelError, Response, Result, notes_of};
 use crate::muscle::Direction;
 use crate::rubber::RubberLaw;
-use crate::uncertainty::{UncertaintyParts, uncertainty};
+use crate::uncertainty::UncertaintyParts;
 use crate::warning::{Warning, buckling_load_n, of_response, overloaded, strand_strength_n};
 use serde::{Deserialize, Serialize};
 
@@ -52,55 +49,6 @@ pub struct Answer {
     pub warnings: Vec<Warning>,
 }
 
-/// Checks the model's range; with `extrapolate` a violation becomes a warning.
-pub fn check_range(
-    model: &dyn ForceModel,
-    pressure_mpa: f64,
-    contraction: f64,
-    options: Options,
-) -> Result<Vec<String>> {
-    let Err(mut error) = model.info().range.check(&model.info().name, pressure_mpa, contraction) else {
-        return Ok(vec![]);
-    };
-    let straight = 1.0 - 1.0 / model.muscle().braid().angle_rad().cos();
-    if let ModelError::OutOfRange { make, .. } = &mut error
-        && contraction < straight
-    {
-        make.push(format!(
-            "the strands of this braid are straight at a contraction of {:.1} %",
-            100.0 * straight
-        ));
-    }
-    if options.extrapolate { Ok(vec![format!("extrapolated: {error}")]) } else { Err(error) }
-}
-
-/// F(P, ε) with everything around it.
-///
-/// # Errors
-/// [`ModelError`] outside of the model's range (unless extrapolating) or where it has no answer.
-pub fn force(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-    contraction: f64,
-    options: Options,
-) -> Result<Answer> {
-    let mut answer = point(model, workspace, pressure_mpa, contraction, options)?;
-    answer.start_pressure_mpa = start_pressure_mpa(model, workspace, contraction, options).ok();
-    Ok(answer)
-}
-
-/// F(P, ε) without P′, which costs a search: for curves.
-pub fn point(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-    contraction: f64,
-    options: Options,
-) -> Result<Answer> {
-    point_beyond(model, workspace, pressure_mpa, contraction, options, &mut None)
-}
-
 /// A muscle that hangs slack between its ends: what it is at its free contraction.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SlackState {
@@ -109,134 +57,204 @@ pub(crate) struct SlackState {
     response: Response,
 }
 
-impl SlackState {
-    /// None where the model finds no free contraction at this pressure.
-    fn at(
-        model: &dyn ForceModel,
-        workspace: &mut Workspace,
+impl Evaluation<'_> {
+    /// Checks the model's range; with `extrapolate` a violation becomes a warning.
+    pub fn check_range(&self, pressure_mpa: f64, contraction: f64) -> Result<Vec<String>> {
+        let Err(mut error) =
+            self.model.info().range.check(&self.model.info().name, pressure_mpa, contraction)
+        else {
+            return Ok(vec![]);
+        };
+        let straight = 1.0 - 1.0 / self.model.muscle().braid().angle_rad().cos();
+        if let ModelError::OutOfRange { make, .. } = &mut error
+            && contraction < straight
+        {
+            make.push(format!(
+                "the strands of this braid are straight at a contraction of {:.1} %",
+                100.0 * straight
+            ));
+        }
+        if self.options.extrapolate { Ok(vec![format!("extrapolated: {error}")]) } else { Err(error) }
+    }
+
+    /// F(P, ε) with everything around it.
+    ///
+    /// # Errors
+    /// [`ModelError`] outside of the model's range (unless extrapolating) or where it has no answer.
+    pub fn answer(&mut self, pressure_mpa: f64, contraction: f64) -> Result<Answer> {
+        let mut answer = self.point(pressure_mpa, contraction)?;
+        answer.start_pressure_mpa = self.start_pressure_mpa(contraction).ok();
+        Ok(answer)
+    }
+
+    /// F(P, ε) without P′, which costs a search: for curves.
+    pub fn point(&mut self, pressure_mpa: f64, contraction: f64) -> Result<Answer> {
+        self.point_beyond(pressure_mpa, contraction, &mut None)
+    }
+
+    /// How the muscle hangs; none where the model finds no free contraction at this pressure.
+    fn slack_state(&mut self, pressure_mpa: f64) -> Option<SlackState> {
+        let free_contraction = self.free_contraction(pressure_mpa).ok()?;
+        let response =
+            self.response(pressure_mpa, free_contraction).map(Response::hanging).unwrap_or_default();
+        Some(SlackState { free_contraction, response })
+    }
+
+    /// The same where it may be known already how the muscle hangs at this pressure: if it was shortened by more than that and is not asked
+    /// for its push it is slack, and the model is not asked. What is found of it is left in `hanging` for the next point of this pressure.
+    pub(crate) fn point_beyond(
+        &mut self,
         pressure_mpa: f64,
-        options: Options,
-    ) -> Option<Self> {
-        let free_contraction = free_contraction(model, workspace, pressure_mpa, options).ok()?;
-        let free = response_on(model, workspace, pressure_mpa, free_contraction, options.direction);
-        Some(Self {
-            free_contraction,
-            response: free.map_or_else(|_| Response::default(), Response::hanging),
+        contraction: f64,
+        hanging: &mut Option<SlackState>,
+    ) -> Result<Answer> {
+        let (model, options) = (self.model, self.options);
+        let said = self.check_range(pressure_mpa, contraction)?;
+        let mut warnings: Vec<Warning> = said.into_iter().map(Warning::from).collect();
+        warnings.extend(model.muscle().warnings().into_iter().map(Warning::from));
+        warnings.extend(notes_of(model, self.workspace).into_iter().map(Warning::from));
+        let beyond = |h: &SlackState| contraction > h.free_contraction && !options.two_sided;
+        let found = match hanging {
+            Some(known) if beyond(known) => None,
+            _ => match self.response(pressure_mpa, contraction) {
+                Ok(response) => Some(response),
+                // A muscle that was shortened by more than it shortens by itself may have no equilibrium: it hangs slack.
+                Err(error) => {
+                    if hanging.is_none() && !options.two_sided && contraction > 0.0 && pressure_mpa >= 0.0 {
+                        *hanging = self.slack_state(pressure_mpa);
+                    }
+                    match hanging {
+                        Some(known) if contraction >= known.free_contraction => None,
+                        _ => return Err(error),
+                    }
+                }
+            },
+        };
+        let response = found.map(|mut response| {
+            // What rounding leaves of no pull is none.
+            let tube = model.muscle().tube();
+            let stress_mpa = pressure_mpa.abs() + tube.rubber.law.shear_modulus_mpa();
+            if response.force_n.abs()
+                <= 1e-9 * stress_mpa * std::f64::consts::PI * tube.outer_radius_mm().powi(2)
+            {
+                response.force_n = 0.0;
+            }
+            response
+        });
+        let two_sided_force_n = response.map_or(f64::NAN, |r| r.force_n);
+        let pushes = |r: &Response| r.force_n < 0.0 && !options.two_sided;
+        let pulls = response.filter(|r| !pushes(r));
+        let slack = pulls.is_none();
+        if slack && hanging.is_none() {
+            *hanging = self.slack_state(pressure_mpa);
+        }
+        let hangs = hanging.filter(|h| slack && contraction >= h.free_contraction);
+        // Of one that hangs nowhere nothing is known but that it does not pull.
+        let response = pulls.or(hangs.map(|h| h.response)).unwrap_or_default();
+        let response = Response { pressure_mpa, contraction, ..response };
+        let numbers = [Some(response.force_n), response.volume_mm3, response.stiffness_n_per_mm];
+        if numbers.iter().flatten().any(|v| !v.is_finite()) {
+            return Err(ModelError::not_finite(&model.info().name, pressure_mpa, contraction));
+        }
+        warnings.extend(of_response(model.muscle(), &response));
+        let largest = model.muscle().max_ideal_contraction();
+        let beyond = slack && contraction > largest;
+        warnings.extend(beyond.then_some(Warning::BeyondBraid { contraction, largest }));
+        let broken = overloaded(model.muscle(), &response).is_some();
+        let response = if broken { response.hanging() } else { response };
+        // Where strands stretch further than in any muscle that was measured, no ± is known.
+        let valid = !broken && !warnings.iter().any(|w| matches!(w, Warning::StrandStrain { .. }));
+        let parts = if valid { self.uncertainty(pressure_mpa, contraction, response.force_n) } else { None };
+        Ok(Answer {
+            model: model.info().name.to_string(),
+            direction: options.direction,
+            uncertainty_n: parts.map(|p| p.total()),
+            uncertainty_parts_n: parts,
+            pressure_uncertainty_mpa: None,
+            contraction_uncertainty: None,
+            response,
+            slack,
+            two_sided_force_n,
+            free_contraction: hanging.filter(|_| slack).map(|h| h.free_contraction),
+            start_pressure_mpa: None,
+            buckling_load_n: buckling_load_n(model.muscle(), &response),
+            warnings,
         })
     }
-}
 
-/// The same where it may be known already how the muscle hangs at this pressure: if it was shortened by more than that and is not asked
-/// for its push it is slack, and the model is not asked. What is found of it is left in `hanging` for the next point of this pressure.
-pub(crate) fn point_beyond(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-    contraction: f64,
-    options: Options,
-    hanging: &mut Option<SlackState>,
-) -> Result<Answer> {
-    let options = options.of(model.muscle());
-    let said = check_range(model, pressure_mpa, contraction, options)?;
-    let mut warnings: Vec<Warning> = said.into_iter().map(Warning::from).collect();
-    warnings.extend(model.muscle().warnings().into_iter().map(Warning::from));
-    warnings.extend(notes_of(model, workspace).into_iter().map(Warning::from));
-    let beyond = |h: &SlackState| contraction > h.free_contraction && !options.two_sided;
-    let found = match hanging {
-        Some(known) if beyond(known) => None,
-        _ => match response_on(model, workspace, pressure_mpa, contraction, options.direction) {
-            Ok(response) => Some(response),
-            // A muscle that was shortened by more than it shortens by itself may have no equilibrium: it hangs slack.
-            Err(error) => {
-                if hanging.is_none() && !options.two_sided && contraction > 0.0 && pressure_mpa >= 0.0 {
-                    *hanging = SlackState::at(model, workspace, pressure_mpa, options);
-                }
-                match hanging {
-                    Some(known) if contraction >= known.free_contraction => None,
-                    _ => return Err(error),
-                }
+    /// The point at which the pull is `force_n` at a contraction: P(F, ε).
+    ///
+    /// # Errors
+    /// [`AnalysisError::NoPressure`] with the nearest reachable pull, or the model's.
+    pub fn pressure(&mut self, force_n: f64, contraction: f64) -> Result<Answer, AnalysisError> {
+        let pressure_mpa = self.sought_pressure(force_n, contraction)?;
+        let mut answer = exactly(self.answer(pressure_mpa, contraction)?, force_n);
+        if let Some(half_n) = answer.uncertainty_n {
+            let slope = self.force_per_pressure_mm2(&answer.response).ok();
+            // Where the ± is wider than the pressure itself, a straight line through the point says nothing.
+            let slope = if self.model.muscle().is_extensile() { slope.map(f64::abs) } else { slope };
+            let half = slope.map(|slope| half_n / slope);
+            answer.pressure_uncertainty_mpa = half.filter(|h| (0.0..=pressure_mpa.max(FLAT_MPA)).contains(h));
+            if answer.pressure_uncertainty_mpa.is_none() {
+                answer.warnings.push(Warning::from(flat("pressure", half_n)));
             }
-        },
-    };
-    let response = found.map(|mut response| {
-        // What rounding leaves of no pull is none.
-        let tube = model.muscle().tube();
-        let stress_mpa = pressure_mpa.abs() + tube.rubber.law.shear_modulus_mpa();
-        if response.force_n.abs() <= 1e-9 * stress_mpa * std::f64::consts::PI * tube.outer_radius_mm().powi(2)
-        {
-            response.force_n = 0.0;
         }
-        response
-    });
-    let two_sided_force_n = response.map_or(f64::NAN, |r| r.force_n);
-    let pushes = |r: &Response| r.force_n < 0.0 && !options.two_sided;
-    let pulls = response.filter(|r| !pushes(r));
-    let slack = pulls.is_none();
-    if slack && hanging.is_none() {
-        *hanging = SlackState::at(model, workspace, pressure_mpa, options);
+        Ok(answer)
     }
-    let hangs = hanging.filter(|h| slack && contraction >= h.free_contraction);
-    // Of one that hangs nowhere nothing is known but that it does not pull.
-    let response = pulls.or(hangs.map(|h| h.response)).unwrap_or_default();
-    let response = Response { pressure_mpa, contraction, ..response };
-    let numbers = [Some(response.force_n), response.volume_mm3, response.stiffness_n_per_mm];
-    if numbers.iter().flatten().any(|v| !v.is_finite()) {
-        return Err(ModelError::not_finite(&model.info().name, pressure_mpa, contraction));
-    }
-    warnings.extend(of_response(model.muscle(), &response));
-    let largest = model.muscle().max_ideal_contraction();
-    let beyond = slack && contraction > largest;
-    warnings.extend(beyond.then_some(Warning::BeyondBraid { contraction, largest }));
-    let broken = overloaded(model.muscle(), &response).is_some();
-    let response = if broken { response.hanging() } else { response };
-    // Where strands stretch further than in any muscle that was measured, no ± is known.
-    let valid = !broken && !warnings.iter().any(|w| matches!(w, Warning::StrandStrain { .. }));
-    let asked = (pressure_mpa, contraction);
-    let parts = match valid {
-        true => uncertainty(model, workspace, asked, response.force_n, options.direction),
-        false => None,
-    };
-    Ok(Answer {
-        model: model.info().name.to_string(),
-        direction: options.direction,
-        uncertainty_n: parts.map(|p| p.total()),
-        uncertainty_parts_n: parts,
-        pressure_uncertainty_mpa: None,
-        contraction_uncertainty: None,
-        response,
-        slack,
-        two_sided_force_n,
-        free_contraction: hanging.filter(|_| slack).map(|h| h.free_contraction),
-        start_pressure_mpa: None,
-        buckling_load_n: buckling_load_n(model.muscle(), &response),
-        warnings,
-    })
-}
 
-/// The point at which the pull is `force_n` at a contraction: P(F, ε).
-///
-/// # Errors
-/// [`AnalysisError::NoPressure`] with the nearest reachable pull, or the model's.
-pub fn pressure(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    force_n: f64,
-    contraction: f64,
-    options: Options,
-) -> Result<Answer, AnalysisError> {
-    let pressure_mpa = sought_pressure(model, workspace, force_n, contraction, options)?;
-    let mut answer = exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n);
-    if let Some(half_n) = answer.uncertainty_n {
-        let slope = slope_by_pressure(model, workspace, &answer.response, options.direction).ok();
-        // Where the ± is wider than the pressure itself, a straight line through the point says nothing.
-        let slope = if model.muscle().is_extensile() { slope.map(f64::abs) } else { slope };
-        let half = slope.map(|slope| half_n / slope);
-        answer.pressure_uncertainty_mpa = half.filter(|h| (0.0..=pressure_mpa.max(FLAT_MPA)).contains(h));
-        if answer.pressure_uncertainty_mpa.is_none() {
-            answer.warnings.push(Warning::from(flat("pressure", half_n)));
+    /// The point at which the pull is `force_n` at a pressure: ε(F, P), below zero where the pull is above the blocked force.
+    ///
+    /// # Errors
+    /// [`AnalysisError::NoContraction`] with the nearest reachable pull, or the model's.
+    pub fn contraction(&mut self, force_n: f64, pressure_mpa: f64) -> Result<Answer, AnalysisError> {
+        let contraction = self.sought_contraction(force_n, pressure_mpa)?;
+        let mut answer = exactly(self.answer(pressure_mpa, contraction)?, force_n);
+        if contraction < 0.0 && force_n > 0.0 && !self.model.muscle().is_extensile() {
+            answer.warnings.push(Warning::from(STRETCHED.to_owned()));
         }
+        let stiffness = self.stiffness_n_per_mm(&answer.response).ok();
+        Ok(answer.with_contraction_sought(stiffness, self.model.muscle().length_mm()))
     }
-    Ok(answer)
+
+    /// The number alone that [`Evaluation::pressure`] seeks, in MPa.
+    ///
+    /// # Errors
+    /// As those of [`Evaluation::pressure`].
+    pub fn sought_pressure(&mut self, force_n: f64, contraction: f64) -> Result<f64, AnalysisError> {
+        self.check_range(self.model.info().range.pressure_mpa.0, contraction)?;
+        let found = self.pressure_at(force_n, contraction);
+        intact(found, force_n, |p, force| self.broken(p, contraction, force))
+    }
+
+    /// The number alone that [`Evaluation::contraction`] seeks.
+    ///
+    /// # Errors
+    /// As those of [`Evaluation::contraction`].
+    pub fn sought_contraction(&mut self, force_n: f64, pressure_mpa: f64) -> Result<f64, AnalysisError> {
+        self.check_range(pressure_mpa, self.model.info().range.contraction.0.max(0.0))?;
+        let found = self.contraction_or_stretch_at(force_n, pressure_mpa);
+        intact(found, force_n, |e, force| self.broken(pressure_mpa, e, force))
+    }
+
+    /// That a pull which was found is one of broken strands.
+    fn broken(&mut self, pressure_mpa: f64, contraction: f64, force_n: f64) -> Option<AnalysisError> {
+        strand_strength_n(self.model.muscle())?;
+        let response = self.response(pressure_mpa, contraction).ok()?;
+        let (tension_n, strength_n) = overloaded(self.model.muscle(), &response)?;
+        Some(AnalysisError::StrandsBreak { force_n, pressure_mpa, contraction, tension_n, strength_n })
+    }
+
+    /// The pull in N of a model on a branch, without its range and what it is worth: 0 where the strands break.
+    ///
+    /// # Errors
+    /// The model's.
+    pub fn borne_force_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
+        if strand_strength_n(self.model.muscle()).is_none() {
+            return self.force_n(pressure_mpa, contraction);
+        }
+        let response = self.response(pressure_mpa, contraction)?;
+        Ok(if overloaded(self.model.muscle(), &response).is_some() { 0.0 } else { response.force_n })
+    }
 }
 
 /// A ± of a pressure above this, in MPa, and above the pressure itself is none.
@@ -270,58 +288,6 @@ const FLAT_CONTRACTION: f64 = 0.4;
 const STRETCHED: &str =
     "the pull exceeds the blocked force: it stretches the muscle (contraction below zero)";
 
-/// The point at which the pull is `force_n` at a pressure: ε(F, P), below zero where the pull is above the blocked force.
-///
-/// # Errors
-/// [`AnalysisError::NoContraction`] with the nearest reachable pull, or the model's.
-pub fn contraction(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    force_n: f64,
-    pressure_mpa: f64,
-    options: Options,
-) -> Result<Answer, AnalysisError> {
-    let contraction = sought_contraction(model, workspace, force_n, pressure_mpa, options)?;
-    let mut answer = exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n);
-    if contraction < 0.0 && force_n > 0.0 && !model.muscle().is_extensile() {
-        answer.warnings.push(Warning::from(STRETCHED.to_owned()));
-    }
-    let stiffness = stiffness_of(model, workspace, &answer.response, options.direction).ok();
-    Ok(answer.with_contraction_sought(stiffness, model.muscle().length_mm()))
-}
-
-/// The number alone that [`pressure`] seeks, in MPa.
-///
-/// # Errors
-/// As those of [`pressure`].
-pub fn sought_pressure(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    force_n: f64,
-    contraction: f64,
-    options: Options,
-) -> Result<f64, AnalysisError> {
-    check_range(model, model.info().range.pressure_mpa.0, contraction, options)?;
-    let found = pressure_at(model, workspace, force_n, contraction, options);
-    intact(found, force_n, |p, force| broken(model, workspace, (p, contraction), force, options))
-}
-
-/// The number alone that [`contraction`] seeks.
-///
-/// # Errors
-/// As those of [`contraction`].
-pub fn sought_contraction(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    force_n: f64,
-    pressure_mpa: f64,
-    options: Options,
-) -> Result<f64, AnalysisError> {
-    check_range(model, pressure_mpa, model.info().range.contraction.0.max(0.0), options)?;
-    let found = contraction_or_stretch_at(model, workspace, force_n, pressure_mpa, options);
-    intact(found, force_n, |e, force| broken(model, workspace, (pressure_mpa, e), force, options))
-}
-
 /// What was found, unless the strands are broken there, or where the pull is nearest to the one that is sought.
 fn intact(
     found: Result<f64, AnalysisError>,
@@ -330,38 +296,6 @@ fn intact(
 ) -> Result<f64, AnalysisError> {
     let at = found.as_ref().map_or_else(AnalysisError::nearest, |place| Some((*place, force_n)));
     at.and_then(|(place, force_n)| broken(place, force_n)).map_or(found, Err)
-}
-
-/// That a pull which was found is one of broken strands.
-fn broken(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    (pressure_mpa, contraction): (f64, f64),
-    force_n: f64,
-    options: Options,
-) -> Option<AnalysisError> {
-    strand_strength_n(model.muscle())?;
-    let response = response_on(model, workspace, pressure_mpa, contraction, options.direction).ok()?;
-    let (tension_n, strength_n) = overloaded(model.muscle(), &response)?;
-    Some(AnalysisError::StrandsBreak { force_n, pressure_mpa, contraction, tension_n, strength_n })
-}
-
-/// The pull in N of a model on a branch, without its range and what it is worth: 0 where the strands break.
-///
-/// # Errors
-/// The model's.
-pub fn borne_force(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-    contraction: f64,
-    direction: Direction,
-) -> Result<f64> {
-    if strand_strength_n(model.muscle()).is_none() {
-        return force_on(model, workspace, pressure_mpa, contraction, direction);
-    }
-    let response = response_on(model, workspace, pressure_mpa, contraction, direction)?;
-    Ok(if overloaded(model.muscle(), &response).is_some() { 0.0 } else { response.force_n })
 }
 
 /// An inverse answers with the force that was asked for, not with its rounding error (which could read as slack at 0 N).

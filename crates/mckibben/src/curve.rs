@@ -4,10 +4,10 @@
 //! - isotonic: F fixed, ε(P);
 //! - isobaric: P fixed, F(ε).
 
-use crate::analysis::AnalysisError;
-use crate::answer::{self, Answer, Options, SlackState};
+use crate::analysis::{AnalysisError, Evaluation};
+use crate::answer::{Answer, SlackState};
 use crate::cancel;
-use crate::model::{ForceModel, ModelError, Workspace};
+use crate::model::ModelError;
 use serde::{Deserialize, Serialize};
 
 /// Which test.
@@ -55,55 +55,47 @@ pub struct Curve {
     pub points: Vec<CurvePoint>,
 }
 
-/// A family of curves: `fixed` holds ε, F or P of each curve, `along` the P or ε of its points.
-///
-/// Points without an answer carry their reason; the others stand.
-pub fn curves(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    test: Test,
-    fixed: &[f64],
-    along: &[f64],
-    options: Options,
-) -> Vec<Curve> {
-    let curve = |&fixed: &f64| {
-        // Along an isobaric curve it is sought once how the muscle hangs, at the first slack point.
-        let mut hanging = None;
-        let mut one = |&x: &f64| {
-            if test != Test::Isobaric {
-                hanging = None;
-            }
-            point(model, workspace, test, fixed, x, options, &mut hanging)
+impl Evaluation<'_> {
+    /// A family of curves: `fixed` holds ε, F or P of each curve, `along` the P or ε of its points.
+    ///
+    /// Points without an answer carry their reason; the others stand.
+    pub fn curves(&mut self, test: Test, fixed: &[f64], along: &[f64]) -> Vec<Curve> {
+        let curve = |&fixed: &f64| {
+            // Along an isobaric curve it is sought once how the muscle hangs, at the first slack point.
+            let mut hanging = None;
+            let mut one = |&x: &f64| {
+                if test != Test::Isobaric {
+                    hanging = None;
+                }
+                self.curve_point(test, fixed, x, &mut hanging)
+            };
+            Curve { fixed, points: along.iter().map(&mut one).collect() }
         };
-        Curve { fixed, points: along.iter().map(&mut one).collect() }
-    };
-    fixed.iter().map(curve).collect()
-}
+        fixed.iter().map(curve).collect()
+    }
 
-fn point(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    test: Test,
-    fixed: f64,
-    x: f64,
-    options: Options,
-    hanging: &mut Option<SlackState>,
-) -> CurvePoint {
-    // A search asks the model many times before it gives up: of what is to end, not once.
-    let open = cancel::check().map_err(|e| AnalysisError::from(ModelError::Cancelled(e)));
-    match test {
-        Test::Isotonic => CurvePoint {
-            pressure_mpa: x,
-            contraction: None,
-            force_n: Some(fixed),
-            answer: open.and_then(|()| answer::contraction(model, workspace, fixed, x, options)),
-        },
-        Test::Isometric | Test::Isobaric => {
-            let (p, e) = if test == Test::Isobaric { (fixed, x) } else { (x, fixed) };
-            let answer = open.and_then(|()| {
-                answer::point_beyond(model, workspace, p, e, options, hanging).map_err(AnalysisError::from)
-            });
-            CurvePoint { pressure_mpa: p, contraction: Some(e), force_n: None, answer }
+    fn curve_point(
+        &mut self,
+        test: Test,
+        fixed: f64,
+        x: f64,
+        hanging: &mut Option<SlackState>,
+    ) -> CurvePoint {
+        // A search asks the model many times before it gives up: of what is to end, not once.
+        let open = cancel::check().map_err(|e| AnalysisError::from(ModelError::Cancelled(e)));
+        match test {
+            Test::Isotonic => CurvePoint {
+                pressure_mpa: x,
+                contraction: None,
+                force_n: Some(fixed),
+                answer: open.and_then(|()| self.contraction(fixed, x)),
+            },
+            Test::Isometric | Test::Isobaric => {
+                let (p, e) = if test == Test::Isobaric { (fixed, x) } else { (x, fixed) };
+                let answer =
+                    open.and_then(|()| self.point_beyond(p, e, hanging).map_err(AnalysisError::from));
+                CurvePoint { pressure_mpa: p, contraction: Some(e), force_n: None, answer }
+            }
         }
     }
 }
@@ -148,7 +140,8 @@ impl Curve {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{ForceModel, ThickWall};
+    use crate::analysis::Options;
+    use crate::model::{ForceModel, ThickWall, Workspace};
     use crate::muscle::Muscle;
 
     /// The drawn line of a slack muscle starts on zero between the two pressures around P′.
@@ -156,13 +149,16 @@ mod tests {
     fn a_line_starts_on_zero_at_the_dead_pressure() {
         let model = ThickWall::new(&Muscle::prototype());
         let pressures: Vec<f64> = (0..=250).map(|i| f64::from(i) / 1000.0).collect();
-        let family =
-            curves(&model, &mut Workspace::new(), Test::Isometric, &[0.15], &pressures, Options::default());
+        let family = Evaluation::new(&model, &mut Workspace::new(), Options::default()).curves(
+            Test::Isometric,
+            &[0.15],
+            &pressures,
+        );
         let line = family[0].line(Test::Isometric);
         let start = line.iter().find(|p| p.1 == 0.0).unwrap().0;
-        let dead =
-            crate::analysis::start_pressure_mpa(&model, &mut Workspace::new(), 0.15, Options::default())
-                .unwrap();
+        let dead = Evaluation::new(&model, &mut Workspace::new(), Options::default())
+            .start_pressure_mpa(0.15)
+            .unwrap();
         assert!((start - dead).abs() < 1e-5, "{start} {dead}");
         assert!(model.force_n(&mut Workspace::new(), start, 0.15).unwrap().abs() < 0.05);
         assert!(line.iter().all(|p| p.1.is_nan() || p.1 >= 0.0));

@@ -19,9 +19,9 @@
 //! let pull = model.response(workspace, 0.25, 0.10)?;
 //! assert!(pull.force_n > 900.0 && pull.bulged_diameter_mm > Some(50.0));
 //! // Which pressure gives 500 N there, and how far does it contract when nothing holds it?
-//! let pressure_mpa = pressure_at(&model, workspace, 500.0, 0.10, Options::default())?;
-//! assert!(pressure_mpa < 0.25);
-//! assert!(free_contraction(&model, workspace, 0.25, Options::default())? < muscle.max_ideal_contraction());
+//! let mut model = Evaluation::new(&model, workspace, Options::default());
+//! assert!(model.pressure_at(500.0, 0.10)? < 0.25);
+//! assert!(model.free_contraction(0.25)? < muscle.max_ideal_contraction());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

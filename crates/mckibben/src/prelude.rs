@@ -1,6 +1,6 @@
 //! What most programs need: `use mckibben::prelude::*`.
 
-pub use crate::analysis::{Options, contraction_at, free_contraction, pressure_at, start_pressure_mpa};
+pub use crate::analysis::{Evaluation, Options};
 pub use crate::model::{ForceModel, Ideal, Paper, Response, ThickWall, Universal, Workspace};
 pub use crate::muscle::file::{parse_muscle, read_muscle, to_toml};
 pub use crate::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};

@@ -4,8 +4,8 @@
 //! 150 N, beside the ideal formulas (1) and (4) with D0 = 24 mm (the prototype's bore, as the paper drew them) and with
 //! D0 = 30 mm. The paper's findings are computed from the curves, each with a verdict; they do not all hold.
 
-use crate::analysis::{AnalysisError, Options, contraction_at, force_on, start_pressure_mpa};
-use crate::curve::{Curve, Test, curves};
+use crate::analysis::{AnalysisError, Evaluation, Options};
+use crate::curve::{Curve, Test};
 use crate::model::{ForceModel, Ideal, ModelError, Workspace};
 use crate::muscle::{Direction, Muscle, MuscleError, Tube};
 use serde::Serialize;
@@ -102,32 +102,23 @@ where
         let value = if test == Test::Isometric { fixed / 285.0 } else { fixed };
         let mut list = vec![];
         for ((model, workspace), wall) in models.iter().zip(&mut workspaces).zip(WALLS_MM) {
-            for curve in curves(model.as_ref(), workspace, test, &[value], &pressures, options) {
+            let mut model = Evaluation::new(model.as_ref(), workspace, options);
+            for curve in model.curves(test, &[value], &pressures) {
                 list.push(StudyCurve { label: format!("s = {wall} mm"), wall_mm: Some(wall), curve });
             }
         }
         let equation = if test == Test::Isometric { "(1)" } else { "(4)" };
         for (d0, ideal) in &ideals {
-            for curve in curves(ideal, &mut Workspace::new(), test, &[value], &pressures, options) {
-                list.push(StudyCurve {
-                    label: format!("{equation} with D0 = {d0} mm"),
-                    wall_mm: None,
-                    curve,
-                });
+            let workspace = &mut Workspace::new();
+            for curve in Evaluation::new(ideal, workspace, options).curves(test, &[value], &pressures) {
+                let label = format!("{equation} with D0 = {d0} mm");
+                list.push(StudyCurve { label, wall_mm: None, curve });
             }
         }
         panels.push(StudyPanel { test, fixed, curves: list });
     }
     let findings = findings(&models, &mut workspaces, &ideals, options.direction)?;
     Ok(Study { model: models[0].info().name.to_string(), panels, findings })
-}
-
-/// Every model with its workspace.
-fn each<'a>(
-    models: &'a [Box<dyn ForceModel>],
-    workspaces: &'a mut [Workspace],
-) -> impl Iterator<Item = (&'a dyn ForceModel, &'a mut Workspace)> {
-    models.iter().map(AsRef::as_ref).zip(workspaces)
 }
 
 fn findings(
@@ -138,36 +129,30 @@ fn findings(
 ) -> Result<Vec<Finding>, StudyError> {
     let options = Options { extrapolate: true, direction, ..Options::default() };
     let contractions = SHORTENINGS_MM.map(|x| x / 285.0);
-    let pull = |model: &dyn ForceModel, workspace: &mut Workspace, e: f64| {
-        force_on(model, workspace, HIGHEST_MPA, e, direction).map(|f| f.max(0.0))
+    let mut each = |ask: &dyn Fn(&mut Evaluation<'_>) -> Result<f64, AnalysisError>| {
+        let muscles = models.iter().zip(&mut *workspaces);
+        muscles.map(|(m, w)| ask(&mut Evaluation::new(&**m, w, options))).collect::<Result<Vec<f64>, _>>()
     };
-    let mut forces = vec![];
-    for &e in &contractions {
-        forces.push(each(models, workspaces).map(|(m, w)| pull(m, w, e)).collect::<Result<Vec<f64>, _>>()?);
-    }
+    let at_contractions = contractions.iter().map(|&e| each(&|m| Ok(m.force_n(HIGHEST_MPA, e)?.max(0.0))));
+    let forces = at_contractions.collect::<Result<Vec<_>, _>>()?;
     let loss: Vec<f64> = forces.iter().map(|f| f[0] - f[4]).collect();
     let largest = loss.iter().copied().fold(0.0, f64::max);
     let falling = forces.iter().all(|f| f.windows(2).all(|w| w[0] >= w[1]));
-    let mut starts = vec![];
-    for &e in &contractions[1..] {
-        let list = each(models, workspaces)
-            .map(|(m, w)| start_pressure_mpa(m, w, e, options))
-            .collect::<Result<Vec<f64>, _>>()?;
-        starts.push(list);
-    }
+    let shortened = contractions[1..].iter().map(|&e| each(&|m| m.start_pressure_mpa(e)));
+    let starts = shortened.collect::<Result<Vec<_>, _>>()?;
     let rise: Vec<f64> = starts.iter().map(|s| s[4] - s[0]).collect();
     let rising = starts.iter().all(|s| s.windows(2).all(|w| w[0] <= w[1]));
     let ideal = |i: usize, e: f64| ideals[i].1.pull(HIGHEST_MPA, e);
     let at = |i: usize| contractions.map(|e| format!("{:.0}", ideal(i, e))).join(" / ");
     let thinnest = forces.iter().map(|f| format!("{:.0}", f[0])).collect::<Vec<_>>().join(" / ");
     let steepest = |i: usize| (0..3).all(|j| ideal(i, contractions[j]) >= forces[j][0]);
-    let short = |m: &dyn ForceModel, w: &mut Workspace, f: f64| contraction_at(m, w, f, HIGHEST_MPA, options);
-    let mut isotonic_falls = true;
-    let mut shorter = true;
+    let (mut isotonic_falls, mut shorter) = (true, true);
     for &f in &PULLS_N {
-        let list = each(models, workspaces).map(|(m, w)| short(m, w, f)).collect::<Result<Vec<f64>, _>>()?;
+        let list = each(&|m| m.contraction_at(f, HIGHEST_MPA))?;
         isotonic_falls &= list.windows(2).all(|w| w[0] >= w[1]);
-        shorter &= short(&ideals[0].1, &mut Workspace::new(), f)? >= list[0];
+        let ideal =
+            Evaluation::new(&ideals[0].1, &mut Workspace::new(), options).contraction_at(f, HIGHEST_MPA);
+        shorter &= ideal? >= list[0];
     }
     Ok(vec![
         Finding {

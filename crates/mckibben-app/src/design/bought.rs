@@ -8,7 +8,7 @@
 use super::request::{Choice, DesignRequest};
 use crate::model::Model;
 use mckibben::muscle::{Muscle, Tube};
-use mckibben::{analysis::force_on, model::Workspace, uncertainty::uncertainty};
+use mckibben::{analysis::Evaluation, model::Workspace};
 use mckibben_design::{Limits, OperatingPoint, Spec, fits};
 use mckibben_fit::validation::library::{PREFIX, library};
 use schemars::JsonSchema;
@@ -78,10 +78,10 @@ fn one(request: &DesignRequest, spec: &Spec, muscle: &Muscle) -> Option<BoughtAn
         return None;
     }
     let (model, w) = (Model::FE.build(&muscle).ok()?, &mut Workspace::new());
-    let direction = held.options().direction;
+    let mut model = Evaluation::new(&*model, w, held.options().direction);
     let mut at = |q: &OperatingPoint| {
-        let force_n = force_on(&*model, w, max_pressure_mpa, q.contraction, direction).ok()?;
-        let parts = uncertainty(&*model, w, (max_pressure_mpa, q.contraction), force_n, direction)?;
+        let force_n = model.force_n(max_pressure_mpa, q.contraction).ok()?;
+        let parts = model.uncertainty(max_pressure_mpa, q.contraction, force_n)?;
         Some((*q, force_n, parts.total()))
     };
     let all: Vec<(OperatingPoint, f64, f64)> = points.iter().map(&mut at).collect::<Option<_>>()?;

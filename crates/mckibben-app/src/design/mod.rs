@@ -16,11 +16,11 @@ pub use request::{Choice, DesignRequest, ObjectiveWord, OperatingPoint, TorqueWa
 
 use crate::{Model, Problem, UncertaintyWords, figure, not_measured};
 use answer::{muscle_file, not_checked, out_of_reach};
-use mckibben::analysis::{force_on, pressure_at};
+use mckibben::analysis::Evaluation;
+use mckibben::answer::Options;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
-use mckibben::{answer::Options, uncertainty::uncertainty};
 use mckibben_design::{
     Build, Candidate, CandidatePoint, Models, Outcome, Spec, Spread, Tolerances, design_joint, design_with,
     fits, spread,
@@ -121,9 +121,9 @@ fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<U
     let half = |q: &CandidatePoint| q.uncertainty_n.unwrap_or(0.0);
     let response = winner.points.iter().max_by(|a, b| half(a).total_cmp(&half(b)))?.response;
     let (model, workspace) = (build(&winner.muscle).ok()?, &mut Workspace::new());
-    let at = (response.pressure_mpa, response.contraction);
-    let parts = uncertainty(&*model, workspace, at, response.force_n, spec.options().direction);
-    Some(UncertaintyWords::of(parts, &*model, workspace, response.pressure_mpa))
+    let mut model = Evaluation::new(&*model, workspace, spec.options().direction);
+    let parts = model.uncertainty(response.pressure_mpa, response.contraction, response.force_n);
+    Some(UncertaintyWords::of(parts, &mut model, response.pressure_mpa))
 }
 
 fn spreads(
@@ -141,13 +141,13 @@ fn spreads(
 /// What finite elements say of the winner.
 fn verified(spec: &Spec, winner: &Candidate) -> Result<Verified, Problem> {
     let fe = Model::FE.build(&winner.muscle)?;
-    let mut workspace = Workspace::new();
-    let options = Options { extrapolate: true, ..spec.options() };
+    let workspace = &mut Workspace::new();
+    let mut model = Evaluation::new(&*fe, workspace, Options { extrapolate: true, ..spec.options() });
     let mut points = vec![];
     for wanted in winner.points.iter().map(CandidatePoint::wanted) {
         let max = spec.max_pressure_mpa;
-        let available = force_on(&*fe, &mut workspace, max, wanted.contraction, options.direction);
-        let pressure = pressure_at(&*fe, &mut workspace, wanted.force_n, wanted.contraction, options);
+        let available = model.force_n(max, wanted.contraction);
+        let pressure = model.pressure_at(wanted.force_n, wanted.contraction);
         points.push(VerifiedPoint {
             wanted,
             pressure_mpa: pressure.ok(),

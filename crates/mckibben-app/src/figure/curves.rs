@@ -2,9 +2,10 @@
 
 use super::{BAND, caption};
 use crate::{CurveAnswer, LoadAnswer, Model, Units, percent};
+use mckibben::analysis::{Evaluation, Options};
 use mckibben::curve::{Curve, CurvePoint, Test};
 use mckibben::model::{ForceModel, Workspace};
-use mckibben::{answer::Options, study::Study};
+use mckibben::study::Study;
 use mckibben_design::{Candidate, OperatingPoint};
 use mckibben_fit::compare::MeasuredPoint;
 use mckibben_report::{Axis, Figure, Mark, Palette, Panel, Series, Style};
@@ -171,19 +172,13 @@ pub fn design(
         let end = candidate.free_contraction.unwrap_or(0.2).max(asked).min(model.info().range.contraction.1);
         let along: Vec<f64> = (0..=60).map(|i| end * f64::from(i) / 60.0).collect();
         let needed = candidate.pressure_mpa;
-        let mut workspace = Workspace::new();
+        let workspace = &mut Workspace::new();
+        let mut evaluation = Evaluation::new(model.as_ref(), workspace, options);
         for (pressure, style) in [(max_pressure_mpa, Style::Line), (needed, Style::Dashed)] {
             if pressure == needed && needed > 0.995 * max_pressure_mpa {
                 continue;
             }
-            for curve in mckibben::curve::curves(
-                model.as_ref(),
-                &mut workspace,
-                Test::Isobaric,
-                &[pressure],
-                &along,
-                options,
-            ) {
+            for curve in evaluation.curves(Test::Isobaric, &[pressure], &along) {
                 if i == 0 && pressure == max_pressure_mpa {
                     first_band = band(&curve, Test::Isobaric, u).map(|band| band.colour(0));
                 }
@@ -228,20 +223,19 @@ pub fn model_colour(name: &str, formulas: &mut Vec<String>) -> usize {
 
 /// Isobaric curves of every model (one colour a model) at each pressure, with the measured points.
 pub fn compare(
-    models: Vec<(&dyn ForceModel, &mut Workspace)>,
+    models: Vec<Evaluation<'_>>,
     measured: &[MeasuredPoint],
     pressures: &[f64],
     contractions: &[f64],
-    options: Options,
     about: &str,
     u: &Units,
 ) -> Figure {
     let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
     let (mut bands, mut formulas) = (vec![], vec![]);
-    for (number, (model, workspace)) in models.into_iter().enumerate() {
+    for (number, mut evaluation) in models.into_iter().enumerate() {
+        let model = evaluation.model;
         let colour = model_colour(&model.info().name, &mut formulas);
-        let family =
-            mckibben::curve::curves(model, workspace, Test::Isobaric, pressures, contractions, options);
+        let family = evaluation.curves(Test::Isobaric, pressures, contractions);
         for (i, curve) in family.iter().enumerate() {
             let label = if i == 0 { &*model.info().name } else { "" };
             let style =

@@ -3,8 +3,8 @@
 use super::curves::{MOST_BANDS, pull};
 use super::{BAND, caption, has_band, some_of};
 use crate::{percent, units::Units};
-use mckibben::analysis::force_on;
-use mckibben::model::{ForceModel, Workspace};
+use mckibben::analysis::Evaluation;
+use mckibben::model::Workspace;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben_fit::identify::{Identification, PointFit};
 use mckibben_fit::measured::{DataPoint, Section, mean_of_data};
@@ -174,12 +174,14 @@ fn fit(
         branches.sort_by_key(|b| *b as u8);
         branches.dedup();
         for branch in branches {
-            let mut workspace = Workspace::new();
+            let workspace = &mut Workspace::new();
+            let mut evaluation = Evaluation::new(model.as_ref(), workspace, branch);
             let mut edges = vec![];
             let points = (0..=40).filter_map(|i| {
                 let x = low + (high - low) * f64::from(i) / 40.0;
                 let (pressure, contraction) = if isobaric { (value, x) } else { (x, value) };
-                let force = pulled(model.as_ref(), &mut workspace, found, (pressure, contraction), branch)?;
+                // A muscle does not push.
+                let force = evaluation.force_n(pressure, contraction + offset).ok().filter(|f| *f >= 0.0)?;
                 let x = if isobaric { x } else { u.pressure.value(x) };
                 let half = bench.map(|bench| bench.half_width_n(pressure, contraction + offset));
                 edges.extend(
@@ -196,18 +198,6 @@ fn fit(
         panel.series.append(&mut bands);
     }
     panel
-}
-
-/// The model's pull at a contraction of the data, on a branch.
-fn pulled(
-    m: &dyn ForceModel,
-    w: &mut Workspace,
-    found: &Identification,
-    (p, e): (f64, f64),
-    branch: Direction,
-) -> Option<f64> {
-    // A muscle does not push.
-    force_on(m, w, p, e + found.candidate.contraction_offset, branch).ok().filter(|force| *force >= 0.0)
 }
 
 /// Pressures of a panel at most; of more some are shown.

@@ -11,10 +11,10 @@
 
 use super::{BoundModel, Many, PointQuantity, Unanswered};
 use crate::{Problem, ProblemKind, finite, ratio};
-use mckibben::analysis::{force_on, response_on, slope_by_pressure, stiffness_of};
+use mckibben::analysis::Evaluation;
 use mckibben::model::{Bounds, ModelError, Workspace, pulls_within};
 use mckibben::muscle::{BraidStiffness, Muscle};
-use mckibben::{answer, cancel, differences::slope, rubber::RubberLaw, warning::strand_strength_n};
+use mckibben::{cancel, differences::slope, rubber::RubberLaw, warning::strand_strength_n};
 use mckibben_fit::identify::{Candidate, Target, own_value};
 use std::f64::consts::PI;
 
@@ -78,6 +78,10 @@ impl BoundModel {
         own && pulls_within(&*self.model, workspace, [p, e], &bounds, out)
     }
 
+    fn evaluation<'a>(&'a self, workspace: &'a mut Workspace) -> Evaluation<'a> {
+        Evaluation::new(&*self.model, workspace, self.options)
+    }
+
     fn outer_area_mm2(&self) -> f64 {
         PI * self.muscle().tube().outer_radius_mm().powi(2)
     }
@@ -99,12 +103,12 @@ impl BoundModel {
             }
             PointQuantity::Pressure => {
                 let (f, e) = (self.pull(a)?, ratio(b)?);
-                let p = answer::sought_pressure(&*self.model, workspace, f, e, self.options)?;
+                let p = self.evaluation(workspace).sought_pressure(f, e)?;
                 (p, p, e)
             }
             PointQuantity::Contraction => {
                 let (f, p) = (self.pull(a)?, finite("pressure_mpa", b)?);
-                let e = answer::sought_contraction(&*self.model, workspace, f, p, self.options)?;
+                let e = self.evaluation(workspace).sought_contraction(f, p)?;
                 (e, p, e)
             }
         };
@@ -135,13 +139,12 @@ impl BoundModel {
         e: f64,
         free: &mut Option<(f64, f64)>,
     ) -> Result<f64, Problem> {
-        answer::check_range(&*self.model, p, e, self.options)?;
+        self.evaluation(workspace).check_range(p, e)?;
         let hangs = free.is_some_and(|(at, free)| at == p && e > free);
         if hangs && !self.options.two_sided {
             return Ok(0.0);
         }
-        let direction = self.options.direction;
-        let force = match answer::borne_force(&*self.model, workspace, p, e, direction) {
+        let force = match self.evaluation(workspace).borne_force_n(p, e) {
             Ok(force) if !force.is_finite() => {
                 let model = self.name().to_owned();
                 return Err(ModelError::NotFinite { model, pressure_mpa: p, contraction: e }.into());
@@ -154,7 +157,7 @@ impl BoundModel {
             Ok(force) => force,
             // A muscle that was shortened by more than it shortens by itself may have no equilibrium: it hangs slack.
             Err(error) => {
-                let point = answer::point(&*self.model, workspace, p, e, self.options).map_err(|_| error)?;
+                let point = self.evaluation(workspace).point(p, e).map_err(|_| error)?;
                 *free = point.free_contraction.map(|e| (p, e));
                 point.response.force_n
             }
@@ -201,10 +204,10 @@ impl BoundModel {
 
     /// ∂F/∂P and ∂F/∂ε.
     fn force_slopes(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<(f64, f64), Problem> {
-        let (model, direction) = (&*self.model, self.options.direction);
-        let response = response_on(model, workspace, p, e, direction)?;
-        let f_p = slope_by_pressure(model, workspace, &response, direction)?;
-        let f_e = -stiffness_of(model, workspace, &response, direction)? * self.muscle().length_mm();
+        let mut model = self.evaluation(workspace);
+        let response = model.response(p, e)?;
+        let f_p = model.force_per_pressure_mm2(&response)?;
+        let f_e = -model.stiffness_n_per_mm(&response)? * self.muscle().length_mm();
         Ok((f_p, f_e))
     }
 
@@ -250,7 +253,7 @@ impl BoundModel {
         (p, e): (f64, f64),
     ) -> Result<f64, Problem> {
         let model = self.choice.build(Candidate::new(held, &[(target, value)])?.muscle())?;
-        Ok(force_on(&*model, &mut Workspace::new(), p, e, self.options.direction)?)
+        Ok(Evaluation::new(&*model, &mut Workspace::new(), self.options).force_n(p, e)?)
     }
 }
 

@@ -13,8 +13,13 @@ use crate::{
 };
 use mckibben::joint::{JointModel, Turning};
 use mckibben::{
-    answer::Options, joint::Joint, load::balances, model::ForceModel, model::Workspace, progress::Progress,
-    uncertainty::UncertaintyParts, warning::Warning,
+    analysis::Evaluation,
+    answer::Options,
+    joint::Joint,
+    model::{ForceModel, Workspace},
+    progress::Progress,
+    uncertainty::UncertaintyParts,
+    warning::Warning,
 };
 use mckibben_motion::{
     Actuated, Command, Coordinate, Drive, DriveFile, Hysteresis, Linear, Mechanism, Motion, MotionError,
@@ -448,7 +453,8 @@ impl Moved {
         }
         let workspace = &mut Workspace::new();
         let options = Options { extrapolate: true, ..Options::default() };
-        let found = balances(&**model, workspace, load, *pressures_mpa.first()?, options).ok()?;
+        let mut model = Evaluation::new(&**model, workspace, options);
+        let found = model.balances(load, *pressures_mpa.first()?).ok()?;
         let far = |e: f64| (e - contraction).abs();
         let nearest = found.into_iter().map(|b| b.answer);
         let nearest =

@@ -12,6 +12,7 @@ use crate::{
     MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, Units, burst_of,
     check_count, check_test, contractions, figure, forces, list, put_first, reach, said_of, steps, warnings,
 };
+use mckibben::analysis::Evaluation;
 use mckibben::model::{ModelError, Response, Workspace, notes_of};
 use mckibben::muscle::{Ends, Muscle};
 use mckibben::{
@@ -249,7 +250,7 @@ impl SimulateRequest {
         let pressures = list("pressures_mpa", &self.pressures_mpa, || steps(5, 0.05, 0.25))?;
         let mut contractions = contractions(&self.contractions, || {
             if self.test == Test::Isobaric && !self.of_largest {
-                reach(model, workspace, &pressures, 0.02, true, Options::default())
+                reach(&mut Evaluation::new(model, workspace, Options::default()), &pressures, 0.02, true)
             } else {
                 steps(3, 0.0, 0.2)
             }

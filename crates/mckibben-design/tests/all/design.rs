@@ -1,8 +1,8 @@
 //! The design search against brute force and against its own promises.
 
+use mckibben::analysis::Evaluation;
 use mckibben::analysis::Options;
 use mckibben::liquid::{Liquid, LiquidSupply};
-use mckibben::load::liquid_per_stroke;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::measures::{SEATING, WALL, fields};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
@@ -76,14 +76,9 @@ fn lists_of_stock_sizes_agree_with_brute_force() {
                     continue;
                 }
                 fitting += 1;
-                let p = mckibben::analysis::pressure_at(
-                    &model,
-                    &mut Workspace::new(),
-                    300.0,
-                    0.1,
-                    Options::default(),
-                )
-                .unwrap();
+                let p = Evaluation::new(&model, &mut Workspace::new(), Options::default())
+                    .pressure_at(300.0, 0.1)
+                    .unwrap();
                 let (ours, other) = match objective {
                     Objective::Diameter => (best.muscle.outer_diameter_mm(), d0),
                     Objective::Pressure => (best.pressure_mpa, p),
@@ -92,7 +87,8 @@ fn lists_of_stock_sizes_agree_with_brute_force() {
                     }
                     Objective::BulgedDiameter | Objective::Length => unreachable!(),
                     Objective::Air => {
-                        let air = mckibben::analysis::air_per_stroke(&model, &mut Workspace::new(), p, 0.1)
+                        let air = Evaluation::new(&model, &mut Workspace::new(), Options::default())
+                            .air_per_stroke(p, 0.1)
                             .unwrap();
                         (best.air_normal_litres().unwrap(), air.normal_litres)
                     }
@@ -201,9 +197,14 @@ fn the_objective_air_with_a_liquid_finds_the_least_liquid_of_a_list() {
         if model.force_n(w, 0.25, 0.1).unwrap() < 300.0 {
             continue;
         }
-        let p = mckibben::analysis::pressure_at(&model, w, 300.0, 0.1, Options::default()).unwrap();
+        let p = Evaluation::new(&model, w, Options::default()).pressure_at(300.0, 0.1).unwrap();
         let supply = spec.liquid.as_ref().unwrap();
-        least = least.min(liquid_per_stroke(&model, w, supply, p, 0.1).unwrap().volume_mm3);
+        least = least.min(
+            Evaluation::new(&model, w, Options::default())
+                .liquid_per_stroke(supply, p, 0.1)
+                .unwrap()
+                .volume_mm3,
+        );
     }
     assert!((best / least - 1.0).abs() < 1e-9, "{best} {least}");
 }

@@ -1,6 +1,6 @@
 //! The design search against a brute-force grid: what the grid finds, the search finds, and nothing smaller is missed.
 
-use mckibben::analysis::pressure_at;
+use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
 use mckibben::muscle::{Muscle, Tube};
 use mckibben::random::{Random, rounds};
@@ -66,7 +66,8 @@ fn case(seed: u64) -> Option<Case> {
         if force_n < 1.0 {
             return None;
         }
-        let p = pressure_at(model.as_ref(), w, force_n, contraction, Default::default()).ok()?;
+        let p =
+            Evaluation::new(model.as_ref(), w, Options::default()).pressure_at(force_n, contraction).ok()?;
         bulge = bulge.max(model.response(w, p, contraction).ok()?.bulged_diameter_mm?);
         points.push(OperatingPoint { force_n, contraction });
     }

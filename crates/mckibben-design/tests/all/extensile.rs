@@ -1,5 +1,6 @@
 //! Muscles that push, designed for a push at an extension.
 
+use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::units::Values;
@@ -66,13 +67,9 @@ fn a_guaranteed_push_leaves_its_half_width() {
     let sure = Spec { guaranteed: Some(0.95), ..spec(-30.0, -0.1, Limits::default()) };
     let outcome = design(&sure, BUILD).unwrap();
     let best = &outcome.candidates[0];
-    let half = mckibben::uncertainty::uncertainty(
-        &ThickWall::new(&best.muscle),
-        &mut Workspace::new(),
-        (0.25, -0.1),
-        -push_n(&best.muscle),
-        mckibben::muscle::Direction::Mean,
-    );
+    let (model, workspace) = (ThickWall::new(&best.muscle), &mut Workspace::new());
+    let half =
+        Evaluation::new(&model, workspace, Options::default()).uncertainty(0.25, -0.1, -push_n(&best.muscle));
     assert!(push_n(&best.muscle) - half.unwrap().total() >= 30.0 - 1e-6);
 }
 

@@ -1,7 +1,7 @@
 //! The form: its potential, its inverse, its continuation, its error.
 
 use super::{exported, fe};
-use mckibben::analysis::force_on;
+use mckibben::analysis::Evaluation;
 use mckibben::model::Workspace;
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
 use mckibben::random::{Random, rounds};
@@ -141,7 +141,9 @@ fn the_error_that_is_stated_is_that_of_any_point() {
         let mut worst = 0.0_f64;
         for _ in 0..400 {
             let (q, e) = (r.unit(), r.between(form.contraction_low, form.contraction_high));
-            let Ok(exact) = force_on(&*model, w, q * 0.25, e, Direction::Mean) else { continue };
+            let Ok(exact) = Evaluation::new(&*model, w, Direction::Mean).force_n(q * 0.25, e) else {
+                continue;
+            };
             let miss_n = form.at(q * form.supply_pa, e).force_n - exact.max(0.0);
             worst = worst.max(miss_n.abs() / exported.blocked_force_n);
         }
@@ -253,7 +255,8 @@ fn friction_is_that_of_the_muscle_within_the_error_of_its_two_terms() {
         assert!(largest < 0.01805 * full_n, "{exponent}: {largest} of {full_n}");
         let w = &mut Workspace::default();
         for q in [0.04, 0.25, 0.36, 0.7, 1.0] {
-            let mut branch = |direction| force_on(&*model, w, q * supply_mpa, 0.1, direction).unwrap();
+            let mut branch =
+                |direction| Evaluation::new(&*model, w, direction).force_n(q * supply_mpa, 0.1).unwrap();
             let half_n = 0.5 * (branch(Direction::Elongation) - branch(Direction::Contraction));
             let ours_n = form.friction_n[0] * q.sqrt() + form.friction_n[1] * q;
             assert!(

@@ -1,9 +1,7 @@
 //! Answers by finite elements as everybody gets them: inverses come back, and a slack muscle is an answer.
 
-use mckibben::analysis::{
-    contraction_at, contraction_or_stretch_at, free_contraction, pressure_at, start_pressure_mpa,
-};
-use mckibben::answer::{Options, force, point};
+use mckibben::analysis::Evaluation;
+use mckibben::answer::Options;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::{Braid, Muscle, Tube};
@@ -24,7 +22,7 @@ fn pulling(count: usize) -> Vec<(Axisymmetric, f64, f64)> {
 #[test]
 fn every_muscle_that_pulls_has_a_pressure_at_which_it_starts_to() {
     for (model, p, e) in pulling(rounds(15)) {
-        let answer = force(&model, &mut Workspace::new(), p, e, Options::default()).unwrap();
+        let answer = Evaluation::new(&model, &mut Workspace::new(), Options::default()).answer(p, e).unwrap();
         let muscle = model.muscle();
         let start = answer.start_pressure_mpa.unwrap_or_else(|| panic!("no P′ at {p} MPa, {e}: {muscle:?}"));
         let pull = model.force_n(&mut Workspace::new(), start, e);
@@ -38,10 +36,13 @@ fn both_inverses_come_back() {
     for (model, p, e) in pulling(rounds(15)) {
         let w = &mut Workspace::new();
         let pull = model.force_n(w, p, e).unwrap();
-        let contraction = contraction_at(&model, &mut Workspace::new(), pull, p, Options::default()).unwrap();
+        let contraction = Evaluation::new(&model, &mut Workspace::new(), Options::default())
+            .contraction_at(pull, p)
+            .unwrap();
         assert!((contraction - e).abs() < 1e-8, "{contraction} {e} {:?}", model.muscle());
         // Soft strands: the pull may fall with the pressure, so that a smaller one gives the same.
-        let pressure = pressure_at(&model, &mut Workspace::new(), pull, e, Options::default()).unwrap();
+        let pressure =
+            Evaluation::new(&model, &mut Workspace::new(), Options::default()).pressure_at(pull, e).unwrap();
         let again = model.force_n(&mut Workspace::new(), pressure, e).unwrap();
         assert!((again / pull - 1.0).abs() < 1e-6, "{again} {pull} {:?}", model.muscle());
         assert!(pressure < p * (1.0 + 1e-8), "{pressure} {p} {:?}", model.muscle());
@@ -52,9 +53,10 @@ fn both_inverses_come_back() {
 fn past_its_free_contraction_a_muscle_hangs_slack() {
     for (model, p, _) in pulling(rounds(10)) {
         let w = &mut Workspace::new();
-        let free = free_contraction(&model, w, p, Options::default()).unwrap();
+        let free = Evaluation::new(&model, w, Options::default()).free_contraction(p).unwrap();
         for past in [1.0 + 1e-9, 1.02, 1.2, 1.6] {
-            let answer = force(&model, &mut Workspace::new(), p, (free * past).min(0.94), Options::default());
+            let answer = Evaluation::new(&model, &mut Workspace::new(), Options::default())
+                .answer(p, (free * past).min(0.94));
             let answer = answer.unwrap_or_else(|e| panic!("{e}: {p} {free} {past} {:?}", model.muscle()));
             // So near to its free contraction what it would push with may be rounding.
             let slack = answer.slack || past < 1.0 + 1e-8;
@@ -65,7 +67,8 @@ fn past_its_free_contraction_a_muscle_hangs_slack() {
             assert!((volume / hangs - 1.0).abs() < 1e-6, "{volume} {hangs} {:?}", model.muscle());
         }
         for e in [0.01, 0.2, 0.5] {
-            let answer = point(&model, &mut Workspace::new(), 0.0, e, Options::default()).unwrap();
+            let answer =
+                Evaluation::new(&model, &mut Workspace::new(), Options::default()).point(0.0, e).unwrap();
             assert!(answer.slack && answer.response.force_n == 0.0, "{answer:?}");
         }
     }
@@ -83,9 +86,9 @@ fn the_pressure_is_sought_from_where_the_muscle_is_taut() {
     .unwrap();
     let model = Axisymmetric::new(&muscle).unwrap();
     let w = &mut Workspace::new();
-    let p = pressure_at(&model, w, 82.390_691_47, 0.2042, Options::default()).unwrap();
+    let p = Evaluation::new(&model, w, Options::default()).pressure_at(82.390_691_47, 0.2042).unwrap();
     assert!((p - 0.1408).abs() < 5e-5, "{p}");
-    assert!(start_pressure_mpa(&model, w, 0.2042, Options::default()).unwrap() < p);
+    assert!(Evaluation::new(&model, w, Options::default()).start_pressure_mpa(0.2042).unwrap() < p);
 }
 
 /// Soft strands: the pull has its maximum of 35 N near 0.3 MPa and falls through 5 and 10 N again beyond. The first root by samples of the
@@ -102,7 +105,9 @@ fn the_smallest_root_by_dense_sampling_of_force_is_the_pressure() {
     for (force, known) in [(5.0, 0.1178), (10.0, 0.132)] {
         let mut pull = |p: f64| model.force_n(w, p, 0.13).unwrap();
         let above = (0..).map(|i| 0.1 + 1e-3 * f64::from(i)).find(|p| pull(*p) >= force).unwrap();
-        let p = pressure_at(&model, &mut Workspace::new(), force, 0.13, Options::default()).unwrap();
+        let p = Evaluation::new(&model, &mut Workspace::new(), Options::default())
+            .pressure_at(force, 0.13)
+            .unwrap();
         assert!(p <= above && p > above - 1e-3 && (p - known).abs() < 5e-4, "{p} {above}");
         assert!((pull(p) - force).abs() < 1e-6 * force);
     }
@@ -114,8 +119,8 @@ fn a_pull_above_the_blocked_force_stretches_the_muscle() {
     let w = &mut Workspace::new();
     let two_sided = Options { two_sided: true, ..Options::default() };
     let blocked = model.force_n(w, 0.25, 0.0).unwrap();
-    assert!(contraction_at(&model, w, 1.1 * blocked, 0.25, Options::default()).is_err());
-    let stretched = contraction_at(&model, w, 1.1 * blocked, 0.25, two_sided).unwrap();
+    assert!(Evaluation::new(&model, w, Options::default()).contraction_at(1.1 * blocked, 0.25).is_err());
+    let stretched = Evaluation::new(&model, w, two_sided).contraction_at(1.1 * blocked, 0.25).unwrap();
     assert!(stretched < 0.0);
     let pull = model.force_n(w, 0.25, stretched).unwrap();
     assert!((pull / blocked / 1.1 - 1.0).abs() < 1e-8);
@@ -162,10 +167,10 @@ fn no_inverse_that_exists_is_denied_by_elements() {
         asked += 1;
         let scale = 1e-6 * model.force_n(w, p, 0.0).map_or(1.0, f64::abs).max(1.0);
         let w = &mut Workspace::new();
-        let found = pressure_at(&model, w, force, e, Options::default());
+        let found = Evaluation::new(&model, w, Options::default()).pressure_at(force, e);
         let found = found.unwrap_or_else(|error| panic!("{muscle:?} {p} {e} {force}: {error}"));
         assert!((model.force_n(w, found, e).unwrap() - force).abs() <= scale, "{muscle:?} {p} {e}: {found}");
-        let found = contraction_or_stretch_at(&model, w, force, p, Options::default());
+        let found = Evaluation::new(&model, w, Options::default()).contraction_or_stretch_at(force, p);
         let found = found.unwrap_or_else(|error| panic!("{muscle:?} {p} {e} {force}: {error}"));
         assert!((model.force_n(w, p, found).unwrap() - force).abs() <= scale, "{muscle:?} {p} {e}: {found}");
     }

@@ -1,7 +1,7 @@
 //! Muscles that extend: strands at more than 54.7° to the axis.
 
 use super::prestretch::slopes_are_those_of_differences;
-use mckibben::analysis::{Options, contraction_at, free_contraction, pressure_at};
+use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::random::{Random, rounds};
@@ -28,7 +28,8 @@ fn a_slice_of_a_long_muscle_is_the_thick_wall() {
         let at = slice.force_n(w, p, e).unwrap();
         let shortened = |m: &Muscle| {
             let model = Axisymmetric::new(m).unwrap();
-            contraction_at(&model, &mut Workspace::new(), at, p, Options::default()).unwrap() * m.length_mm()
+            Evaluation::new(&model, &mut Workspace::new(), Options::default()).contraction_at(at, p).unwrap()
+                * m.length_mm()
         };
         let own = (shortened(&longer) - shortened(&long)) / 100.0;
         // The stations of the mesh are set by the length: what that changes is some 1e-6 of the slice.
@@ -62,14 +63,20 @@ fn inverses_come_back_and_free_muscles_are_longer_than_at_rest() {
         let fe = Axisymmetric::new(&m).unwrap();
         for model in [&ThickWall::new(&m) as &dyn ForceModel, &fe] {
             let (w, options) = (&mut Workspace::new(), Options::default());
-            let free = free_contraction(model, w, 0.2, options).unwrap();
+            let free = Evaluation::new(model, w, options).free_contraction(0.2).unwrap();
             assert!(free < 0.0 && free > m.max_ideal_contraction(), "{angle} {free}");
             assert!(model.force_n(w, 0.2, free).unwrap().abs() < 1e-4);
             let e = 0.5 * free;
             let push = model.force_n(w, 0.2, e).unwrap();
             assert!(push < 0.0, "{angle} {push}");
-            assert!((contraction_at(model, w, push, 0.2, options).unwrap() - e).abs() < 1e-7, "{angle}");
-            assert!((pressure_at(model, w, push, e, options).unwrap() - 0.2).abs() < 1e-7, "{angle}");
+            assert!(
+                (Evaluation::new(model, w, options).contraction_at(push, 0.2).unwrap() - e).abs() < 1e-7,
+                "{angle}"
+            );
+            assert!(
+                (Evaluation::new(model, w, options).pressure_at(push, e).unwrap() - 0.2).abs() < 1e-7,
+                "{angle}"
+            );
         }
     }
 }
@@ -87,7 +94,7 @@ fn partly_slack_strands_of_a_stretched_muscle_have_an_answer() {
         assert!((force - pull).abs() < 0.051, "{p} MPa: {force}");
     }
     let push = -30.0;
-    let p = pressure_at(&fe, w, push, -0.1, Options::default()).unwrap();
+    let p = Evaluation::new(&fe, w, Options::default()).pressure_at(push, -0.1).unwrap();
     assert!((fe.force_n(w, p, -0.1).unwrap() - push).abs() < 1e-6 && p < 0.13, "{p}");
 }
 

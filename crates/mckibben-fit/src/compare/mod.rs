@@ -3,10 +3,9 @@
 pub use crate::measured::{MeasuredPoint, mean_of_branches, read_measured};
 
 use crate::measured::DataPoint;
-use mckibben::analysis::{Options, response_on};
-use mckibben::answer::borne_force;
+use mckibben::analysis::Evaluation;
 use mckibben::cancel;
-use mckibben::model::{ForceModel, ModelError, Workspace};
+use mckibben::model::ModelError;
 use serde::Serialize;
 
 /// How far a model is from measured points.
@@ -28,24 +27,19 @@ pub struct Comparison {
 }
 
 /// Compares a model with measured points. Where the model is slack it counts as 0 N.
-pub fn compare(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    points: &[MeasuredPoint],
-    options: Options,
-) -> Result<Comparison, ModelError> {
+pub fn compare(evaluation: &mut Evaluation<'_>, points: &[MeasuredPoint]) -> Result<Comparison, ModelError> {
+    let info = evaluation.model.info();
     let (mut squares, mut sum, mut max_n, mut count) = (0.0, 0.0, 0.0_f64, 0usize);
     let mut failed: Option<(usize, ModelError)> = None;
     for point in points {
         cancel::check()?;
-        let checked = if options.extrapolate {
+        let MeasuredPoint { pressure_mpa, contraction, .. } = *point;
+        let checked = if evaluation.options.extrapolate {
             Ok(())
         } else {
-            model.info().range.check(&model.info().name, point.pressure_mpa, point.contraction)
+            info.range.check(&info.name, pressure_mpa, contraction)
         };
-        match checked.and_then(|()| {
-            borne_force(model, workspace, point.pressure_mpa, point.contraction, options.direction)
-        }) {
+        match checked.and_then(|()| evaluation.borne_force_n(pressure_mpa, contraction)) {
             Ok(force) => {
                 let difference = force.max(0.0) - point.force_n;
                 squares += difference * difference;
@@ -63,7 +57,7 @@ pub fn compare(
     }
     let n = count.max(1) as f64;
     Ok(Comparison {
-        model: model.info().name.to_string(),
+        model: info.name.to_string(),
         rms_n: (squares / n).sqrt(),
         max_n,
         mean_n: sum / n,
@@ -84,17 +78,12 @@ pub struct VolumeComparison {
 }
 
 /// Compares the cavity of a model with measured volumes; `None` of a model without one, and without volumes.
-pub fn compare_volumes(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    points: &[DataPoint],
-    options: Options,
-) -> Option<VolumeComparison> {
+pub fn compare_volumes(evaluation: &mut Evaluation<'_>, points: &[DataPoint]) -> Option<VolumeComparison> {
     let mut differences = vec![];
     for point in points {
         cancel::check().ok()?;
         let (p, e) = (point.at.pressure_mpa, point.at.contraction);
-        let here = response_on(model, workspace, p, e, options.direction).ok();
+        let here = evaluation.response(p, e).ok();
         differences.extend(here.and_then(|r| Some(r.volume_mm3? - point.volume_mm3?)));
     }
     let n = differences.len() as f64;

@@ -15,7 +15,7 @@ use super::history::shares;
 use super::{Candidate, Request, Target};
 use crate::least_squares::Residuals;
 use crate::measured::{DataPoint, Quantity, Section};
-use mckibben::analysis::{force_on, friction_on, response_on, slope_by_pressure, stiffness_of};
+use mckibben::analysis::Evaluation;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, OUTER_DIAMETER};
 use mckibben::muscle::{BraidStiffness, Direction, Friction, Muscle};
@@ -73,9 +73,10 @@ fn local(
     e: f64,
     branch: Direction,
 ) -> Result<Local, ModelError> {
-    let r = response_on(m, w, p, e, branch)?;
-    let by_contraction = -stiffness_of(m, w, &r, branch)? * m.muscle().length_mm();
-    let by_pressure = slope_by_pressure(m, w, &r, branch)?;
+    let mut model = Evaluation::new(m, w, branch);
+    let r = model.response(p, e)?;
+    let by_contraction = -model.stiffness_n_per_mm(&r)? * m.muscle().length_mm();
+    let by_pressure = model.force_per_pressure_mm2(&r)?;
     Ok(Local { force: r.force_n, by_contraction, by_pressure })
 }
 
@@ -87,7 +88,7 @@ fn volume(
     e: f64,
     branch: Direction,
 ) -> Result<f64, ModelError> {
-    let volume = response_on(m, w, p, e, branch)?.volume_mm3;
+    let volume = Evaluation::new(m, w, branch).response(p, e)?.volume_mm3;
     volume.ok_or_else(|| ModelError::NoVolume { model: m.info().name.to_string() })
 }
 
@@ -173,10 +174,11 @@ impl<'a> Problem<'a> {
                 Quantity::Force => {
                     let e = at.contraction + candidate.contraction_offset;
                     if let Some(share) = shares.as_ref().and_then(|list| list.get(i)) {
-                        let half = friction_on(m, w, (at.pressure_mpa, e), Direction::Elongation)?;
+                        let half =
+                            Evaluation::new(m, w, Direction::Elongation).friction_n(at.pressure_mpa, e)?;
                         return Ok(m.force_n(w, at.pressure_mpa, e)? - share * half - at.force_n);
                     }
-                    Ok(force_on(m, w, at.pressure_mpa, e, at.direction())? - at.force_n)
+                    Ok(Evaluation::new(m, w, at.direction()).force_n(at.pressure_mpa, e)? - at.force_n)
                 }
                 Quantity::Contraction => {
                     let (_, e, _) = found(m, w, point, candidate.contraction_offset)?;

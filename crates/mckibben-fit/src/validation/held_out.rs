@@ -5,12 +5,12 @@ use super::coverage::{COVERAGE, Off, share_row};
 use super::residual::{Fitter, fitted, identified};
 use crate::identify::{Build, IdentifyError};
 use crate::measured::{DataPoint, mean_of_data};
-use mckibben::analysis::force_on;
+use mckibben::analysis::Evaluation;
 use mckibben::cancel::Cancelled;
 use mckibben::model::Workspace;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::threads;
-use mckibben::uncertainty::{UncertaintyParts, uncertainty};
+use mckibben::uncertainty::UncertaintyParts;
 use mckibben::verification::VerificationRow;
 
 /// Parts into which the points of a set are divided; each is held out of one fit.
@@ -68,9 +68,9 @@ pub fn judged(
         if bench.outside(pressure_mpa, contraction) > 0.0 {
             return None;
         }
-        let direction = p.at.direction();
-        let force_n = force_on(&*model, w, pressure_mpa, contraction, direction).ok()?;
-        let parts = uncertainty(&*model, w, (pressure_mpa, contraction), force_n, direction)?;
+        let mut evaluation = Evaluation::new(&*model, w, p.at.direction());
+        let force_n = evaluation.force_n(pressure_mpa, contraction).ok()?;
+        let parts = evaluation.uncertainty(pressure_mpa, contraction, force_n)?;
         Some(HeldOut {
             left_n: p.at.force_n - force_n.max(0.0),
             // It is of the branch that was fitted.

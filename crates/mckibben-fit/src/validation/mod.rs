@@ -24,7 +24,7 @@ pub mod transfer;
 use crate::compare::compare;
 use crate::identify::{Build, Parameter, Request, Target, identify};
 use crate::measured::{DataPoint, MeasuredPoint, mean_of_branches, read_measured};
-use mckibben::analysis::Options;
+use mckibben::analysis::{Evaluation, Options};
 use mckibben::cancel::Cancelled;
 use mckibben::model::{ForceModel, Ideal, ModelError, ThickWall, Workspace};
 use mckibben::muscle::measures::END_FACTOR;
@@ -98,7 +98,8 @@ fn row(
 ) -> VerificationRow {
     let largest = points.iter().map(|p| p.force_n).fold(0.0, f64::max);
     let rms = fitted(build, parameters, points).and_then(|m| {
-        compare(build(&m).ok()?.as_ref(), &mut Workspace::new(), points, Options::default())
+        let (model, workspace) = (build(&m).ok()?, &mut Workspace::new());
+        compare(&mut Evaluation::new(model.as_ref(), workspace, Options::default()), points)
             .ok()
             .map(|c| c.rms_n)
     });

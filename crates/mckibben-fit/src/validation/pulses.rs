@@ -16,7 +16,7 @@ use super::coverage::validated;
 use super::residual::{Fitter, fitted};
 use crate::identify::Build;
 use crate::measured::mean_of_data;
-use mckibben::analysis::{ATMOSPHERE_MPA, response_on};
+use mckibben::analysis::{ATMOSPHERE_MPA, Evaluation};
 use mckibben::model::{ModelError, Workspace};
 use mckibben::muscle::measures::LENGTH;
 use mckibben::muscle::{Direction, Muscle};
@@ -104,9 +104,10 @@ fn let_out(build: &Build<'_>, muscle: &Muscle, at: &Counted) -> Result<f64, Mode
     let model = Muscle::from_parts(parts).ok().map(|m| build(&m)).transpose()?;
     let no_volume = || ModelError::NoVolume { model: "of the pulses".to_owned() };
     let model = model.ok_or_else(no_volume)?;
-    let w = &mut Workspace::new();
+    let workspace = &mut Workspace::new();
+    let mut model = Evaluation::new(&*model, workspace, Direction::Mean);
     let mut volume = |gauge_mpa: f64| -> Result<f64, ModelError> {
-        response_on(&*model, w, gauge_mpa, at.contraction, Direction::Mean)?.volume_mm3.ok_or_else(no_volume)
+        model.response(gauge_mpa, at.contraction)?.volume_mm3.ok_or_else(no_volume)
     };
     let absolute = (BETWEEN.0 + ATMOSPHERE_MPA, BETWEEN.1 + ATMOSPHERE_MPA);
     // Even steps in ln p.

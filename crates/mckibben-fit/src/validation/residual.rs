@@ -3,11 +3,11 @@
 use super::case::CaseFit;
 use crate::identify::{Build, Identification, Identified, IdentifyError, Request, identify};
 use crate::measured::{DataPoint, Quantity, Section};
-use mckibben::analysis::{response_on, slope_by_pressure, stiffness_of};
+use mckibben::analysis::Evaluation;
 use mckibben::model::{BlockedAt, ForceModel, Reference, Workspace, blocked_scale_n};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
-use mckibben::uncertainty::{friction_n, length_n, measured_n, transfer_n};
+use mckibben::uncertainty::{length_n, measured_n, transfer_n};
 use serde::Serialize;
 
 /// One measured point beside what a model says of it.
@@ -43,11 +43,12 @@ impl Residual {
 }
 
 /// The ± of a model at a point, for its blocked force there.
-fn half_width_n(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, blocked_n: f64) -> Option<f64> {
+fn half_width_n(evaluation: &mut Evaluation<'_>, point: &DataPoint, blocked_n: f64) -> Option<f64> {
+    let model = evaluation.model;
     let (accuracy, muscle) = (model.info().accuracy, model.muscle());
     let scale_n = match accuracy.blocked_at {
         BlockedAt::SamePressure => blocked_n,
-        BlockedAt::Pressure(p) => blocked_scale_n(model, w, p).ok()?,
+        BlockedAt::Pressure(p) => blocked_scale_n(model, evaluation.workspace, p).ok()?,
     };
     let own_n = accuracy.share_of_blocked? * scale_n;
     if matches!(accuracy.reference, Reference::ForceMap(_)) {
@@ -59,8 +60,8 @@ fn half_width_n(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, bl
     if point.at.direction().is_mean() {
         return Some(half_n);
     }
-    let at = (point.at.pressure_mpa, point.at.contraction);
-    Some(half_n.hypot(friction_n(model, w, at, point.at.direction(), blocked_n)))
+    let at = &point.at;
+    Some(half_n.hypot(evaluation.friction_uncertainty_n(at.pressure_mpa, at.contraction, blocked_n)))
 }
 
 fn residual(
@@ -70,14 +71,15 @@ fn residual(
     blocked_n: f64,
 ) -> Option<Residual> {
     let pressure_mpa = point.at.pressure_mpa;
-    let here = response_on(model, w, pressure_mpa, point.at.contraction, point.at.direction()).ok()?;
+    let mut evaluation = Evaluation::new(model, w, point.at.direction());
+    let here = evaluation.response(pressure_mpa, point.at.contraction).ok()?;
     let left_n = match point.measured {
         // A muscle that hangs slack pulls with nothing.
         Quantity::Force => point.at.force_n - here.force_n.max(0.0),
         Quantity::Contraction | Quantity::Pressure => point.at.force_n - here.force_n,
         Quantity::Volume => {
-            let per_contraction = stiffness_of(model, w, &here, point.at.direction()).ok()?;
-            let volume_per_contraction = slope_by_pressure(model, w, &here, point.at.direction()).ok()?;
+            let per_contraction = evaluation.stiffness_n_per_mm(&here).ok()?;
+            let volume_per_contraction = evaluation.force_per_pressure_mm2(&here).ok()?;
             (point.volume_mm3? - here.volume_mm3?) * per_contraction / volume_per_contraction
         }
     };
@@ -88,7 +90,7 @@ fn residual(
         branch: point.at.direction(),
         pressure_mpa,
         blocked_n,
-        half_width_n: half_width_n(model, w, point, blocked_n),
+        half_width_n: half_width_n(&mut evaluation, point, blocked_n),
     })
 }
 

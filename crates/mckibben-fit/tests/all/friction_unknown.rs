@@ -3,7 +3,7 @@
 use mckibben::model::{ForceModel, ModelError, ThickWall, Workspace};
 use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::{Direction, Muscle, Tube};
-use mckibben::uncertainty::{UncertaintyParts, uncertainty};
+use mckibben::{analysis::Evaluation, uncertainty::UncertaintyParts};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::identify::{Parameter, Request, identify};
 use mckibben_fit::measured::{DataPoint, read_data};
@@ -36,7 +36,9 @@ fn at_2_bar(word: impl Fn(usize) -> &'static str) -> (UncertaintyParts, bool) {
     let request = Request::new(&muscle, &free, &points, &elements);
     let found = identify(&request).unwrap();
     let model = elements(&found.muscle.with_bench(found.bench.unwrap())).unwrap();
-    let parts = uncertainty(&*model, &mut Workspace::new(), (0.2, 0.05), 57.0, Direction::Mean).unwrap();
+    let parts = Evaluation::new(&*model, &mut Workspace::new(), Direction::Mean)
+        .uncertainty(0.2, 0.05, 57.0)
+        .unwrap();
     (parts, found.notes.iter().any(|n| n.starts_with("branch not stated")))
 }
 
@@ -68,7 +70,8 @@ fn no_uncertainty_of_a_measured_muscle_is_below_the_scatter_of_its_fit() {
             for pressure_mpa in [0.0, 0.2, 0.4, 0.9] {
                 for contraction in [-0.02, 0.0, 0.05, 0.15, 0.3] {
                     let at = (pressure_mpa, contraction);
-                    let found = uncertainty(&model, w, at, 0.0, Direction::Mean).unwrap();
+                    let found =
+                        Evaluation::new(&model, w, Direction::Mean).uncertainty(at.0, at.1, 0.0).unwrap();
                     let name = &case.facts.name;
                     assert!(
                         found.total() >= bench.scatter_n * (1.0 - 1e-12),

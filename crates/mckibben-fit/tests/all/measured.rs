@@ -1,10 +1,10 @@
 //! The measured muscles and rubbers that the crate carries are those of the repository.
 
-use mckibben::analysis::force_on;
+use mckibben::analysis::Evaluation;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Silent;
-use mckibben::uncertainty::{STIFFNESS_WAY, uncertainty};
+use mckibben::uncertainty::STIFFNESS_WAY;
 use mckibben_fem::axisymmetric::MeshSpec;
 use mckibben_fem::elements::Elements;
 use mckibben_fit::identify::{Request, identify};
@@ -70,8 +70,9 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
             let at = (p.at.pressure_mpa, p.at.contraction);
             judged += 1;
             for (held, direction) in held.iter_mut().zip([Direction::Mean, p.at.direction()]) {
-                let force_n = force_on(&**model, w, at.0, at.1, direction).unwrap();
-                let half = uncertainty(&**model, w, at, force_n, direction).unwrap().total();
+                let force_n = Evaluation::new(&**model, w, direction).force_n(at.0, at.1).unwrap();
+                let half =
+                    Evaluation::new(&**model, w, direction).uncertainty(at.0, at.1, force_n).unwrap().total();
                 *held += usize::from((p.at.force_n - force_n.max(0.0)).abs() <= half);
             }
         }

@@ -11,10 +11,13 @@ use crate::{
 };
 use mckibben::analysis::Options;
 use mckibben::liquid::Liquid;
-use mckibben::load::{Fill, Filling, Load, fill};
 use mckibben::model::{ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::verification::VerificationRow;
+use mckibben::{
+    analysis::Evaluation,
+    load::{Fill, Filling, Load},
+};
 use std::f64::consts::TAU;
 
 const CLOSED: &str = "closed form of a rigid vessel with a liquid";
@@ -70,7 +73,7 @@ impl Hanging {
             load: Some(&self.load),
             held_at: None,
         };
-        fill(&self.model, &mut Workspace::new(), &filling, Options::default()).ok()
+        Evaluation::new(&self.model, &mut Workspace::new(), Options::default()).fill(&filling).ok()
     }
 
     fn load(&self) -> SingleMuscle {

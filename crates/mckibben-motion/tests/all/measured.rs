@@ -2,7 +2,7 @@
 //! (data/tondu2012_motion). The limits are regressions: what was found, rounded up.
 
 use crate::support::ran;
-use mckibben::analysis::{Options, contraction_at};
+use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Friction, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, NeoHookean};
@@ -71,7 +71,9 @@ fn steps_against_loads_have_the_measured_shape() {
     let mut squares = 0.0;
     for (kg, end) in loads.iter().zip(ends) {
         let options = Options::extrapolating();
-        let e = contraction_at(&model, &mut Workspace::new(), kg * 9.80665, pressure, options).unwrap();
+        let e = Evaluation::new(&model, &mut Workspace::new(), options)
+            .contraction_at(kg * 9.80665, pressure)
+            .unwrap();
         squares += (e * length - end).powi(2);
     }
     let rms_mm = (squares / loads.len() as f64).sqrt();

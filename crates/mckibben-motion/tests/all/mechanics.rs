@@ -3,9 +3,12 @@
 use crate::support::{close, elbow, last, note_muscle, ran, regulator, steps, valve};
 use mckibben::analysis::Options;
 use mckibben::liquid::Liquid;
-use mckibben::load::{Filling, Load, fill};
 use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Friction, Muscle, Presliding, PreslidingElement};
+use mckibben::{
+    analysis::Evaluation,
+    load::{Filling, Load},
+};
 use mckibben_motion::*;
 
 #[test]
@@ -28,7 +31,6 @@ fn identity_a_cycle_stores_nothing_in_rubber_and_braid() {
 /// Half the width C P^β + μw G of the static branches, by models with and without a contact of their own; ends that slip.
 #[test]
 fn identity_a_slow_loop_lies_on_the_static_branches() {
-    use mckibben::analysis::force_on;
     use mckibben::muscle::{Direction, Terminals};
     let friction = Friction { lever_mm: 0.8, presliding_mm: Some(0.05), ..Friction::power_law(10.0, 0.7) };
     let muscle = note_muscle().with_friction(Some(friction)).unwrap();
@@ -56,7 +58,7 @@ fn identity_a_slow_loop_lies_on_the_static_branches() {
             let i = motion.series.time_s.iter().position(|x| *x >= t).unwrap();
             let (p, e) = (motion.series.muscles[0].pressure_mpa[i], motion.series.muscles[0].contraction[i]);
             let w = &mut mckibben::model::Workspace::new();
-            let expected = force_on(model, w, p, e, direction).unwrap();
+            let expected = Evaluation::new(model, w, direction).force_n(p, e).unwrap();
             assert!((model.force_n(w, p, e).unwrap() / expected - 1.0).abs() > 0.02);
             close(motion.series.muscles[0].force_n[i], expected, relative);
         }
@@ -303,7 +305,7 @@ fn identity_a_syringe_stores_what_filling_needs_and_its_volume_is_the_cavitys() 
     let (full, drawn_back) = (pushed(1.0), pushed(2.0));
     let filling =
         Filling { liquid: &liquid, volume_mm3: 40e3, dead_volume_mm3: 0.0, load: None, held_at: Some(0.0) };
-    let filled = fill(&model, &mut Workspace::new(), &filling, Options::default()).unwrap();
+    let filled = Evaluation::new(&model, &mut Workspace::new(), Options::default()).fill(&filling).unwrap();
     close(full.energies.stored_j, filled.muscle_energy_j, 1e-4);
     close(full.energies.exergy_j, filled.pump_work_j, 1e-4);
     // What returns to the syringe is no work of its.

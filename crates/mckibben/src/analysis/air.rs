@@ -1,7 +1,7 @@
 //! Air that a stroke takes.
 
 use super::error::{AnalysisError, Result};
-use crate::model::{ForceModel, Workspace};
+use super::evaluation::Evaluation;
 use serde::Serialize;
 
 /// Atmospheric pressure in MPa (ISO 2533).
@@ -26,19 +26,26 @@ pub struct Air {
     pub normal_litres: f64,
 }
 
-/// Air per stroke from rest (ε = 0, no pressure) to (P, ε).
-///
-/// # Errors
-/// [`AnalysisError::Unknown`] for a model without volume; the model's own errors.
-pub fn air_per_stroke(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-    contraction: f64,
-) -> Result<Air> {
-    let unknown = || AnalysisError::Unknown { model: model.info().name.to_string(), quantity: "the volume" };
-    let volume_mm3 = model.response(workspace, pressure_mpa, contraction)?.volume_mm3.ok_or_else(unknown)?;
-    let rest = model.response(workspace, 0.0, 0.0)?.volume_mm3.ok_or_else(unknown)?;
-    let free_mm3 = ((pressure_mpa + ATMOSPHERE_MPA) * volume_mm3 - ATMOSPHERE_MPA * rest) / ATMOSPHERE_MPA;
-    Ok(Air { volume_mm3, normal_litres: normal_litres(free_mm3) })
+impl Evaluation<'_> {
+    /// Air per stroke from rest (ε = 0, no pressure) to (P, ε).
+    ///
+    /// # Errors
+    /// [`AnalysisError::Unknown`] for a model without volume; the model's own errors.
+    pub fn air_per_stroke(&mut self, pressure_mpa: f64, contraction: f64) -> Result<Air> {
+        let (volume_mm3, rest) = (self.cavity_mm3(pressure_mpa, contraction)?, self.cavity_mm3(0.0, 0.0)?);
+        let free_mm3 =
+            ((pressure_mpa + ATMOSPHERE_MPA) * volume_mm3 - ATMOSPHERE_MPA * rest) / ATMOSPHERE_MPA;
+        Ok(Air { volume_mm3, normal_litres: normal_litres(free_mm3) })
+    }
+
+    /// The cavity at a pressure and contraction, in mm³.
+    ///
+    /// # Errors
+    /// As [`Evaluation::air_per_stroke`].
+    pub fn cavity_mm3(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
+        let model = self.model;
+        let unknown =
+            || AnalysisError::Unknown { model: model.info().name.to_string(), quantity: "the volume" };
+        model.response(self.workspace, pressure_mpa, contraction)?.volume_mm3.ok_or_else(unknown)
+    }
 }

@@ -1,7 +1,7 @@
 //! Pressures for an angle, a torque and a stiffness.
 
 use super::{JointError, JointModel, JointPoint, Result, Turning};
-use crate::analysis::{AnalysisError, find_root, force_on, pressure_at, response_on, stiffness_of};
+use crate::analysis::find_root;
 use crate::model::Workspace;
 use crate::muscle::Direction;
 
@@ -50,7 +50,7 @@ impl JointModel<'_> {
         let mut here = vec![];
         for (i, workspace) in workspaces.iter_mut().enumerate().take(self.joint().muscles().len()) {
             let Some((contraction, s)) = self.joint().contraction(i, angle) else { break };
-            let most = force_on(self.of(i), workspace, max_pressure_mpa, contraction, Direction::Mean);
+            let most = self.evaluation(i, workspace, Direction::Mean).force_n(max_pressure_mpa, contraction);
             // Beyond its free contraction there may be no answer, and there is no pull.
             let most_n = most.unwrap_or(0.0).max(0.0);
             let (arm_mm, arm_by_angle_mm) = (s.arm_mm, s.arm_by_angle_mm);
@@ -145,14 +145,8 @@ impl Line<'_, '_> {
                 return Ok(0.0);
             }
             let pull = pull.min(here.most_n);
-            pressure_at(
-                self.model.of(i),
-                workspace,
-                pull,
-                here.contraction,
-                self.model.options(Direction::Mean),
-            )
-            .map_err(|error: AnalysisError| JointError::analysis(i)(error))
+            let mut muscle = self.model.evaluation(i, workspace, Direction::Mean);
+            muscle.pressure_at(pull, here.contraction).map_err(JointError::analysis(i))
         })
         .collect()
     }
@@ -162,12 +156,10 @@ impl Line<'_, '_> {
         let pressures = self.pressures(workspaces, first_n)?;
         let mut sum = 0.0;
         for (i, (here, p)) in self.here.iter().zip(pressures).enumerate() {
-            let workspace = &mut workspaces[i];
-            let r = response_on(self.model.of(i), workspace, p, here.contraction, Direction::Mean)
-                .map_err(JointError::model(i))?;
+            let mut muscle = self.model.evaluation(i, &mut workspaces[i], Direction::Mean);
+            let r = muscle.response(p, here.contraction).map_err(JointError::model(i))?;
             if r.force_n > 0.0 {
-                let k = stiffness_of(self.model.of(i), workspace, &r, Direction::Mean)
-                    .map_err(JointError::model(i))?;
+                let k = muscle.stiffness_n_per_mm(&r).map_err(JointError::model(i))?;
                 sum += k * here.arm_mm * here.arm_mm - r.force_n * here.arm_by_angle_mm;
             }
         }

@@ -1,10 +1,8 @@
 //! Torque and stiffness at pressures and an angle.
 
 use super::{Joint, JointError, Result, ShutStiffness};
-use crate::analysis::{
-    AnalysisError, Options, free_contraction, response_on, start_pressure_mpa, stiffness_of,
-};
-use crate::answer::{self, Answer, SlackState};
+use crate::analysis::{AnalysisError, Evaluation, Options};
+use crate::answer::{Answer, SlackState};
 use crate::model::{ForceModel, Workspace};
 use crate::muscle::Direction;
 use crate::uncertainty::UncertaintyParts;
@@ -114,8 +112,15 @@ impl<'m> JointModel<'m> {
         self.models[muscle]
     }
 
-    pub(super) fn options(&self, direction: Direction) -> Options {
-        Options { extrapolate: self.extrapolate, direction, ..Options::default() }
+    /// The model of a muscle on a branch.
+    pub(super) fn evaluation<'w>(
+        &'w self,
+        muscle: usize,
+        workspace: &'w mut Workspace,
+        direction: Direction,
+    ) -> Evaluation<'w> {
+        let options = Options { extrapolate: self.extrapolate, direction, ..Options::default() };
+        Evaluation::new(self.models[muscle], workspace, options)
     }
 
     pub(super) fn check_angle(&self, angle_deg: f64) -> Result<()> {
@@ -158,8 +163,8 @@ impl<'m> JointModel<'m> {
         workspace: &mut Workspace,
         contraction: f64,
     ) -> Option<f64> {
-        let model = *self.models.get(muscle)?;
-        start_pressure_mpa(model, workspace, contraction, self.options(Direction::Mean)).ok()
+        self.models.get(muscle)?;
+        self.evaluation(muscle, workspace, Direction::Mean).start_pressure_mpa(contraction).ok()
     }
 
     fn point(
@@ -179,19 +184,19 @@ impl<'m> JointModel<'m> {
         let mut muscles = vec![];
         for (i, workspace) in workspaces.iter_mut().enumerate().take(self.models.len()) {
             let Some((contraction, s)) = self.joint.contraction(i, angle) else { break };
-            let options = self.options(turning.branch(s.arm_mm));
-            let (model, p) = (self.models[i], pressures_mpa[i]);
-            let answer = answer::point_beyond(model, workspace, p, contraction, options, &mut hanging[i])
+            let direction = turning.branch(s.arm_mm);
+            let mut muscle = self.evaluation(i, workspace, direction);
+            let answer = muscle
+                .point_beyond(pressures_mpa[i], contraction, &mut hanging[i])
                 .map_err(JointError::model(i))?;
             let force = answer.response.force_n;
             let k = if answer.slack {
                 0.0
             } else {
-                shut.add(&answer.response, model.muscle().length_mm(), s.arm_mm);
-                stiffness_of(model, workspace, &answer.response, options.direction)
-                    .map_err(JointError::model(i))?
+                shut.add(&answer.response, muscle.model.muscle().length_mm(), s.arm_mm);
+                muscle.stiffness_n_per_mm(&answer.response).map_err(JointError::model(i))?
             };
-            let (share, by_angle) = self.joint.arriving(i, angle, s.arm_mm, options.direction);
+            let (share, by_angle) = self.joint.arriving(i, angle, s.arm_mm, direction);
             torque += share * (1e-3 * force * s.arm_mm);
             stiffness += share * (1e-3 * (k * s.arm_mm * s.arm_mm - force * s.arm_by_angle_mm));
             stiffness -= 1e-3 * force * s.arm_mm * by_angle;
@@ -239,8 +244,7 @@ impl<'m> JointModel<'m> {
         workspace: &mut Workspace,
         pressure_mpa: f64,
     ) -> Result<Option<f64>> {
-        let options = self.options(Direction::Mean);
-        match free_contraction(self.models[muscle], workspace, pressure_mpa, options) {
+        match self.evaluation(muscle, workspace, Direction::Mean).free_contraction(pressure_mpa) {
             Ok(e) => Ok(Some(e)),
             Err(AnalysisError::NoContraction { .. }) => Ok(None),
             Err(AnalysisError::Model(error)) if error.is_of_point() => Ok(None),
@@ -257,14 +261,12 @@ impl<'m> JointModel<'m> {
             if fixed.free[i].is_some_and(|free| contraction >= free) {
                 continue;
             }
-            let (p, workspace) = (fixed.pressures_mpa[i], &mut fixed.workspaces[i]);
-            let r = response_on(self.models[i], workspace, p, contraction, Direction::Mean)
-                .map_err(JointError::model(i))?;
+            let mut muscle = self.evaluation(i, &mut fixed.workspaces[i], Direction::Mean);
+            let r = muscle.response(fixed.pressures_mpa[i], contraction).map_err(JointError::model(i))?;
             if r.force_n <= 0.0 {
                 continue;
             }
-            let k =
-                stiffness_of(self.models[i], workspace, &r, Direction::Mean).map_err(JointError::model(i))?;
+            let k = muscle.stiffness_n_per_mm(&r).map_err(JointError::model(i))?;
             torque += 1e-3 * r.force_n * s.arm_mm;
             slope += 1e-3 * (r.force_n * s.arm_by_angle_mm - k * s.arm_mm * s.arm_mm);
             shut.add(&r, self.models[i].muscle().length_mm(), s.arm_mm);

@@ -1,7 +1,6 @@
 //! The ± of what was sought of a joint, from that of its torque: of a rest angle ±τ/|∂τ/∂φ|, of a pressure ±τ/|∂τ/∂P|.
 
 use super::{JointModel, JointPoint};
-use crate::analysis::slope_by_pressure;
 use crate::answer::FLAT_MPA;
 use crate::model::Workspace;
 
@@ -23,7 +22,8 @@ impl JointModel<'_> {
         let each = point.muscles.iter().zip(workspaces).enumerate();
         let one = |(i, (muscle, workspace)): (usize, (&super::MuscleState, &mut Workspace))| {
             let answer = &muscle.answer;
-            let slope = slope_by_pressure(self.of(i), workspace, &answer.response, answer.direction).ok()?;
+            let mut model = self.evaluation(i, workspace, answer.direction);
+            let slope = model.force_per_pressure_mm2(&answer.response).ok()?;
             let half = 1e3 * point.uncertainty_nm? / (slope * muscle.arm_mm).abs();
             (!answer.slack && half <= answer.response.pressure_mpa.max(FLAT_MPA)).then_some(half)
         };

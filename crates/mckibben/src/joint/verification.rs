@@ -1,7 +1,7 @@
 //! Joints against virtual work, symmetry and their own inverses.
 
 use super::{Joint, JointModel, JointMuscle, JointSpring, JointTarget, Link, Path, Rest, Turning};
-use crate::analysis::{Options, work_per_stroke_j};
+use crate::analysis::{Evaluation, Options};
 use crate::load::GRAVITY_M_PER_S2;
 use crate::model::{ForceModel, Ideal, Workspace};
 use crate::muscle::{Muscle, Tube};
@@ -62,7 +62,8 @@ fn virtual_work() -> Option<Vec<VerificationRow>> {
         let angle = deg.to_radians();
         let of = |i: usize| {
             let (e, _) = joint.contraction(i, angle)?;
-            work_per_stroke_j(&models[i], &mut Workspace::new(), pressures[i], 0.0, e, Options::default())
+            Evaluation::new(&models[i], &mut Workspace::new(), Options::default())
+                .work_per_stroke_j(pressures[i], 0.0, e)
                 .ok()
         };
         let height = 1e-3 * (1.2 * 150.0 + 0.5 * 300.0) * (angle - 20f64.to_radians()).sin();

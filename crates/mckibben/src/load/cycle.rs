@@ -60,8 +60,8 @@ pub fn cycle(load: &Load, length_mm: f64, low: (f64, f64, Option<f64>), high: &B
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::Evaluation;
     use crate::analysis::Options;
-    use crate::load::balances;
     use crate::model::{ForceModel, Ideal, Inverse, Workspace};
     use crate::muscle::Muscle;
 
@@ -70,8 +70,9 @@ mod tests {
     fn the_work_of_an_ideal_muscle_is_below_the_exergy_of_its_air() {
         let (model, w) = (Ideal::new(&Muscle::prototype()), &mut Workspace::new());
         let load = Load::Mass { mass_kg: 10.0, level: false };
-        let at =
-            |p: f64, w: &mut Workspace| balances(&model, w, &load, p, Options::default()).unwrap().remove(0);
+        let at = |p: f64, w: &mut Workspace| {
+            Evaluation::new(&model, w, Options::default()).balances(&load, p).unwrap().remove(0)
+        };
         let (low, high) = (at(0.1, w), at(0.3, w));
         let r = low.answer.response;
         let found = cycle(&load, 285.0, (0.1, r.contraction, r.volume_mm3), &high);

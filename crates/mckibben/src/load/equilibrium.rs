@@ -1,12 +1,9 @@
 //! Where muscle and load are in balance.
 
 use super::Load;
-use crate::analysis::{
-    AnalysisError, Options, find_root, force_on, free_contraction, response_on, stiffness_of,
-    straight_strands,
-};
-use crate::answer::{self, Answer};
-use crate::model::{ForceModel, ModelError, Workspace};
+use crate::analysis::{AnalysisError, Evaluation, Options, find_root, straight_strands};
+use crate::answer::Answer;
+use crate::model::ModelError;
 use serde::Serialize;
 use thiserror::Error;
 
@@ -74,100 +71,95 @@ impl From<ModelError> for LoadError {
     }
 }
 
-/// Every equilibrium at a pressure, by rising contraction; at least one.
-///
-/// Sought from the length at rest (with `two_sided` from where the strands are straight) to the free contraction.
-pub fn balances(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    load: &Load,
-    pressure_mpa: f64,
-    options: Options,
-) -> Result<Vec<Balance>, LoadError> {
-    let length = model.muscle().length_mm();
-    let (options, extends) = (options.of(model.muscle()), model.muscle().is_extensile());
-    let one_sided = Options { two_sided: false, ..options };
-    let (reach, range) = (load.reach_mm(), model.info().range.contraction);
-    let start = if options.two_sided { straight_strands(model.muscle()) } else { 0.0 };
-    let start = start.max(reach.0 / length);
-    let start = if options.extrapolate { start } else { start.max(range.0) };
-    // Beyond it nothing pulls.
-    let free = if extends { None } else { free_contraction(model, workspace, pressure_mpa, one_sided).ok() };
-    let ends = [
-        (free.unwrap_or(f64::INFINITY), ""),
-        (if options.extrapolate && free.is_some() { f64::INFINITY } else { range.1 }, "the model's range"),
-        (reach.1 / length, "the table of the load"),
-        (0.95, "what any muscle reaches"),
-    ];
-    let (end, limit) = ends.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, ""));
-    let mut left_n = |e: f64| -> Result<f64, ModelError> {
-        let pull = if Some(e) == free {
-            0.0
-        } else {
-            force_on(model, workspace, pressure_mpa, e, options.direction)?
+impl Evaluation<'_> {
+    /// Every equilibrium at a pressure, by rising contraction; at least one.
+    ///
+    /// Sought from the length at rest (with `two_sided` from where the strands are straight) to the free contraction.
+    pub fn balances(&mut self, load: &Load, pressure_mpa: f64) -> Result<Vec<Balance>, LoadError> {
+        let (model, options) = (self.model, self.options);
+        let (length, extends) = (model.muscle().length_mm(), model.muscle().is_extensile());
+        let one_sided = Options { two_sided: false, ..options };
+        let (reach, range) = (load.reach_mm(), model.info().range.contraction);
+        let start = if options.two_sided { straight_strands(model.muscle()) } else { 0.0 };
+        let start = start.max(reach.0 / length);
+        let start = if options.extrapolate { start } else { start.max(range.0) };
+        // Beyond it nothing pulls.
+        let free = if extends { None } else { self.with(one_sided).free_contraction(pressure_mpa).ok() };
+        let ends = [
+            (free.unwrap_or(f64::INFINITY), ""),
+            (
+                if options.extrapolate && free.is_some() { f64::INFINITY } else { range.1 },
+                "the model's range",
+            ),
+            (reach.1 / length, "the table of the load"),
+            (0.95, "what any muscle reaches"),
+        ];
+        let (end, limit) = ends.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, ""));
+        let mut left_n = |e: f64| -> Result<f64, ModelError> {
+            let pull = if Some(e) == free { 0.0 } else { self.force_n(pressure_mpa, e)? };
+            let pull = if extends { pull } else { pull.max(0.0) };
+            Ok(pull - load.force_n(e * length))
         };
-        let pull = if extends { pull } else { pull.max(0.0) };
-        Ok(pull - load.force_n(e * length))
-    };
-    // Past straight strands there may be no answer.
-    let at_start = if options.two_sided { left_n(start).unwrap_or(f64::NAN) } else { left_n(start)? };
-    if at_start < 0.0 && !options.two_sided {
-        let load_n = load.force_n(start * length);
-        return Err(LoadError::NotLifted { pressure_mpa, pull_n: at_start + load_n, load_n });
-    }
-    let mut roots = vec![];
-    let mut before = (start, at_start);
-    if at_start == 0.0 {
-        roots.push(start);
-    }
-    for i in 1..=SCAN {
-        let e = if i == SCAN { end } else { start + (end - start) * i as f64 / SCAN as f64 };
-        // Where the model has no answer no crossing is sought.
-        let left = left_n(e).unwrap_or(f64::NAN);
-        if left == 0.0 {
-            roots.push(e);
-        } else if before.1 * left < 0.0
-            && let Ok(Some(root)) = find_root(&mut left_n, before.0, e, TOLERANCE)
-        {
-            roots.push(root);
+        // Past straight strands there may be no answer.
+        let at_start = if options.two_sided { left_n(start).unwrap_or(f64::NAN) } else { left_n(start)? };
+        if at_start < 0.0 && !options.two_sided {
+            let load_n = load.force_n(start * length);
+            return Err(LoadError::NotLifted { pressure_mpa, pull_n: at_start + load_n, load_n });
         }
-        before = (e, left);
-    }
-    if roots.is_empty() {
-        let (at_rest, load_n) = (left_n(0.0)?, load.force_n(0.0));
-        return Err(if at_rest < 0.0 {
-            LoadError::NotLifted { pressure_mpa, pull_n: at_rest + load_n, load_n }
-        } else {
-            LoadError::Beyond { pressure_mpa, contraction: end, limit }
-        });
-    }
-    let mass = load.moving_mass_kg();
-    roots
-        .into_iter()
-        .map(|e| {
-            let answer = answer::force(model, workspace, pressure_mpa, e, options)?;
-            // A muscle at its free contraction is as stiff as one that pulls a little.
-            let response = response_on(model, workspace, pressure_mpa, e, options.direction)?;
-            let k = stiffness_of(model, workspace, &response, options.direction)?;
-            let stiffness = k + load.slope_n_per_mm(e * length);
-            let stable = stiffness > 0.0;
-            let frequency = (1e3 * stiffness / mass).sqrt() / std::f64::consts::TAU;
-            Ok(Balance {
-                answer: answer.with_contraction_sought(Some(stiffness), length),
-                shortening_mm: e * length,
-                stiffness_n_per_mm: stiffness,
-                stable,
-                frequency_hz: (stable && mass > 0.0).then_some(frequency),
+        let mut roots = vec![];
+        let mut before = (start, at_start);
+        if at_start == 0.0 {
+            roots.push(start);
+        }
+        for i in 1..=SCAN {
+            let e = if i == SCAN { end } else { start + (end - start) * i as f64 / SCAN as f64 };
+            // Where the model has no answer no crossing is sought.
+            let left = left_n(e).unwrap_or(f64::NAN);
+            if left == 0.0 {
+                roots.push(e);
+            } else if before.1 * left < 0.0
+                && let Ok(Some(root)) = find_root(&mut left_n, before.0, e, TOLERANCE)
+            {
+                roots.push(root);
+            }
+            before = (e, left);
+        }
+        if roots.is_empty() {
+            let (at_rest, load_n) = (left_n(0.0)?, load.force_n(0.0));
+            return Err(if at_rest < 0.0 {
+                LoadError::NotLifted { pressure_mpa, pull_n: at_rest + load_n, load_n }
+            } else {
+                LoadError::Beyond { pressure_mpa, contraction: end, limit }
+            });
+        }
+        let mass = load.moving_mass_kg();
+        roots
+            .into_iter()
+            .map(|e| {
+                let answer = self.answer(pressure_mpa, e)?;
+                // A muscle at its free contraction is as stiff as one that pulls a little.
+                let response = self.response(pressure_mpa, e)?;
+                let k = self.stiffness_n_per_mm(&response)?;
+                let stiffness = k + load.slope_n_per_mm(e * length);
+                let stable = stiffness > 0.0;
+                let frequency = (1e3 * stiffness / mass).sqrt() / std::f64::consts::TAU;
+                Ok(Balance {
+                    answer: answer.with_contraction_sought(Some(stiffness), length),
+                    shortening_mm: e * length,
+                    stiffness_n_per_mm: stiffness,
+                    stable,
+                    frequency_hz: (stable && mass > 0.0).then_some(frequency),
+                })
             })
-        })
-        .collect()
+            .collect()
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::load::Lever;
-    use crate::model::{Ideal, Inverse};
+    use crate::model::{ForceModel, Ideal, Inverse, Workspace};
     use crate::muscle::Muscle;
 
     fn ideal() -> Ideal {
@@ -179,7 +171,7 @@ mod tests {
     fn a_weight_hangs_where_the_inverse_formula_says() {
         let (model, w) = (ideal(), &mut Workspace::new());
         let load = Load::Mass { mass_kg: 20.0, level: false };
-        let found = balances(&model, w, &load, 0.25, Options::default()).unwrap();
+        let found = Evaluation::new(&model, w, Options::default()).balances(&load, 0.25).unwrap();
         let exact = model.contraction_at_pull(&mut Workspace::new(), 20.0 * 9.80665, 0.25).unwrap();
         assert_eq!(found.len(), 1);
         assert!((found[0].answer.response.contraction - exact).abs() < 1e-11 && found[0].stable);
@@ -194,7 +186,7 @@ mod tests {
         let (model, w) = (ideal(), &mut Workspace::new());
         // Its pull falls faster than the muscle's, from above 300 N at rest.
         let load = Load::Lever(Lever::new(30.0, 50.0, 14.0, -60.0).unwrap());
-        let found = balances(&model, w, &load, 0.2, Options::default()).unwrap();
+        let found = Evaluation::new(&model, w, Options::default()).balances(&load, 0.2).unwrap();
         let signs: Vec<bool> = found.iter().map(|b| b.stable).collect();
         for b in &found {
             let left = b.answer.response.force_n - load.force_n(b.shortening_mm);
@@ -208,11 +200,11 @@ mod tests {
         let (model, w) = (ideal(), &mut Workspace::new());
         let blocked = model.force_n(w, 0.1, 0.0).unwrap();
         let load = Load::Force { force_n: blocked + 1.0 };
-        let error = balances(&model, w, &load, 0.1, Options::default()).unwrap_err();
+        let error = Evaluation::new(&model, w, Options::default()).balances(&load, 0.1).unwrap_err();
         assert!(matches!(error, LoadError::NotLifted { load_n, .. } if load_n == blocked + 1.0), "{error}");
         // It stretches the muscle instead.
         let options = Options { two_sided: true, extrapolate: true, ..Options::default() };
-        let found = balances(&model, w, &load, 0.1, options).unwrap();
+        let found = Evaluation::new(&model, w, options).balances(&load, 0.1).unwrap();
         assert!(found[0].answer.response.contraction < 0.0);
     }
 
@@ -239,10 +231,12 @@ mod tests {
         for load in &loads {
             for direction in Direction::ALL {
                 let options = Options { direction, ..Options::default() };
-                let found = balances(&model, w, load, p, options).unwrap();
+                let found = Evaluation::new(&model, w, options).balances(load, p).unwrap();
                 for b in found {
-                    let mut left =
-                        |x: f64| load.force_n(x) - force_on(&model, w, p, x / length, direction).unwrap();
+                    let mut left = |x: f64| {
+                        load.force_n(x)
+                            - Evaluation::new(&model, w, direction).force_n(p, x / length).unwrap()
+                    };
                     let x = b.shortening_mm;
                     let slope = (left(x + h) - left(x - h)) / (2.0 * h);
                     assert!(
@@ -261,7 +255,7 @@ mod tests {
     fn without_a_load_the_muscle_ends_at_its_free_contraction() {
         let (model, w) = (ideal(), &mut Workspace::new());
         let load = Load::Mass { mass_kg: 3.0, level: true };
-        let found = balances(&model, w, &load, 0.2, Options::default()).unwrap();
+        let found = Evaluation::new(&model, w, Options::default()).balances(&load, 0.2).unwrap();
         let free = Muscle::prototype().max_ideal_contraction();
         assert!((found[0].answer.response.contraction - free).abs() < 1e-9, "{found:?}");
     }

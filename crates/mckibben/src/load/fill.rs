@@ -5,16 +5,16 @@ mod stroke;
 mod way;
 
 pub use filling::Filling;
-pub use stroke::{LiquidStroke, liquid_per_stroke};
+pub use stroke::LiquidStroke;
 
 use super::Load;
-use crate::analysis::{AnalysisError, HIGHEST_PRESSURE_MPA, Options};
-use crate::answer::{self, Answer};
-use crate::model::{ForceModel, ModelError, Workspace};
+use crate::analysis::{AnalysisError, Evaluation, HIGHEST_PRESSURE_MPA, Options};
+use crate::answer::{Answer, exactly};
+use crate::model::ModelError;
 use crate::refused::Refused;
 use serde::Serialize;
 use thiserror::Error;
-use way::{Leg, Slopes, Way, cavity_mm3};
+use way::{Leg, Slopes, Way};
 
 /// Where a filled muscle is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
@@ -95,126 +95,125 @@ impl From<ModelError> for FillError {
     }
 }
 
-/// The muscle after a volume was pushed in.
-pub fn fill(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    filling: &Filling<'_>,
-    options: Options,
-) -> Result<Fill, FillError> {
-    let (w, range, extends) = (workspace, &model.info().range, model.muscle().is_extensile());
-    let options = options.of(model.muscle());
-    let length_mm = model.muscle().length_mm();
-    let sign = if extends { -1.0 } else { 1.0 };
-    if let Some(contraction) = filling.held_at.filter(|e| sign * e < 0.0) {
-        let side = if extends { "a contraction of zero or below" } else { "zero or above" };
-        let message = format!(
-            "the muscle is filled at its length at rest and does not come to a contraction of {contraction}: hold it at {side} or leave `contraction` out"
-        );
-        return Err(Refused { fields: vec!["contraction"], message }.into());
-    }
-    let rest_mm3 = cavity_mm3(model, w, 0.0, 0.0)?;
-    // The way begins without pressure, which may be outside of the range; where it ends is checked.
-    let along = Options { extrapolate: options.extrapolate || range.pressure_mpa.0 > 0.0, ..options };
-    let way = Way { model, filling: *filling, rest_mm3, length_mm, options: along };
-    if extends && way.load_n(0.0) > 0.0 {
-        let message = "a muscle that extends gives way to a load that pulls: fill it free, or hold it".into();
-        return Err(Refused { fields: vec!["load"], message }.into());
-    }
-    let highest_mpa = match options.extrapolate {
-        true => HIGHEST_PRESSURE_MPA,
-        false => range.pressure_mpa.1.min(HIGHEST_PRESSURE_MPA),
-    };
-    let volume_mm3 = filling.volume_mm3;
-    // The pressure at which the load is lifted.
-    let held_at_rest = filling.held_at == Some(0.0);
-    let lifted_mpa = match way.place(w, Leg::Load, 0.0) {
-        _ if held_at_rest => None,
-        Ok((p, _)) => Some(p),
-        Err(AnalysisError::NoPressure { .. }) => None,
-        Err(error) => return Err(error.into()),
-    };
-    let reach = filling.load.map_or((f64::NEG_INFINITY, f64::INFINITY), Load::reach_mm);
-    let most = if extends {
-        let known = if options.extrapolate { f64::NEG_INFINITY } else { range.contraction.0 };
-        known.max(reach.0 / length_mm).max(-1.5)
-    } else {
-        let known = if options.extrapolate { f64::INFINITY } else { range.contraction.1 };
-        // Beyond the ideal muscle's largest contraction nothing pulls but strands that stretch a little.
-        known.min(reach.1 / length_mm).min(1.3 * model.muscle().max_ideal_contraction() + 0.05).min(0.95)
-    };
-    let stop = filling.held_at.filter(|e| sign * e <= sign * most);
-    let mut legs = vec![(Leg::At(0.0), 0.0, lifted_mpa.unwrap_or(highest_mpa))];
-    legs.extend(lifted_mpa.map(|_| (Leg::Load, 0.0, stop.unwrap_or(most))));
-    let (mut walked, mut found) = (vec![], None);
-    for (leg, from, to) in legs {
-        match way.seek(w, leg, (from, to))? {
-            Ok(at) => {
-                walked.push((leg, from, at));
-                found = Some((leg, at));
-                break;
-            }
-            Err(at) => walked.push((leg, from, at)),
+impl Evaluation<'_> {
+    /// The muscle after a volume was pushed in.
+    pub fn fill(&mut self, filling: &Filling<'_>) -> Result<Fill, FillError> {
+        let (model, options) = (self.model, self.options);
+        let (range, extends) = (&model.info().range, model.muscle().is_extensile());
+        let length_mm = model.muscle().length_mm();
+        let sign = if extends { -1.0 } else { 1.0 };
+        if let Some(contraction) = filling.held_at.filter(|e| sign * e < 0.0) {
+            let side = if extends { "a contraction of zero or below" } else { "zero or above" };
+            let message = format!(
+                "the muscle is filled at its length at rest and does not come to a contraction of {contraction}: hold it at {side} or leave `contraction` out"
+            );
+            return Err(Refused { fields: vec!["contraction"], message }.into());
         }
+        let rest_mm3 = self.cavity_mm3(0.0, 0.0)?;
+        // The way begins without pressure, which may be outside of the range; where it ends is checked.
+        let along = Options { extrapolate: options.extrapolate || range.pressure_mpa.0 > 0.0, ..options };
+        let way = &mut Way { evaluation: self.with(along), filling: *filling, rest_mm3, length_mm };
+        if extends && way.load_n(0.0) > 0.0 {
+            let message =
+                "a muscle that extends gives way to a load that pulls: fill it free, or hold it".into();
+            return Err(Refused { fields: vec!["load"], message }.into());
+        }
+        let highest_mpa = match options.extrapolate {
+            true => HIGHEST_PRESSURE_MPA,
+            false => range.pressure_mpa.1.min(HIGHEST_PRESSURE_MPA),
+        };
+        let volume_mm3 = filling.volume_mm3;
+        // The pressure at which the load is lifted.
+        let held_at_rest = filling.held_at == Some(0.0);
+        let lifted_mpa = match way.place(Leg::Load, 0.0) {
+            _ if held_at_rest => None,
+            Ok((p, _)) => Some(p),
+            Err(AnalysisError::NoPressure { .. }) => None,
+            Err(error) => return Err(error.into()),
+        };
+        let reach = filling.load.map_or((f64::NEG_INFINITY, f64::INFINITY), Load::reach_mm);
+        let most = if extends {
+            let known = if options.extrapolate { f64::NEG_INFINITY } else { range.contraction.0 };
+            known.max(reach.0 / length_mm).max(-1.5)
+        } else {
+            let known = if options.extrapolate { f64::INFINITY } else { range.contraction.1 };
+            // Beyond the ideal muscle's largest contraction nothing pulls but strands that stretch a little.
+            known.min(reach.1 / length_mm).min(1.3 * model.muscle().max_ideal_contraction() + 0.05).min(0.95)
+        };
+        let stop = filling.held_at.filter(|e| sign * e <= sign * most);
+        let mut legs = vec![(Leg::At(0.0), 0.0, lifted_mpa.unwrap_or(highest_mpa))];
+        legs.extend(lifted_mpa.map(|_| (Leg::Load, 0.0, stop.unwrap_or(most))));
+        let (mut walked, mut found) = (vec![], None);
+        for (leg, from, to) in legs {
+            match way.seek(leg, (from, to))? {
+                Ok(at) => {
+                    walked.push((leg, from, at));
+                    found = Some((leg, at));
+                    break;
+                }
+                Err(at) => walked.push((leg, from, at)),
+            }
+        }
+        let mut last = walked.last().map_or((Leg::At(0.0), 0.0), |&(leg, _, to)| (leg, to));
+        if found.is_none()
+            && let Some(e) = stop.filter(|e| last == (Leg::Load, *e))
+        {
+            let from = way.place(Leg::Load, e)?.0;
+            let held = way.seek(Leg::At(e), (from, highest_mpa))?;
+            let (Ok(at) | Err(at)) = held;
+            last = (Leg::At(e), at);
+            walked.push((last.0, from, at));
+            found = held.ok().map(|_| last);
+        }
+        let (leg, at) = found.unwrap_or(last);
+        let (pressure_mpa, contraction) = way.place(leg, at)?;
+        if found.is_none() {
+            let largest_mm3 = way.pushed_mm3(leg, at)?;
+            return Err(FillError::TooLarge { volume_mm3, largest_mm3, pressure_mpa, contraction });
+        }
+        let state = match leg {
+            Leg::Load => FillState::Balanced,
+            Leg::At(_) if held_at_rest || contraction != 0.0 => FillState::Held,
+            Leg::At(_) => FillState::NotLifted,
+        };
+        let (mut cavity_j, mut friction_j) = (0.0, 0.0);
+        for (leg, from, to) in walked {
+            let (cavity, friction) = way.works_j(leg, (from, to))?;
+            (cavity_j, friction_j) = (cavity_j + cavity, friction_j + friction);
+        }
+        let load_n = way.load_n(contraction);
+        let stroke_mm = contraction * length_mm;
+        let load_work_j = filling.load.map_or(0.0, |load| load.energy_j(stroke_mm));
+        let liquid = filling.liquid;
+        let whole_mm3 = rest_mm3 + filling.dead_volume_mm3 + volume_mm3;
+        let liquid_energy_j = 1e-3 * whole_mm3 * liquid.energy_mpa(pressure_mpa);
+        let slopes = Slopes::at(self, pressure_mpa, contraction)?;
+        let gives_way = slopes.volume_by_pressure + whole_mm3 * liquid.compliance_per_mpa(pressure_mpa);
+        let shut_stiffness_n_per_mm = slopes.stiffness
+            + slopes.force_by_pressure * slopes.volume_by_contraction / (length_mm * gives_way);
+        let mut answer = self.answer(pressure_mpa, contraction)?;
+        if state == FillState::Balanced {
+            let held =
+                shut_stiffness_n_per_mm + filling.load.map_or(0.0, |load| load.slope_n_per_mm(stroke_mm));
+            answer = exactly(answer, load_n).with_contraction_sought(Some(held), length_mm);
+        }
+        Ok(Fill {
+            answer,
+            state,
+            pushed_volume_mm3: volume_mm3,
+            stroke_mm,
+            rest_volume_mm3: rest_mm3,
+            compressed_volume_mm3: whole_mm3 * (1.0 - liquid.relative_volume(pressure_mpa)),
+            liquid_mass_g: liquid.mass_g(whole_mm3),
+            effective_bulk_modulus_mpa: liquid.effective_bulk_modulus_mpa(pressure_mpa),
+            shut_stiffness_n_per_mm,
+            pump_work_j: cavity_j + liquid_energy_j,
+            muscle_energy_j: cavity_j - load_work_j - friction_j,
+            liquid_energy_j,
+            load_work_j,
+            friction_work_j: (!options.direction.is_mean()).then_some(friction_j),
+        })
     }
-    let mut last = walked.last().map_or((Leg::At(0.0), 0.0), |&(leg, _, to)| (leg, to));
-    if found.is_none()
-        && let Some(e) = stop.filter(|e| last == (Leg::Load, *e))
-    {
-        let from = way.place(w, Leg::Load, e)?.0;
-        let held = way.seek(w, Leg::At(e), (from, highest_mpa))?;
-        let (Ok(at) | Err(at)) = held;
-        last = (Leg::At(e), at);
-        walked.push((last.0, from, at));
-        found = held.ok().map(|_| last);
-    }
-    let (leg, at) = found.unwrap_or(last);
-    let (pressure_mpa, contraction) = way.place(w, leg, at)?;
-    if found.is_none() {
-        let largest_mm3 = way.pushed_mm3(w, leg, at)?;
-        return Err(FillError::TooLarge { volume_mm3, largest_mm3, pressure_mpa, contraction });
-    }
-    let state = match leg {
-        Leg::Load => FillState::Balanced,
-        Leg::At(_) if held_at_rest || contraction != 0.0 => FillState::Held,
-        Leg::At(_) => FillState::NotLifted,
-    };
-    let (mut cavity_j, mut friction_j) = (0.0, 0.0);
-    for (leg, from, to) in walked {
-        let (cavity, friction) = way.works_j(w, leg, (from, to))?;
-        (cavity_j, friction_j) = (cavity_j + cavity, friction_j + friction);
-    }
-    let stroke_mm = contraction * length_mm;
-    let load_work_j = filling.load.map_or(0.0, |load| load.energy_j(stroke_mm));
-    let liquid = filling.liquid;
-    let whole_mm3 = rest_mm3 + filling.dead_volume_mm3 + volume_mm3;
-    let liquid_energy_j = 1e-3 * whole_mm3 * liquid.energy_mpa(pressure_mpa);
-    let slopes = Slopes::at(model, w, (pressure_mpa, contraction), options)?;
-    let gives_way = slopes.volume_by_pressure + whole_mm3 * liquid.compliance_per_mpa(pressure_mpa);
-    let shut_stiffness_n_per_mm =
-        slopes.stiffness + slopes.force_by_pressure * slopes.volume_by_contraction / (length_mm * gives_way);
-    let mut answer = answer::force(model, w, pressure_mpa, contraction, options)?;
-    if state == FillState::Balanced {
-        let held = shut_stiffness_n_per_mm + filling.load.map_or(0.0, |load| load.slope_n_per_mm(stroke_mm));
-        answer =
-            answer::exactly(answer, way.load_n(contraction)).with_contraction_sought(Some(held), length_mm);
-    }
-    Ok(Fill {
-        answer,
-        state,
-        pushed_volume_mm3: volume_mm3,
-        stroke_mm,
-        rest_volume_mm3: rest_mm3,
-        compressed_volume_mm3: whole_mm3 * (1.0 - liquid.relative_volume(pressure_mpa)),
-        liquid_mass_g: liquid.mass_g(whole_mm3),
-        effective_bulk_modulus_mpa: liquid.effective_bulk_modulus_mpa(pressure_mpa),
-        shut_stiffness_n_per_mm,
-        pump_work_j: cavity_j + liquid_energy_j,
-        muscle_energy_j: cavity_j - load_work_j - friction_j,
-        liquid_energy_j,
-        load_work_j,
-        friction_work_j: (!options.direction.is_mean()).then_some(friction_j),
-    })
 }
 
 #[cfg(test)]

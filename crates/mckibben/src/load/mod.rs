@@ -12,8 +12,8 @@ mod parse;
 mod table;
 
 pub use cycle::{Cycle, cycle};
-pub use equilibrium::{Balance, LoadError, balances};
-pub use fill::{Fill, FillError, FillState, Filling, LiquidStroke, fill, liquid_per_stroke};
+pub use equilibrium::{Balance, LoadError};
+pub use fill::{Fill, FillError, FillState, Filling, LiquidStroke};
 pub use lever::Lever;
 pub use parse::LoadTextError;
 pub use table::{LoadTable, LoadTableError};

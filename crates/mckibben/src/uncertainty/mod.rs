@@ -44,8 +44,8 @@ mod shifts;
 
 pub use shifts::{ONE_AXIS, Shifts};
 
-use crate::analysis::friction_on;
-use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, Workspace, blocked_scale_n};
+use crate::analysis::Evaluation;
+use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, blocked_scale_n};
 use crate::muscle::{Bench, Direction, Muscle};
 use crate::rubber::RubberLaw;
 use serde::{Deserialize, Serialize};
@@ -182,36 +182,53 @@ pub fn stiffness_uncertainty_n_per_mm(muscle: &Muscle, parts: &UncertaintyParts)
     SQRT_2 * without_friction.total() / way_mm
 }
 
-/// The parts of the ± of a pull in N at a pressure and contraction, on a branch of the hysteresis loop; `None` where nobody has measured the
-/// model's error.
-pub fn uncertainty(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    (pressure_mpa, contraction): (f64, f64),
-    force_n: f64,
-    direction: Direction,
-) -> Option<UncertaintyParts> {
-    let mut pull = Pull { model, workspace, pressure_mpa, contraction, force_n, direction };
-    let own = pull.of_specimen()?;
-    let (transfer, length) = (transfer_share(model.muscle()), length_share(model.muscle()));
-    // A formula of a bought muscle was held against measured pulls.
-    if is_of_product(model) || transfer.is_none() && length.is_none() {
-        return Some(own);
+impl Evaluation<'_> {
+    /// The parts of the ± of a pull in N at a pressure and contraction, on a branch of the hysteresis loop; `None` where nobody has measured the
+    /// model's error.
+    pub fn uncertainty(
+        &mut self,
+        pressure_mpa: f64,
+        contraction: f64,
+        force_n: f64,
+    ) -> Option<UncertaintyParts> {
+        let muscle = self.model.muscle();
+        let own = Pull { evaluation: self, pressure_mpa, contraction, force_n }.of_specimen()?;
+        let (transfer, length) = (transfer_share(muscle), length_share(muscle));
+        // A formula of a bought muscle was held against measured pulls.
+        if is_of_product(self.model) || transfer.is_none() && length.is_none() {
+            return Some(own);
+        }
+        let blocked = self.blocked_n(pressure_mpa)?;
+        let of_blocked = |share: f64| share * blocked;
+        Some(UncertaintyParts {
+            transfer: transfer.map(of_blocked),
+            length_transfer: length.map(of_blocked),
+            ..own
+        })
     }
-    let blocked = pull.blocked_n(pressure_mpa)?;
-    let of_blocked = |share: f64| share * blocked;
-    Some(UncertaintyParts {
-        transfer: transfer.map(of_blocked),
-        length_transfer: length.map(of_blocked),
-        ..own
-    })
-}
 
-/// 95 % half-width in N of the pull of a muscle that was identified by this model from 10 points on both branches, by the experience of the measured
-/// muscles; `None` for a formula of a bought muscle, and where nobody has measured the model's error.
-pub fn identified_n(model: &dyn ForceModel, workspace: &mut Workspace, pressure_mpa: f64) -> Option<f64> {
-    model.info().accuracy.share_of_blocked.filter(|_| !is_of_product(model))?;
-    Some(IDENTIFIED * blocked_scale_n(model, workspace, pressure_mpa).ok()?.abs())
+    /// 95 % half-width in N of the pull of a muscle that was identified by this model from 10 points on both branches, by the experience of the measured
+    /// muscles; `None` for a formula of a bought muscle, and where nobody has measured the model's error.
+    pub fn identified_n(&mut self, pressure_mpa: f64) -> Option<f64> {
+        self.model.info().accuracy.share_of_blocked.filter(|_| !is_of_product(self.model))?;
+        Some(IDENTIFIED * self.blocked_n(pressure_mpa)?)
+    }
+
+    /// What a pull on one branch may differ by, in N, from an answer, besides all else.
+    pub fn friction_uncertainty_n(&mut self, pressure_mpa: f64, contraction: f64, blocked_n: f64) -> f64 {
+        let unknown = FRICTION * blocked_n;
+        if self.model.muscle().friction().is_none() {
+            return unknown;
+        }
+        let law = if self.options.direction.is_mean() { 1.0 + FRICTION_LAW } else { FRICTION_LAW };
+        let half = self.with(Direction::Elongation).friction_n(pressure_mpa, contraction);
+        half.map_or(unknown, |half| law * half)
+    }
+
+    /// The blocked force that shares are taken of.
+    fn blocked_n(&mut self, pressure_mpa: f64) -> Option<f64> {
+        blocked_scale_n(self.model, self.workspace, pressure_mpa).ok().map(f64::abs)
+    }
 }
 
 /// Whether it is a formula of a bought muscle.
@@ -228,20 +245,22 @@ fn bench_of(model: &dyn ForceModel) -> Option<&Bench> {
 }
 
 /// A pull whose ± is asked for.
-struct Pull<'a> {
-    model: &'a dyn ForceModel,
-    workspace: &'a mut Workspace,
+struct Pull<'e, 'a> {
+    evaluation: &'e mut Evaluation<'a>,
     pressure_mpa: f64,
     contraction: f64,
     force_n: f64,
-    direction: Direction,
 }
 
-impl Pull<'_> {
+impl<'a> Pull<'_, 'a> {
+    fn model(&self) -> &'a dyn ForceModel {
+        self.evaluation.model
+    }
+
     /// The parts of the ± of the specimen that was identified, or of any muscle.
     fn of_specimen(&mut self) -> Option<UncertaintyParts> {
-        let Some(bench) = bench_of(self.model) else { return self.of_any() };
-        let own = self.model.muscle().bench().is_some();
+        let Some(bench) = bench_of(self.model()) else { return self.of_any() };
+        let own = self.model().muscle().bench().is_some();
         let outside = if own { bench.outside(self.pressure_mpa, self.contraction) } else { 1.0 };
         let inside = if outside < 1.0 { Some(self.of_bench(bench)?) } else { None };
         let general = if outside > 0.0 { Some(self.of_any()?) } else { None };
@@ -255,60 +274,59 @@ impl Pull<'_> {
     /// What is known of any muscle.
     fn of_any(&mut self) -> Option<UncertaintyParts> {
         let formula = self.formula_n()?;
-        if is_of_product(self.model) {
+        if is_of_product(self.model()) {
             // Held against measured pulls already.
             return Some(UncertaintyParts { formula, ..UncertaintyParts::default() });
         }
-        let (p, e, muscle) = (self.pressure_mpa, self.contraction, self.model.muscle());
-        let blocked = self.blocked_n(p)?;
-        let shifts = Shifts::of(self.workspace, muscle, (p, e));
-        let mesh = self.model.extensions().mesh;
+        let (p, e, muscle) = (self.pressure_mpa, self.contraction, self.model().muscle());
+        let blocked = self.evaluation.blocked_n(p)?;
+        let shifts = Shifts::of(self.evaluation.workspace, muscle, (p, e));
+        let mesh = self.model().extensions().mesh;
         Some(UncertaintyParts {
             formula,
-            mesh: mesh.and_then(|mesh| mesh.mesh_error_n(self.workspace, p, e, self.force_n, blocked)),
+            mesh: mesh
+                .and_then(|mesh| mesh.mesh_error_n(self.evaluation.workspace, p, e, self.force_n, blocked)),
             rubber: shifts.rubber(),
             braid: shifts.braid(),
             measured: Some(measured_n(muscle, blocked, e)),
-            friction: Some(friction_n(self.model, self.workspace, (p, e), self.direction, blocked)),
+            friction: Some(self.evaluation.friction_uncertainty_n(p, e, blocked)),
             friction_is_stated: muscle.friction().is_some(),
             ..UncertaintyParts::default()
         })
     }
 
-    /// The blocked force that shares are taken of.
-    fn blocked_n(&mut self, pressure_mpa: f64) -> Option<f64> {
-        blocked_scale_n(self.model, self.workspace, pressure_mpa).ok().map(f64::abs)
-    }
-
     /// The model's own part, where it has one; `None` where nobody has measured it.
     fn formula_n(&mut self) -> Option<Option<f64>> {
-        let Accuracy { share_of_blocked, blocked_at, .. } = self.model.info().accuracy;
+        let Accuracy { share_of_blocked, blocked_at, .. } = self.model().info().accuracy;
         let share = share_of_blocked?;
         let at = match blocked_at {
             BlockedAt::SamePressure => self.pressure_mpa,
             BlockedAt::Pressure(p) => p,
         };
-        if share > 0.0 { Some(Some(share * self.blocked_n(at)?)) } else { Some(None) }
+        if share > 0.0 { Some(Some(share * self.evaluation.blocked_n(at)?)) } else { Some(None) }
     }
 
     /// The ± on the bench that the muscle was identified from.
     fn of_bench(&mut self, bench: &Bench) -> Option<UncertaintyParts> {
-        let formula = if bench.model == self.model.info().name { None } else { self.formula_n()? };
-        let known = match self.model.muscle().friction() {
+        let formula = if bench.model == self.model().info().name { None } else { self.formula_n()? };
+        let known = match self.model().muscle().friction() {
             None => bench.saw_the_loop(),
-            Some(_) => !self.direction.is_mean() && bench.branches.contains(&self.direction),
+            Some(_) => {
+                !self.evaluation.options.direction.is_mean()
+                    && bench.branches.contains(&self.evaluation.options.direction)
+            }
         };
         let at = (self.pressure_mpa, self.contraction);
         let fit_n = bench.half_width_n(at.0, at.1);
         let friction = if known {
             None
         } else {
-            let blocked = self.blocked_n(at.0)?;
-            let general = friction_n(self.model, self.workspace, at, self.direction, blocked);
+            let blocked = self.evaluation.blocked_n(at.0)?;
+            let general = self.evaluation.friction_uncertainty_n(at.0, at.1, blocked);
             let measured = self.measured_friction_n(bench, fit_n);
             Some(measured.map_or(general, |measured| measured.min(general)))
         };
-        let friction_is_stated = self.model.muscle().friction().is_some();
+        let friction_is_stated = self.model().muscle().friction().is_some();
         let fit = Some(fit_n);
         Some(UncertaintyParts { formula, friction, fit, friction_is_stated, ..UncertaintyParts::default() })
     }
@@ -317,9 +335,9 @@ impl Pull<'_> {
     /// unknown. A point on a branch lies within h and the ± of the fit, so that both add up: (h + fit)² = fit² + part².
     fn measured_friction_n(&mut self, bench: &Bench, fit_n: f64) -> Option<f64> {
         let both = Direction::BRANCHES.iter().all(|b| bench.branches.contains(b));
-        self.model.muscle().friction().filter(|_| both)?;
+        self.model().muscle().friction().filter(|_| both)?;
         let (p, e) = (self.pressure_mpa, self.contraction);
-        let half = friction_on(self.model, self.workspace, (p, e), Direction::Elongation).ok()?;
+        let half = self.evaluation.with(Direction::Elongation).friction_n(p, e).ok()?;
         Some((half * (half + 2.0 * fit_n)).sqrt())
     }
 }
@@ -333,25 +351,6 @@ fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> Unc
         inner[i].or(outer[i]).map(|_| mixed)
     };
     UncertaintyParts::of(std::array::from_fn(part), inside.friction_is_stated)
-}
-
-/// What a pull on one branch may differ by, in N, from an answer on `direction`, besides all else.
-pub fn friction_n(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    at: (f64, f64),
-    direction: Direction,
-    blocked_n: f64,
-) -> f64 {
-    let unknown = FRICTION * blocked_n;
-    if model.muscle().friction().is_none() {
-        return unknown;
-    }
-    match friction_on(model, workspace, at, Direction::Elongation) {
-        Ok(half) if direction.is_mean() => (1.0 + FRICTION_LAW) * half,
-        Ok(half) => FRICTION_LAW * half,
-        Err(_) => unknown,
-    }
 }
 
 /// Half-width of the difference between finite elements and a measured muscle in N, for its blocked force at the same pressure.

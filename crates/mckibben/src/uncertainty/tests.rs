@@ -1,5 +1,5 @@
 use super::*;
-use crate::model::{Ideal, ThickWall};
+use crate::model::{Ideal, ThickWall, Workspace};
 use crate::muscle::{Braid, BraidStiffness, Friction, Rubber, Tube};
 use crate::rubber::library::{is_known_from_one_axis, of_equal_standing};
 
@@ -18,7 +18,7 @@ fn laws_that_disagree_are_a_part() {
     };
     let w = &mut Workspace::new();
     let part = |m: &Muscle, w: &mut Workspace| {
-        uncertainty(&ThickWall::new(m), w, (0.25, 0.2), 100.0, Direction::Mean).unwrap().rubber
+        Evaluation::new(&ThickWall::new(m), w, Direction::Mean).uncertainty(0.25, 0.2, 100.0).unwrap().rubber
     };
     let named = Muscle::prototype().with_tube(tube("treloar-natural-rubber")).unwrap();
     assert_eq!(part(&named, w).is_some(), !of_equal_standing(&named.tube().rubber, named.reach()).is_empty());
@@ -42,7 +42,10 @@ fn what_one_axis_does_not_tell_is_a_part() {
     assert!(!is_known_from_one_axis(&changed.tube().rubber));
     let mut pull = |m: &Muscle| ThickWall::new(m).force_n(w, 0.25, 0.2).unwrap();
     let expected = (pull(&changed) - pull(&named)).abs();
-    let found = uncertainty(&ThickWall::new(&named), w, (0.25, 0.2), 100.0, Direction::Mean).unwrap().rubber;
+    let found = Evaluation::new(&ThickWall::new(&named), w, Direction::Mean)
+        .uncertainty(0.25, 0.2, 100.0)
+        .unwrap()
+        .rubber;
     assert_eq!(found, Some(expected));
 }
 
@@ -65,8 +68,9 @@ fn factors_of_estimates_are_parts() {
         ..Rubber::of(crate::rubber::Law::NeoHookean(crate::rubber::NeoHookean { mu_mpa }))
     };
     let [soft, own, stiff] = [0.37 / 1.25, 0.37, 0.37 * 1.25].map(|m| pull(&of(1000.0, 1.0, mu(m))));
-    let mut parts =
-        |m: &Muscle| uncertainty(&ThickWall::new(m), w, (0.25, 0.1), 100.0, Direction::Mean).unwrap();
+    let mut parts = |m: &Muscle| {
+        Evaluation::new(&ThickWall::new(m), w, Direction::Mean).uncertainty(0.25, 0.1, 100.0).unwrap()
+    };
     let found = parts(&of(1000.0, 2.0, paper.clone()));
     assert_eq!(found.braid, Some((low - here).abs().max((high - here).abs())));
     assert_eq!(parts(&of(1000.0, 1.0, paper)).braid, None);
@@ -79,7 +83,7 @@ fn factors_of_estimates_are_parts() {
 fn a_simpler_model_has_a_larger_uncertainty() {
     let (m, w) = (Muscle::prototype(), &mut Workspace::new());
     let of = |model: &dyn ForceModel, w: &mut Workspace| {
-        uncertainty(model, w, (0.25, 0.1), 300.0, Direction::Mean).unwrap().total()
+        Evaluation::new(model, w, Direction::Mean).uncertainty(0.25, 0.1, 300.0).unwrap().total()
     };
     let (ideal, thick) = (of(&Ideal::new(&m), w), of(&ThickWall::new(&m), w));
     assert!(ideal > thick, "{ideal} {thick}");
@@ -91,7 +95,11 @@ fn stated_friction_counts_until_a_branch_is_asked_for() {
     let (m, w) = (Muscle::prototype(), &mut Workspace::new());
     let stated = m.with_friction(Some(Friction::power_law(74.0, 0.5))).unwrap();
     let part = |m: &Muscle, direction: Direction, w: &mut Workspace| {
-        uncertainty(&ThickWall::new(m), w, (0.25, 0.1), 300.0, direction).unwrap().friction.unwrap()
+        Evaluation::new(&ThickWall::new(m), w, direction)
+            .uncertainty(0.25, 0.1, 300.0)
+            .unwrap()
+            .friction
+            .unwrap()
     };
     assert!((part(&stated, Direction::Mean, w) - 1.81 * 37.0).abs() < 1e-9);
     assert!((part(&stated, Direction::Contraction, w) - 0.81 * 37.0).abs() < 1e-9);
@@ -99,7 +107,8 @@ fn stated_friction_counts_until_a_branch_is_asked_for() {
     let blocked = ThickWall::new(&m).force_n(w, 0.25, 0.0).unwrap();
     assert!((part(&m, Direction::Mean, w) - 0.12 * blocked).abs() < 1e-9);
     // No pressure, no loop.
-    let none = uncertainty(&ThickWall::new(&stated), w, (0.0, 0.1), 0.0, Direction::Mean).unwrap();
+    let none =
+        Evaluation::new(&ThickWall::new(&stated), w, Direction::Mean).uncertainty(0.0, 0.1, 0.0).unwrap();
     assert_eq!(none.friction, Some(0.0));
 }
 
@@ -127,7 +136,7 @@ fn on_its_own_bench_the_uncertainty_is_that_of_the_fit() {
     let (m, w) = (Muscle::prototype(), &mut Workspace::new());
     let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
     let total = |m: &Muscle, e: f64, w: &mut Workspace| {
-        uncertainty(&ThickWall::new(m), w, (0.2, e), 100.0, Direction::Mean).unwrap().total()
+        Evaluation::new(&ThickWall::new(m), w, Direction::Mean).uncertainty(0.2, e, 100.0).unwrap().total()
     };
     assert!((total(&own, 0.2, w) - 5.0).abs() < 1e-12);
     let outside = total(&m, 0.225, w);
@@ -146,7 +155,7 @@ fn a_friction_that_was_measured_is_not_unknown() {
     let stated = m.with_friction(Some(Friction::power_law(74.0, 0.5))).unwrap();
     let own = with_bench(&stated, "thick-wall", Direction::BRANCHES.to_vec());
     let mut total = |m: &Muscle, direction| {
-        uncertainty(&ThickWall::new(m), w, (0.2, 0.1), 100.0, direction).unwrap().total()
+        Evaluation::new(&ThickWall::new(m), w, direction).uncertainty(0.2, 0.1, 100.0).unwrap().total()
     };
     let half = 74.0 * 0.2_f64.sqrt();
     assert!((total(&own, Direction::Mean) - (half + 5.0)).abs() < 1e-9);
@@ -163,8 +172,9 @@ fn another_specimen_of_a_product_is_a_part() {
     let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
     let theirs = Bench { laboratory: Some("Portland".into()), ..own.bench().unwrap().clone() };
     let theirs = m.clone().with_bench(theirs.sealed(&m));
-    let mut parts =
-        |m: &Muscle| uncertainty(&ThickWall::new(m), w, (0.2, 0.1), 100.0, Direction::Mean).unwrap();
+    let mut parts = |m: &Muscle| {
+        Evaluation::new(&ThickWall::new(m), w, Direction::Mean).uncertainty(0.2, 0.1, 100.0).unwrap()
+    };
     let share = TRANSFER * ThickWall::new(&m).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap();
     assert_eq!(parts(&own).transfer, None);
     assert_eq!(parts(&theirs), UncertaintyParts { transfer: Some(share), ..parts(&own) });
@@ -183,8 +193,9 @@ fn another_length_of_an_identified_muscle_is_a_part() {
     let own = Bench { lengths_mm: vec![m.length_mm(), 400.0], ..bench };
     let own = m.clone().with_bench(own.sealed(&m));
     let short = of(200.0).with_bench_of(&own);
-    let mut parts =
-        |m: &Muscle| uncertainty(&ThickWall::new(m), w, (0.2, 0.1), 100.0, Direction::Mean).unwrap();
+    let mut parts = |m: &Muscle| {
+        Evaluation::new(&ThickWall::new(m), w, Direction::Mean).uncertainty(0.2, 0.1, 100.0).unwrap()
+    };
     let (found, without) = (parts(&short), parts(&of(200.0)));
     let inverse = 0.5 * (1.0 / m.length_mm() + 1.0 / 400.0);
     let off = m.tube().outer_diameter_mm * (1.0 / 200.0 - inverse);
@@ -205,7 +216,7 @@ fn another_length_of_an_identified_muscle_is_a_part() {
 fn a_bench_of_another_muscle_model_or_branch_says_nothing() {
     let (m, w) = (Muscle::prototype(), &mut Workspace::new());
     let parts = |m: &Muscle, w: &mut Workspace| {
-        uncertainty(&ThickWall::new(m), w, (0.2, 0.1), 100.0, Direction::Mean).unwrap()
+        Evaluation::new(&ThickWall::new(m), w, Direction::Mean).uncertainty(0.2, 0.1, 100.0).unwrap()
     };
     let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
     // Another diameter.
@@ -236,7 +247,9 @@ fn no_uncertainty_of_an_identified_muscle_is_below_the_scatter_of_its_points() {
     for length_mm in [m.length_mm(), 200.0, 400.0] {
         let muscle = own.with_tube(Tube { length_mm, ..m.tube().clone() }).unwrap();
         for (p, e) in [(0.0, 0.0), (0.2, 0.1), (0.2, 0.22), (0.5, 0.0), (0.3, 0.4), (0.1, -0.1)] {
-            let found = uncertainty(&ThickWall::new(&muscle), w, (p, e), 100.0, Direction::Mean).unwrap();
+            let found = Evaluation::new(&ThickWall::new(&muscle), w, Direction::Mean)
+                .uncertainty(p, e, 100.0)
+                .unwrap();
             assert!(found.total() >= 1000.0 * (1.0 - 1e-12), "{length_mm} {p} {e}: {found:?}");
         }
     }

@@ -1,8 +1,6 @@
 //! The burst pressure: a closed form, the identity that defines it, and that the blocked muscle is the worst case.
 
-use mckibben::analysis::{
-    Burst, FailureMode, FailurePressure, NoBurst, Options, SAFETY, burst, free_contraction,
-};
+use mckibben::analysis::{Burst, Evaluation, FailureMode, FailurePressure, NoBurst, Options, SAFETY, burst};
 use mckibben::model::{ForceModel, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Strands, Terminals, Tube};
 use mckibben::random::{Random, rounds};
@@ -76,7 +74,9 @@ fn no_contraction_loads_the_strands_more_than_none() {
         let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
         let Ok(found) = burst(&model) else { continue };
         let Some(p) = found.pressure_mpa() else { continue };
-        let Ok(end) = free_contraction(&model, w, p, Options::extrapolating()) else { continue };
+        let Ok(end) = Evaluation::new(&model, w, Options::extrapolating()).free_contraction(p) else {
+            continue;
+        };
         let mut tension = |e: f64| model.response(w, p, e).unwrap().strand_tension_n.unwrap();
         let blocked = tension(0.0);
         for i in 1..=20 {
@@ -158,7 +158,7 @@ fn the_rubber_tears_where_its_stretch_is_that_at_break() {
     let (m, found) = of(15.0, "rtv615");
     let p = found.mpa().unwrap();
     let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
-    let free = free_contraction(&model, w, p, Options::extrapolating()).unwrap();
+    let free = Evaluation::new(&model, w, Options::extrapolating()).free_contraction(p).unwrap();
     let stretch = model.response(w, p, free).unwrap().max_stretch.unwrap();
     assert!((stretch - 2.93).abs() < 0.005, "{stretch}");
     assert_eq!(of(40.0, "rtv615").1, FailurePressure::None);

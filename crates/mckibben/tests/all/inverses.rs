@@ -1,8 +1,6 @@
 //! Inverses against the function that they invert, looked at on a fine grid.
 
-use mckibben::analysis::{
-    AnalysisError, Options, contraction_at, contraction_or_stretch_at, force_on, pressure_at,
-};
+use mckibben::analysis::{AnalysisError, Evaluation, Options};
 use mckibben::cancel::Cancel;
 use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
 use mckibben::muscle::{
@@ -39,7 +37,7 @@ fn pulls_just_below_the_largest_are_found_where_the_pull_still_rises() {
             peaks += 1;
             let wanted = 0.9995 * most;
             let options = Options { extrapolate: true, ..Options::default() };
-            let found = pressure_at(model.as_ref(), w, wanted, contraction, options);
+            let found = Evaluation::new(model.as_ref(), w, options).pressure_at(wanted, contraction);
             let p = found.unwrap_or_else(|e| panic!("{kind:?}, {muscle:?}, {contraction}: {e}"));
             let pull = model.force_n(w, p, contraction).unwrap();
             assert!((pull - wanted).abs() < 1e-6 * wanted, "{pull} and {wanted}");
@@ -112,7 +110,7 @@ fn known(r: &mut Random) -> Option<Known> {
         false => r.between(range.contraction.0.max(-0.2), range.contraction.1.min(0.7)),
     };
     let w = &mut Workspace::new();
-    let mut pull = |e: f64| force_on(&*model, w, pressure_mpa, e, options.direction).ok();
+    let mut pull = |e: f64| Evaluation::new(&*model, w, options).force_n(pressure_mpa, e).ok();
     let force_n = pull(contraction)?;
     let scale_n = pull(0.0).map_or(1.0, f64::abs).max(1.0);
     let asked = options.two_sided || force_n >= 0.0;
@@ -129,11 +127,12 @@ fn no_inverse_that_exists_is_denied() {
         asked += 1;
         let w = &mut Workspace::new();
         let (model, f) = (&*k.model, k.force_n);
-        let p = pressure_at(model, w, f, k.contraction, k.options);
-        let e = contraction_or_stretch_at(model, w, f, k.pressure_mpa, k.options);
+        let p = Evaluation::new(model, w, k.options).pressure_at(f, k.contraction);
+        let e = Evaluation::new(model, w, k.options).contraction_or_stretch_at(f, k.pressure_mpa);
         let direction = k.options.direction;
-        let mut back =
-            |p: f64, e: f64| force_on(model, w, p, e, direction).map_or(f64::INFINITY, |b| (b - f).abs());
+        let mut back = |p: f64, e: f64| {
+            Evaluation::new(model, w, direction).force_n(p, e).map_or(f64::INFINITY, |b| (b - f).abs())
+        };
         let failure = |what: &str, error: String| {
             format!(
                 "{what} {}: P {} ε {} F {f} {:?} {error}\n{:?}",
@@ -179,14 +178,16 @@ fn no_place_comes_nearer_than_the_nearest() {
         let range = &model.info().range;
         let direction = k.options.direction;
         let pulled = |v: f64| if k.options.two_sided { v } else { v.max(0.0) };
-        let said = pressure_at(model, w, f, k.contraction, k.options);
+        let said = Evaluation::new(model, w, k.options).pressure_at(f, k.contraction);
         if let Err(AnalysisError::NoPressure { nearest_force_n, .. }) = said {
             refused += 1;
             let high = if k.options.extrapolate { 20.0 } else { range.pressure_mpa.1.min(20.0) };
             let nearest = (nearest_force_n - f).abs();
             for i in 0..=500 {
                 let p = range.pressure_mpa.0 + (high - range.pressure_mpa.0) * (f64::from(i) / 500.0).powi(2);
-                let Ok(there) = force_on(model, w, p, k.contraction, direction) else { continue };
+                let Ok(there) = Evaluation::new(model, w, direction).force_n(p, k.contraction) else {
+                    continue;
+                };
                 let there = (pulled(there) - f).abs();
                 assert!(
                     there >= nearest - 1e-6 * k.scale_n,
@@ -195,7 +196,7 @@ fn no_place_comes_nearer_than_the_nearest() {
                 );
             }
         }
-        let said = contraction_at(model, w, f, k.pressure_mpa, k.options);
+        let said = Evaluation::new(model, w, k.options).contraction_at(f, k.pressure_mpa);
         if let Err(AnalysisError::NoContraction { nearest_force_n, .. }) = said {
             refused += 1;
             let (low, high) = if k.options.extrapolate { (-0.99, 0.99) } else { range.contraction };
@@ -203,7 +204,9 @@ fn no_place_comes_nearer_than_the_nearest() {
             let nearest = (nearest_force_n - f).abs();
             for i in 0..=500 {
                 let e = low + (high.min(0.999) - low) * f64::from(i) / 500.0;
-                let Ok(there) = force_on(model, w, k.pressure_mpa, e, direction) else { continue };
+                let Ok(there) = Evaluation::new(model, w, direction).force_n(k.pressure_mpa, e) else {
+                    continue;
+                };
                 let there = (pulled(there) - f).abs();
                 assert!(
                     there >= nearest - 1e-6 * k.scale_n,
@@ -231,13 +234,13 @@ fn a_pull_that_rises_and_falls_and_one_that_falls_with_the_pressure_are_found() 
     let muscle = Muscle::prototype().with_tube(tube).unwrap().with_braid(braid).unwrap();
     let (model, w) = (ModelKind::ForceBalance.build(&muscle).unwrap(), &mut Workspace::new());
     let p = 0.384_802_29;
-    let e = contraction_at(&*model, w, 2014.0, p, Options::default()).unwrap();
+    let e = Evaluation::new(&*model, w, Options::default()).contraction_at(2014.0, p).unwrap();
     assert!((0.05..0.06).contains(&e), "{e}");
     assert!((model.force_n(w, p, e).unwrap() - 2014.0).abs() < 1e-6);
     let tube = Tube { wall_mm: 2.0, ..Muscle::prototype().tube().clone() };
     let ideal = ModelKind::Ideal.build(&Muscle::prototype().with_tube(tube).unwrap()).unwrap();
     let two_sided = Options { two_sided: true, ..Options::default() };
-    let p = pressure_at(&*ideal, w, -200.0, 0.35, two_sided).unwrap();
+    let p = Evaluation::new(&*ideal, w, two_sided).pressure_at(-200.0, 0.35).unwrap();
     assert!((ideal.force_n(w, p, 0.35).unwrap() + 200.0).abs() < 1e-6);
 }
 
@@ -261,7 +264,7 @@ fn a_push_inside_of_a_narrow_extremum_at_low_pressure_is_found() {
     let two_sided = Options { two_sided: true, ..Options::default() };
     let e = 0.045_425_840_119_502_285;
     let force = model.force_n(w, 0.008_777_038_337_516_118, e).unwrap();
-    let p = pressure_at(&*model, w, force, e, two_sided).unwrap();
+    let p = Evaluation::new(&*model, w, two_sided).pressure_at(force, e).unwrap();
     assert!((model.force_n(w, p, e).unwrap() - force).abs() < 1e-6, "{p}");
 }
 
@@ -270,7 +273,7 @@ fn a_push_inside_of_a_narrow_extremum_at_low_pressure_is_found() {
 fn beyond_the_braid_the_refusal_says_where_it_stops() {
     let (model, w) = (ModelKind::Universal.build(&Muscle::prototype()).unwrap(), &mut Workspace::new());
     let options = Options::extrapolating();
-    let error = pressure_at(&*model, w, 300.0, 0.4, options).unwrap_err();
+    let error = Evaluation::new(&*model, w, options).pressure_at(300.0, 0.4).unwrap_err();
     let AnalysisError::NoPressure { nearest_force_n, .. } = error else { panic!("{error}") };
     // 1 − 1/(√3 cos 28°) = 0.346
     assert!(nearest_force_n == 0.0 && error.to_string().contains("contracts by 34.6 % at most"), "{error}");
@@ -283,6 +286,6 @@ fn a_search_that_is_cancelled_ends() {
     cancel.cancel();
     let _entered = cancel.enter();
     let cancelled = |e: AnalysisError| matches!(e, AnalysisError::Model(ModelError::Cancelled(_)));
-    assert!(pressure_at(&*model, w, 1e6, 0.1, Options::default()).is_err_and(cancelled));
-    assert!(contraction_at(&*model, w, 1e6, 0.2, Options::default()).is_err_and(cancelled));
+    assert!(Evaluation::new(&*model, w, Options::default()).pressure_at(1e6, 0.1).is_err_and(cancelled));
+    assert!(Evaluation::new(&*model, w, Options::default()).contraction_at(1e6, 0.2).is_err_and(cancelled));
 }

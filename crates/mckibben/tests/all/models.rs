@@ -1,7 +1,6 @@
 //! One battery over all models, the identities that tie them together, and published figures.
 
-use mckibben::answer::{Options, contraction, point};
-use mckibben::curve::{Test, curves};
+use mckibben::curve::Test;
 use mckibben::formula::Coefficients;
 use mckibben::model::{
     ChouHannaford, ForceBalance, ForceModel, Ideal, Inverse, ModelError, ModelKind, Paper, ThickWall,
@@ -11,6 +10,7 @@ use mckibben::muscle::{
     Braid, BraidStiffness, EndFactor, MeasuredStrand, Muscle, NEUTRAL_ANGLE_DEG, Rubber, Terminals, Tube,
 };
 use mckibben::rubber::{Law, MooneyRivlin, NeoHookean};
+use mckibben::{analysis::Evaluation, answer::Options};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
@@ -43,7 +43,9 @@ fn an_answer_is_of_the_point_that_was_asked_for() {
     for model in all {
         for (p, e) in grid(&*model) {
             for options in [Options::default(), Options { two_sided: true, ..Options::default() }] {
-                let Ok(answer) = point(&*model, &mut Workspace::new(), p, e, options) else { continue };
+                let Ok(answer) = Evaluation::new(&*model, &mut Workspace::new(), options).point(p, e) else {
+                    continue;
+                };
                 let of = (answer.response.pressure_mpa, answer.response.contraction);
                 assert_eq!(of, (p, e), "{}", model.info().name);
             }
@@ -58,16 +60,17 @@ fn a_slack_muscle_is_what_it_is_at_its_free_contraction() {
     for model in every_model() {
         let (model, w) = (&*model, &mut Workspace::new());
         let p = model.info().range.pressure_mpa.1.min(0.2);
-        let Ok(free) = contraction(model, w, 0.0, p, Options::default()) else { continue };
+        let Ok(free) = Evaluation::new(model, w, Options::default()).contraction(0.0, p) else { continue };
         let past = [1.05, 1.1, 1.3].map(|share| share * free.response.contraction);
         let range = model.info().range.contraction.1;
         let past: Vec<f64> = past.into_iter().filter(|e| *e < range.min(0.99)).collect();
-        let alone =
-            past.iter().map(|&e| point(model, &mut Workspace::new(), p, e, Options::default()).unwrap());
-        let mut family = curves(model, w, Test::Isobaric, &[p], &past, Options::default());
-        family.extend(
-            past.iter().flat_map(|&e| curves(model, w, Test::Isometric, &[e], &[p], Options::default())),
-        );
+        let alone = past
+            .iter()
+            .map(|&e| Evaluation::new(model, &mut Workspace::new(), Options::default()).point(p, e).unwrap());
+        let mut family = Evaluation::new(model, w, Options::default()).curves(Test::Isobaric, &[p], &past);
+        family.extend(past.iter().flat_map(|&e| {
+            Evaluation::new(model, w, Options::default()).curves(Test::Isometric, &[e], &[p])
+        }));
         let along = family.into_iter().flat_map(|c| c.points).map(|point| point.answer.unwrap());
         for slack in alone.chain(along) {
             assert!(slack.slack && slack.response.force_n == 0.0, "{}", model.info().name);

@@ -242,7 +242,7 @@ fn a_constant_on_its_bound_is_the_bound() {
 /// Benches with a known noise, some with both branches: the ± that they leave holds further points of the same bench at its rate.
 #[test]
 fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
-    use mckibben::uncertainty::uncertainty;
+    use mckibben::analysis::Evaluation;
     let plain = soft();
     let rubbing = plain.with_friction(Some(Friction::power_law(60.0, 0.6))).unwrap();
     for (m, names) in
@@ -258,18 +258,15 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
                 // Between the points that were fitted, inside of their range.
                 let e = p.at.contraction + if i % 2 == 0 && p.at.contraction < 0.15 { 0.02 } else { 0.0 };
                 let noise = p.at.force_n - truth[i].at.force_n;
-                let measured = mckibben::analysis::force_on(
-                    &ThickWall::new(m),
-                    w,
-                    p.at.pressure_mpa,
-                    e,
-                    p.at.direction(),
-                )
-                .unwrap()
+                let measured = Evaluation::new(&ThickWall::new(m), w, p.at.direction())
+                    .force_n(p.at.pressure_mpa, e)
+                    .unwrap()
                     + noise;
                 let found =
-                    mckibben::analysis::force_on(&model, w, p.at.pressure_mpa, e, p.at.direction()).unwrap();
-                let parts = uncertainty(&model, w, (p.at.pressure_mpa, e), found, p.at.direction()).unwrap();
+                    Evaluation::new(&model, w, p.at.direction()).force_n(p.at.pressure_mpa, e).unwrap();
+                let parts = Evaluation::new(&model, w, p.at.direction())
+                    .uncertainty(p.at.pressure_mpa, e, found)
+                    .unwrap();
                 assert!(
                     parts.fit.is_some() && parts.measured.is_none() && parts.friction.is_none(),
                     "{parts:?}"

@@ -5,9 +5,8 @@
 
 use super::failure::{FailurePressure, NoBurst};
 use super::radii::Radii;
-use crate::analysis::ask::Options;
-use crate::analysis::characteristics::free_contraction;
 use crate::analysis::error::{AnalysisError, Result};
+use crate::analysis::evaluation::{Evaluation, Options};
 use crate::analysis::root::find_root;
 use crate::model::{ModelError, ModelKind, Workspace};
 use crate::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
@@ -40,7 +39,7 @@ pub fn tearing(muscle: &Muscle, below_mpa: Option<f64>) -> Result<FailurePressur
     }
     let (model, mut workspace) = (ModelKind::ThickWall.build(muscle)?, Workspace::new());
     let mut over = |p: f64| -> Result<f64> {
-        let free = free_contraction(&*model, &mut workspace, p, Options::extrapolating())?;
+        let free = Evaluation::new(&*model, &mut workspace, Options::extrapolating()).free_contraction(p)?;
         Ok(model.response(&mut workspace, p, free)?.max_stretch.unwrap_or(1.0) - breaks)
     };
     let highest = below_mpa.unwrap_or(HIGHEST_MPA).min(HIGHEST_MPA);

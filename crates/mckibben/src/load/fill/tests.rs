@@ -1,7 +1,7 @@
 use super::*;
-use crate::analysis::{ATMOSPHERE_MPA, force_on, pressure_at};
+use crate::analysis::{ATMOSPHERE_MPA, Evaluation};
 use crate::liquid::{Liquid, LiquidSupply};
-use crate::model::{Ideal, ModelKind, ThickWall, gauss};
+use crate::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace, gauss};
 use crate::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
 use crate::rubber::{Law, NeoHookean};
 
@@ -22,7 +22,7 @@ fn the_ideal_muscle_goes_where_its_volume_is() {
     for e in [0.02, 0.1, 0.2] {
         let volume_mm3 = model.volume(e) - model.volume(0.0);
         let asked = Filling { load: Some(&WEIGHT), ..filling(&liquid, volume_mm3) };
-        let found = fill(&model, w, &asked, Options::default()).unwrap();
+        let found = Evaluation::new(&model, w, Options::default()).fill(&asked).unwrap();
         let (r, p) = (&found.answer.response, 200.0 / model.pull(1.0, e));
         assert!((r.contraction - e).abs() < 1e-10 && (r.pressure_mpa / p - 1.0).abs() < 1e-9, "{found:?}");
         assert_eq!((found.state, r.force_n), (FillState::Balanced, 200.0));
@@ -31,7 +31,8 @@ fn the_ideal_muscle_goes_where_its_volume_is() {
         assert!((found.pump_work_j / lifted - 1.0).abs() < 1e-9, "{found:?}");
         assert!(found.muscle_energy_j.abs() < 1e-9 * lifted && found.liquid_energy_j < 1e-9);
         // Without a load nothing makes a pressure.
-        let free = fill(&model, w, &filling(&liquid, volume_mm3), Options::default()).unwrap();
+        let free =
+            Evaluation::new(&model, w, Options::default()).fill(&filling(&liquid, volume_mm3)).unwrap();
         assert!(
             (free.answer.response.contraction - e).abs() < 1e-10 && free.answer.response.pressure_mpa == 0.0
         );
@@ -44,7 +45,8 @@ fn a_stroke_with_a_stiff_liquid_takes_what_the_cavity_grows_by() {
     let (model, w) = (Ideal::new(&Muscle::prototype()), &mut Workspace::new());
     let supply = LiquidSupply { liquid: stiff(), dead_volume_mm3: 4000.0 };
     for e in [0.02, 0.1, 0.2] {
-        let found = liquid_per_stroke(&model, w, &supply, 0.2, e).unwrap();
+        let found =
+            Evaluation::new(&model, w, Options::default()).liquid_per_stroke(&supply, 0.2, e).unwrap();
         let (there, rest) = (model.volume(e), model.volume(0.0));
         assert!((found.volume_mm3 / (there - rest) - 1.0).abs() < 1e-9, "{found:?}");
         assert!((found.mass_g / (998.2e-6 * (there + 4000.0)) - 1.0).abs() < 1e-9, "{found:?}");
@@ -60,7 +62,7 @@ fn a_held_ideal_muscle_compresses_the_liquid() {
     let whole = model.volume(0.0) + dead;
     let held =
         |liquid, volume| Filling { dead_volume_mm3: dead, held_at: Some(0.0), ..filling(liquid, volume) };
-    let found = fill(&model, w, &held(&water, 50.0), Options::default()).unwrap();
+    let found = Evaluation::new(&model, w, Options::default()).fill(&held(&water, 50.0)).unwrap();
     let p = 2179.0 * (50.0 / whole).ln_1p();
     assert!((found.answer.response.pressure_mpa / p - 1.0).abs() < 1e-9, "{found:?} {p}");
     assert!((found.compressed_volume_mm3 / 50.0 - 1.0).abs() < 1e-9 && found.state == FillState::Held);
@@ -69,7 +71,7 @@ fn a_held_ideal_muscle_compresses_the_liquid() {
     let foam = Liquid::named("water", 0.02).unwrap();
     let p = 3.0 * ATMOSPHERE_MPA;
     let volume = whole * (1.0 / (0.98 * (-p / 2179.0).exp() + 0.005) - 1.0);
-    let found = fill(&model, w, &held(&foam, volume), Options::default()).unwrap();
+    let found = Evaluation::new(&model, w, Options::default()).fill(&held(&foam, volume)).unwrap();
     assert!((found.answer.response.pressure_mpa / p - 1.0).abs() < 1e-9, "{found:?}");
 }
 
@@ -83,7 +85,7 @@ fn the_thick_wall_goes_where_an_independent_script_has_it() {
     let (model, w, load) = (ThickWall::new(&muscle), &mut Workspace::new(), Load::Force { force_n: 500.0 });
     let water = Liquid::named("water", 0.01).unwrap();
     let asked = Filling { dead_volume_mm3: 10_000.0, load: Some(&load), ..filling(&water, 60_000.0) };
-    let found = fill(&model, w, &asked, Options::default()).unwrap();
+    let found = Evaluation::new(&model, w, Options::default()).fill(&asked).unwrap();
     for (name, value, wanted) in [
         ("contraction", found.answer.response.contraction, 0.056_094_952_848_545),
         ("pressure", found.answer.response.pressure_mpa, 0.133_407_048_303_24),
@@ -108,11 +110,11 @@ fn the_work_of_the_pump_is_stored_or_lifts_the_load() {
     let most = 40_000.0;
     let asked =
         |volume: f64| Filling { dead_volume_mm3: 8000.0, load: Some(&spring), ..filling(&oil, volume) };
-    let found = fill(&model, w, &asked(most), Options::default()).unwrap();
+    let found = Evaluation::new(&model, w, Options::default()).fill(&asked(most)).unwrap();
     let (p, e) = (found.answer.response.pressure_mpa, found.answer.response.contraction);
     assert!(found.state == FillState::Balanced && e > 0.02, "{found:?}");
     // The slope of P(ΔV) breaks where the load is lifted.
-    let lifted = pressure_at(&model, w, 80.0, 0.0, Options::default()).unwrap();
+    let lifted = Evaluation::new(&model, w, Options::default()).pressure_at(80.0, 0.0).unwrap();
     let cavity = |p: f64, e: f64, w: &mut Workspace| model.response(w, p, e).unwrap().volume_mm3.unwrap();
     let rest = cavity(0.0, 0.0, w);
     let at_lift = (cavity(lifted, 0.0, w) + 8000.0) / oil.relative_volume(lifted) - rest - 8000.0;
@@ -120,7 +122,12 @@ fn the_work_of_the_pump_is_stored_or_lifts_the_load() {
     for (from, to) in [(0.0, at_lift), (at_lift, most)] {
         for &(x, weight) in gauss(12) {
             let volume = from + 0.5 * (to - from) * (1.0 + x);
-            let p = fill(&model, w, &asked(volume), Options::default()).unwrap().answer.response.pressure_mpa;
+            let p = Evaluation::new(&model, w, Options::default())
+                .fill(&asked(volume))
+                .unwrap()
+                .answer
+                .response
+                .pressure_mpa;
             pump += 0.5e-3 * (to - from) * weight * (p * oil.relative_volume(p) + oil.energy_mpa(p));
         }
     }
@@ -132,7 +139,8 @@ fn the_work_of_the_pump_is_stored_or_lifts_the_load() {
         let (at, share) = (0.5 * (1.0 + x), 0.5 * weight);
         let grown = model.response(w, p * at, 0.0).unwrap().volume_per_pressure_mm3_per_mpa.unwrap();
         stored += share * p * p * at * grown;
-        stored -= share * e * length * force_on(&model, w, p, e * at, Direction::Mean).unwrap();
+        stored -=
+            share * e * length * Evaluation::new(&model, w, Direction::Mean).force_n(p, e * at).unwrap();
     }
     assert!((1e-3 * stored / found.muscle_energy_j - 1.0).abs() < 1e-6, "{found:?} {stored}");
 }
@@ -149,7 +157,7 @@ fn shut_in_the_muscle_has_the_slope_of_its_pull_at_constant_volume() {
         let options = Options { direction, ..Options::default() };
         let mut at = |e: f64| {
             let asked = Filling { dead_volume_mm3: 2000.0, held_at: Some(e), ..filling(&water, 100_000.0) };
-            fill(&model, w, &asked, options).unwrap()
+            Evaluation::new(&model, w, options).fill(&asked).unwrap()
         };
         let found = at(0.08);
         let pull = |f: &Fill| f.answer.response.force_n;
@@ -166,8 +174,8 @@ fn a_small_volume_does_not_lift_the_load() {
     let (model, w) = (ThickWall::new(&Muscle::prototype()), &mut Workspace::new());
     let water = Liquid::named("water", 0.0).unwrap();
     let asked = Filling { load: Some(&WEIGHT), ..filling(&water, 300.0) };
-    let found = fill(&model, w, &asked, Options::default()).unwrap();
-    let lifted = pressure_at(&model, w, 200.0, 0.0, Options::default()).unwrap();
+    let found = Evaluation::new(&model, w, Options::default()).fill(&asked).unwrap();
+    let lifted = Evaluation::new(&model, w, Options::default()).pressure_at(200.0, 0.0).unwrap();
     assert_eq!((found.state, found.stroke_mm, found.load_work_j), (FillState::NotLifted, 0.0, 0.0));
     assert!(found.answer.response.pressure_mpa < lifted && found.answer.response.force_n < 200.0);
 }
@@ -176,13 +184,14 @@ fn a_small_volume_does_not_lift_the_load() {
 fn what_has_no_answer_is_told_with_its_numbers() {
     let (model, w) = (ThickWall::new(&Muscle::prototype()), &mut Workspace::new());
     let water = Liquid::named("water", 0.0).unwrap();
-    let much = fill(&model, w, &filling(&water, 1e7), Options::default()).unwrap_err();
+    let much = Evaluation::new(&model, w, Options::default()).fill(&filling(&water, 1e7)).unwrap_err();
     let FillError::TooLarge { largest_mm3, contraction, .. } = much else { panic!("{much}") };
     assert!(contraction > 0.2, "{much}");
-    let less = fill(&model, w, &filling(&water, 0.99 * largest_mm3), Options::default()).unwrap();
+    let less =
+        Evaluation::new(&model, w, Options::default()).fill(&filling(&water, 0.99 * largest_mm3)).unwrap();
     assert!((less.answer.response.contraction / contraction - 1.0).abs() < 0.1);
     let behind = Filling { held_at: Some(-0.05), ..filling(&water, 1e4) };
-    let error = fill(&model, w, &behind, Options::default()).unwrap_err();
+    let error = Evaluation::new(&model, w, Options::default()).fill(&behind).unwrap_err();
     assert!(matches!(error, FillError::Refused(refused) if refused.fields == ["contraction"]));
 }
 
@@ -202,7 +211,7 @@ fn every_model_with_a_volume_takes_what_is_pushed_in() {
                 held_at,
                 ..filling(&foam, 90_000.0)
             };
-            let found = fill(&*model, w, &asked, Options::default());
+            let found = Evaluation::new(&*model, w, Options::default()).fill(&asked);
             let found = found.unwrap_or_else(|e| panic!("{}: {e}", model.info().name));
             let r = &found.answer.response;
             let inside = (rest + 3000.0 + 90_000.0) * foam.relative_volume(r.pressure_mpa);
@@ -224,11 +233,11 @@ fn a_muscle_that_extends_grows_longer() {
     let (model, w) = (ThickWall::new(&muscle), &mut Workspace::new());
     let liquid = stiff();
     let asked = filling(&liquid, 20_000.0);
-    let found = fill(&model, w, &asked, Options::default()).unwrap();
+    let found = Evaluation::new(&model, w, Options::default()).fill(&asked).unwrap();
     assert!(found.stroke_mm < -1.0 && found.state == FillState::Balanced, "{found:?}");
     assert!(found.answer.response.force_n.abs() < 1e-6 && found.muscle_energy_j > 0.0);
     assert!((found.pump_work_j / found.muscle_energy_j - 1.0).abs() < 1e-6);
     let asked = Filling { load: Some(&WEIGHT), ..asked };
-    let error = fill(&model, w, &asked, Options::default()).unwrap_err();
+    let error = Evaluation::new(&model, w, Options::default()).fill(&asked).unwrap_err();
     assert!(matches!(error, FillError::Refused(refused) if refused.fields == ["load"]));
 }

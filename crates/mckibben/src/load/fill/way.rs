@@ -1,11 +1,8 @@
 //! The way of a muscle that is filled: at its length at rest, with its load, at the contraction at which it is held.
 
 use super::filling::Filling;
-use crate::analysis::{
-    AnalysisError, Options, Result, find_root, force_on, pressure_at, response_on, slope_by_pressure,
-    stiffness_of,
-};
-use crate::model::{ForceModel, ModelError, Workspace, gauss};
+use crate::analysis::{AnalysisError, Evaluation, Result, find_root};
+use crate::model::{ModelError, gauss};
 
 /// Parts into which a leg of the way is cut in search of the volume; they grow with the distance from its start.
 const STEPS: usize = 16;
@@ -27,11 +24,10 @@ pub(super) enum Leg {
 
 /// The muscle on its way.
 pub(super) struct Way<'a> {
-    pub(super) model: &'a dyn ForceModel,
+    pub(super) evaluation: Evaluation<'a>,
     pub(super) filling: Filling<'a>,
     pub(super) rest_mm3: f64,
     pub(super) length_mm: f64,
-    pub(super) options: Options,
 }
 
 impl Way<'_> {
@@ -40,32 +36,27 @@ impl Way<'_> {
     }
 
     /// (P, ε) at a place of a leg.
-    pub(super) fn place(&self, w: &mut Workspace, leg: Leg, at: f64) -> Result<(f64, f64)> {
+    pub(super) fn place(&mut self, leg: Leg, at: f64) -> Result<(f64, f64)> {
         match leg {
             Leg::At(contraction) => Ok((at, contraction)),
-            Leg::Load => Ok((pressure_at(self.model, w, self.load_n(at), at, self.options)?, at)),
+            Leg::Load => Ok((self.evaluation.pressure_at(self.load_n(at), at)?, at)),
         }
     }
 
     /// ΔV that brings the muscle to a place of a leg, in mm³.
-    pub(super) fn pushed_mm3(&self, w: &mut Workspace, leg: Leg, at: f64) -> Result<f64> {
-        let (p, e) = self.place(w, leg, at)?;
-        let cavity_mm3 = cavity_mm3(self.model, w, p, e)?;
+    pub(super) fn pushed_mm3(&mut self, leg: Leg, at: f64) -> Result<f64> {
+        let (p, e) = self.place(leg, at)?;
+        let cavity_mm3 = self.evaluation.cavity_mm3(p, e)?;
         Ok(self.filling.liquid.pushed_mm3((self.rest_mm3, cavity_mm3), self.filling.dead_volume_mm3, p))
     }
 
     /// The place of a leg at which the volume is in; else the last one with an answer.
-    pub(super) fn seek(
-        &self,
-        w: &mut Workspace,
-        leg: Leg,
-        (from, to): (f64, f64),
-    ) -> Result<Result<f64, f64>> {
+    pub(super) fn seek(&mut self, leg: Leg, (from, to): (f64, f64)) -> Result<Result<f64, f64>> {
         if from == to {
             return Ok(Err(to));
         }
         let wanted = self.filling.volume_mm3;
-        let mut left = |at: f64| self.pushed_mm3(w, leg, at).map(|pushed| pushed - wanted);
+        let mut left = |at: f64| self.pushed_mm3(leg, at).map(|pushed| pushed - wanted);
         let ended = |e: &AnalysisError| matches!(e, AnalysisError::Model(ModelError::Cancelled(_)));
         let (mut near, mut beyond) = (from, None);
         for i in 1..=STEPS {
@@ -101,14 +92,13 @@ impl Way<'_> {
     }
 
     /// (∫ P dV, what friction took) in J along a part of a leg.
-    pub(super) fn works_j(&self, w: &mut Workspace, leg: Leg, (from, to): (f64, f64)) -> Result<(f64, f64)> {
+    pub(super) fn works_j(&mut self, leg: Leg, (from, to): (f64, f64)) -> Result<(f64, f64)> {
         let (mut cavity, mut friction) = (0.0, 0.0);
-        let direction = self.options.direction;
         for &(x, weight) in gauss(POINTS) {
             let at = from + 0.5 * (to - from) * (1.0 + x);
             let step = 0.5 * (to - from) * weight;
-            let (p, e) = self.place(w, leg, at)?;
-            let slopes = Slopes::at(self.model, w, (p, e), self.options)?;
+            let (p, e) = self.place(leg, at)?;
+            let slopes = Slopes::at(&mut self.evaluation, p, e)?;
             cavity += step
                 * p
                 * match leg {
@@ -121,23 +111,12 @@ impl Way<'_> {
                         slopes.volume_by_contraction + slopes.volume_by_pressure * pressure
                     }
                 };
-            if leg == Leg::Load && !direction.is_mean() {
-                let mean = self.model.force_n(w, p, e)?;
-                friction += step * self.length_mm * (mean - force_on(self.model, w, p, e, direction)?);
+            if leg == Leg::Load {
+                friction -= step * self.length_mm * self.evaluation.friction_n(p, e)?;
             }
         }
         Ok((1e-3 * cavity, 1e-3 * friction))
     }
-}
-
-pub(super) fn cavity_mm3(
-    model: &dyn ForceModel,
-    w: &mut Workspace,
-    pressure_mpa: f64,
-    contraction: f64,
-) -> Result<f64> {
-    let unknown = || AnalysisError::Unknown { model: model.info().name.to_string(), quantity: "the volume" };
-    model.response(w, pressure_mpa, contraction)?.volume_mm3.ok_or_else(unknown)
 }
 
 /// V_P, V_ε, F_P and K = ∂F/∂L of a model, or by differences where it does not state them.
@@ -149,31 +128,27 @@ pub(super) struct Slopes {
 }
 
 impl Slopes {
-    pub(super) fn at(
-        model: &dyn ForceModel,
-        w: &mut Workspace,
-        (p, e): (f64, f64),
-        options: Options,
-    ) -> Result<Self> {
+    pub(super) fn at(evaluation: &mut Evaluation<'_>, p: f64, e: f64) -> Result<Self> {
         const STEP: f64 = 1e-5;
-        let direction = options.direction;
-        let r = response_on(model, w, p, e, direction)?;
+        let r = evaluation.response(p, e)?;
         let volume_by_pressure = match r.volume_per_pressure_mm3_per_mpa {
             Some(slope) => slope,
             None => {
                 let (low, high) = ((p - STEP).max(0.0), p + STEP);
-                (cavity_mm3(model, w, high, e)? - cavity_mm3(model, w, low, e)?) / (high - low)
+                (evaluation.cavity_mm3(high, e)? - evaluation.cavity_mm3(low, e)?) / (high - low)
             }
         };
         let volume_by_contraction = match r.volume_per_contraction_mm3 {
             Some(slope) => slope,
-            None => (cavity_mm3(model, w, p, e + STEP)? - cavity_mm3(model, w, p, e - STEP)?) / (2.0 * STEP),
+            None => {
+                (evaluation.cavity_mm3(p, e + STEP)? - evaluation.cavity_mm3(p, e - STEP)?) / (2.0 * STEP)
+            }
         };
         Ok(Self {
             volume_by_pressure,
             volume_by_contraction,
-            force_by_pressure: slope_by_pressure(model, w, &r, direction)?,
-            stiffness: stiffness_of(model, w, &r, direction)?,
+            force_by_pressure: evaluation.force_per_pressure_mm2(&r)?,
+            stiffness: evaluation.stiffness_n_per_mm(&r)?,
         })
     }
 }
