@@ -85,8 +85,8 @@ impl Measure {
             "description": self.documentation(more), "type": ["number", "null"], "format": "double",
             "x-group": GROUP, "x-key": self.key,
         });
-        if !self.symbol().is_empty() {
-            field["x-symbol"] = self.symbol().into();
+        if !self.symbol.is_empty() {
+            field["x-symbol"] = self.symbol.into();
         }
         if !self.is_plain() {
             field["x-quantity"] = serde_json::json!(self.dimension);
