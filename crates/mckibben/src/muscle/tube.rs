@@ -48,7 +48,11 @@ impl Tube {
     pub(super) fn check(&self) -> Result<(), MuscleError> {
         let radius_mm = self.outer_radius_mm();
         if self.wall_mm >= radius_mm {
-            return Err(MuscleError::WallTooThick { wall_mm: self.wall_mm, radius_mm });
+            let message = format!(
+                "tube.wall_thickness is {} mm, but the radius is {radius_mm} mm: the wall must be thinner than the radius (half of tube.outer_diameter)",
+                self.wall_mm
+            );
+            return Err(MuscleError::new(["tube.wall_thickness", "tube.outer_diameter"], message));
         }
         self.rubber.check()
     }
