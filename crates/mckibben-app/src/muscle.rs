@@ -2,7 +2,7 @@
 
 use crate::{MuscleFields, NamedFields, Problem, ProblemKind, Stiffness, TextFile, Units, words};
 use mckibben::muscle::measures::{END_FACTOR, MEASURES, fields};
-use mckibben::muscle::{Braid, BraidStiffness, EndFactor, Muscle, MuscleError, Rubber, Stated};
+use mckibben::muscle::{Braid, BraidStiffness, EndFactor, Measure, Muscle, MuscleError, Rubber, Stated};
 use mckibben::sleeve::{self, Sleeve};
 use mckibben::{muscle::file::parse_muscle, rubber::library};
 use mckibben_fit::validation::library as muscles;
@@ -120,14 +120,22 @@ pub fn sleeve(name: &str) -> Result<Sleeve, Problem> {
 
 impl From<MuscleError> for Problem {
     fn from(error: MuscleError) -> Self {
+        let first = error.fields.first().copied().unwrap_or_default();
         // Keys of a muscle file are fields in a request.
         let names = MEASURES.iter().filter_map(|m| Some((m.name(), m.field?)));
         let names = names.chain([("strand_diameter", "strand_diameter_mm")]);
-        let message = names.fold(error.message, |message, (key, field)| {
-            message.replace(&format!("`{key}`"), &format!("`{field}`"))
-        });
-        let of_sleeve = error.fields.first() == Some(&"braid.name");
-        Self::new(if of_sleeve { ProblemKind::Braid } else { ProblemKind::Muscle }, message, "")
+        let in_fields = |message: String| {
+            names.fold(message, |text, (key, field)| text.replace(&format!("`{key}`"), &format!("`{field}`")))
+        };
+        let missing = error.message.strip_prefix(first).filter(|rest| rest.starts_with(" is missing"));
+        match missing.zip(Measure::of_key(first).and_then(|measure| measure.field)) {
+            Some((rest, field)) => {
+                let message = in_fields(format!("`{field}`{rest}"));
+                Self::new(ProblemKind::Usage, message, "a muscle file can state it").in_field(field)
+            }
+            None if first == "braid.name" => Self::new(ProblemKind::Braid, in_fields(error.message), ""),
+            None => Self::new(ProblemKind::Muscle, in_fields(error.message), ""),
+        }
     }
 }
 

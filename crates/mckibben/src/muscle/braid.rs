@@ -15,6 +15,7 @@ pub const SLEEVE_ANGLE_TOLERANCE_DEG: f64 = 0.5;
 /// As data (serde): a number in N/mm, `"inextensible"` or `"paper"`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", expecting = "a number in N/mm, `inextensible` or `paper` is expected")]
+#[schemars(rename = "Stiffness")]
 pub enum BraidStiffness {
     /// Strands that do not stretch: the limit k → ∞.
     Inextensible,

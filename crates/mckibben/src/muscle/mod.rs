@@ -28,7 +28,7 @@ pub use bench::Bench;
 pub use braid::{Braid, BraidStiffness, MeasuredStrand, SLEEVE_ANGLE_TOLERANCE_DEG, Strands};
 pub use crimp::Crimp;
 pub use derived::BuildSheet;
-pub use direction::{Direction, UnknownDirection};
+pub use direction::Direction;
 pub use ends::{EndState, Ends, InnerPull};
 pub use error::MuscleError;
 pub use friction::Friction;

@@ -47,7 +47,7 @@ impl Stated {
             if let Some((key, needs)) = measure.beside
                 && Measure::of_key(key).is_some_and(lacks)
             {
-                return Err(MuscleError::new([measure.key, key], format!("{key} is missing; {needs}")));
+                return Err(MuscleError::new([key, measure.key], format!("{key} is missing; {needs}")));
             }
             // A count cannot hold every number.
             measure.check(value)?;
@@ -143,15 +143,12 @@ impl Stated {
             ("braid.strand_area", own_area == 0.0 && area.is_none()),
         ];
         if let Some((missing, _)) = needs.into_iter().find(|need| is_described && need.1) {
-            let written = ["braid.strand_area", "braid.strand_diameter", "braid.strand_modulus"];
+            let written = [missing, "braid.strand_area", "braid.strand_diameter", "braid.strand_modulus"];
             return Err(MuscleError::new(written, format!("{missing} is missing; {NEEDS_STRANDS}")));
         }
         if self.measures.get(&STRAND_STRENGTH).is_some() && found.count == 0 {
-            let message = "needs braid.strands: the load is shared among them";
-            return Err(MuscleError::new(
-                ["braid.strand_strength"],
-                format!("braid.strand_strength {message}"),
-            ));
+            let message = "braid.strands is missing; the load is shared among them";
+            return Err(MuscleError::new(["braid.strands", "braid.strand_strength"], message));
         }
         if is_described {
             braid.stiffness = BraidStiffness::OfStrands;
