@@ -41,6 +41,7 @@ pub use stated::Stated;
 pub use terminals::{EndFactor, Terminals};
 pub use tube::Tube;
 
+use crate::refused::Refused;
 use crate::rubber::{RubberLaw, library};
 use std::sync::Arc;
 
@@ -83,84 +84,62 @@ impl Muscle {
         braid.check_crimp()?;
         parts.check("terminals")?;
         terminals.check()?;
-        if let Some(measured) = braid.measured
-            && measured.strand_length_mm <= tube.length_mm
-        {
-            let (strand_length_mm, length_mm) = (measured.strand_length_mm, tube.length_mm);
-            return Err(MuscleError::new(
-                ["braid.strand_length"],
+        let length_mm = tube.length_mm;
+        if let Some(MeasuredStrand { strand_length_mm, .. }) = braid.measured {
+            Refused::unless(strand_length_mm > length_mm, ["braid.strand_length"], || {
                 format!(
                     "braid.strand_length is {strand_length_mm} mm, not above the muscle's length of {length_mm} mm, which it must span slantwise"
-                ),
-            ));
+                )
+            })?;
         }
         parts.check("friction")?;
-        if parts.friction.is_some_and(|f| f.presliding_mm.is_some() && f.is_zero()) {
-            let message = "friction.presliding needs the friction itself: friction.lever, or friction.coefficient and friction.exponent";
-            return Err(MuscleError::new(["friction.presliding"], message));
-        }
+        let without = parts.friction.is_some_and(|f| f.presliding_mm.is_some() && f.is_zero());
+        Refused::unless(!without, ["friction.presliding"], || {
+            "friction.presliding needs the friction itself: friction.lever, or friction.coefficient and friction.exponent".into()
+        })?;
         braid.check_on(tube)?;
-        let (seating_mm, length_mm) = (terminals.seating_mm.unwrap_or(0.0), tube.length_mm);
-        if seating_mm >= length_mm {
-            return Err(MuscleError::new(
-                ["terminals.seating", "tube.length"],
-                format!(
-                    "terminals.seating is {seating_mm} mm; it must be below the muscle's length of {length_mm} mm"
-                ),
-            ));
-        }
-        let grip_mm = terminals.grip_mm.unwrap_or(0.0);
-        if seating_mm + 2.0 * grip_mm >= length_mm {
-            return Err(MuscleError::new(
-                ["terminals.grip", "tube.length"],
-                format!(
-                    "terminals.grip is {grip_mm} mm at each end; twice that, with a seating of {seating_mm} mm, must be below the muscle's length of {length_mm} mm"
-                ),
-            ));
-        }
+        let (seating_mm, grip_mm) = (terminals.seating_mm.unwrap_or(0.0), terminals.grip_mm.unwrap_or(0.0));
+        Refused::unless(seating_mm < length_mm, ["terminals.seating", "tube.length"], || {
+            format!(
+                "terminals.seating is {seating_mm} mm; it must be below the muscle's length of {length_mm} mm"
+            )
+        })?;
+        let held_mm = seating_mm + 2.0 * grip_mm;
+        Refused::unless(held_mm < length_mm, ["terminals.grip", "tube.length"], || {
+            format!(
+                "terminals.grip is {grip_mm} mm at each end; twice that, with a seating of {seating_mm} mm, must be below the muscle's length of {length_mm} mm"
+            )
+        })?;
         let (plug_mm, bore_mm) = (2.0 * parts.plug_radius_mm(), 2.0 * tube.inner_radius_mm());
         let (least, largest) = Terminals::PLUG_OF_BORE;
-        if !(least * bore_mm..=largest * bore_mm).contains(&plug_mm) {
-            return Err(MuscleError::new(
-                ["terminals.plug_diameter", "tube.outer_diameter"],
-                format!(
-                    "terminals.plug_diameter is {plug_mm} mm, and the bore of the tube {bore_mm} mm: a plug has between half of the bore and twice the bore"
-                ),
-            ));
-        }
+        let closes = (least * bore_mm..=largest * bore_mm).contains(&plug_mm);
+        Refused::unless(closes, ["terminals.plug_diameter", "tube.outer_diameter"], || {
+            format!(
+                "terminals.plug_diameter is {plug_mm} mm, and the bore of the tube {bore_mm} mm: a plug has between half of the bore and twice the bore"
+            )
+        })?;
         let widened = braid.angle_rad().sin() * parts.clamped_radius_mm() / tube.outer_radius_mm();
-        if widened >= 1.0 {
-            return Err(MuscleError::new(
-                ["terminals.plug_diameter", "braid.angle"],
-                format!(
-                    "terminals.plug_diameter is {plug_mm} mm; a braid with an angle of {} degrees does not widen to the tube on it, with an outer diameter of {:.1} mm: take a narrower plug",
-                    braid.angle_deg,
-                    2.0 * parts.clamped_radius_mm()
-                ),
-            ));
-        }
-        let strand_mm = parts
-            .braid
-            .strands
-            .and_then(|s| s.section)
-            .map_or(0.0, |s| (4.0 * s.0 / std::f64::consts::PI).sqrt());
-        if strand_mm > 0.0 && strand_mm < THINNEST_STRAND_MM {
-            return Err(MuscleError::new(
-                ["braid.strand_diameter", "braid.strand_area"],
-                format!(
-                    "braid: a strand of {strand_mm:.2e} mm is thinner than a single fibre; is its unit mm (or mm2)?"
-                ),
-            ));
-        }
-        if strand_mm > parts.tube.outer_diameter_mm {
-            return Err(MuscleError::new(
-                ["braid.strand_diameter", "braid.strand_area"],
-                format!(
-                    "braid: a strand of {strand_mm:.4} mm is thicker than the tube, which has {} mm; is its unit mm (or mm2)?",
-                    parts.tube.outer_diameter_mm
-                ),
-            ));
-        }
+        Refused::unless(widened < 1.0, ["terminals.plug_diameter", "braid.angle"], || {
+            format!(
+                "terminals.plug_diameter is {plug_mm} mm; a braid with an angle of {} degrees does not widen to the tube on it, with an outer diameter of {:.1} mm: take a narrower plug",
+                braid.angle_deg,
+                2.0 * parts.clamped_radius_mm()
+            )
+        })?;
+        let section = braid.strands.and_then(|s| s.section);
+        let strand_mm = section.map_or(0.0, |s| (4.0 * s.0 / std::f64::consts::PI).sqrt());
+        const STRAND: [&str; 2] = ["braid.strand_diameter", "braid.strand_area"];
+        Refused::unless(strand_mm == 0.0 || strand_mm >= THINNEST_STRAND_MM, STRAND, || {
+            format!(
+                "braid: a strand of {strand_mm:.2e} mm is thinner than a single fibre; is its unit mm (or mm2)?"
+            )
+        })?;
+        let outer_mm = tube.outer_diameter_mm;
+        Refused::unless(strand_mm <= outer_mm, STRAND, || {
+            format!(
+                "braid: a strand of {strand_mm:.4} mm is thicker than the tube, which has {outer_mm} mm; is its unit mm (or mm2)?"
+            )
+        })?;
         let reach = parts.reach();
         parts.tube.rubber = library::following(parts.tube.rubber, reach);
         let warm =
