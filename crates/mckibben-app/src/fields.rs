@@ -1,8 +1,8 @@
 //! Fields that requests share.
 
 pub use crate::muscle_fields::{MuscleFields, NamedFields};
-pub use mckibben::muscle::Direction;
 pub use mckibben::muscle::measures::MeasureValues;
+pub use mckibben::muscle::{BraidStiffness as Stiffness, Direction};
 use mckibben_fem::three_dimensional::{Match, Plug};
 pub use mckibben_io::table::{Columns, Understood, UnderstoodColumn};
 use schemars::{JsonSchema, Schema, transform::Transform};
@@ -50,26 +50,6 @@ impl UnderstoodTable {
     pub fn line(&self) -> String {
         format!("{}: {}", self.data, self.table.line())
     }
-}
-
-/// Stiffness of one strand family.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged, expecting = "a number in N/mm, `inextensible` or `paper` is expected")]
-pub enum Stiffness {
-    /// In N/mm.
-    NewtonPerMm(f64),
-    /// By name.
-    Named(NamedStiffness),
-}
-
-/// A stiffness by name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum NamedStiffness {
-    /// Strands that keep their length.
-    Inextensible,
-    /// The paper's braid, scaled to the diameter.
-    Paper,
 }
 
 /// Says of all fields of a schema to which group they belong in a form or a help text.

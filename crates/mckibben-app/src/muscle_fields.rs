@@ -125,7 +125,7 @@ impl JsonSchema for MuscleFields {
                 Measure::of_field(name).map(Measure::request_schema).or_else(|| named.remove(*name))?;
             if *name == STIFFNESS_FIELD {
                 field["x-key"] = STIFFNESS.key.into();
-                field["x-symbol"] = STIFFNESS.symbol().into();
+                field["x-symbol"] = STIFFNESS.symbol.into();
             }
             Some(((*name).to_owned(), field))
         };

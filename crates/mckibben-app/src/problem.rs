@@ -3,7 +3,7 @@
 use mckibben::cancel::Cancel;
 use mckibben::{
     analysis::AnalysisError, cancel::Cancelled, formula::FormulaError, model::ModelError,
-    muscle::MuscleError, muscle::file::FileError, size::TooLarge, study::StudyError, units::short_numbers,
+    muscle::file::FileError, size::TooLarge, study::StudyError, units::short_numbers,
 };
 use mckibben_campaign::campaign::CampaignError;
 use mckibben_design::{SpecError, SpreadError, ToleranceError};
@@ -204,7 +204,6 @@ macro_rules! said {
 said! {
     Cancelled: Cancelled, "";
     TooLarge: Range, "";
-    MuscleError: Muscle, "";
     FileError: File, "";
     SpreadError: Tolerance, "take smaller tolerances";
     FormulaError: Formula, "";

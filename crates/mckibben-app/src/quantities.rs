@@ -196,8 +196,8 @@ impl From<&'static Measure> for MeasureEntry {
             key: m.key,
             group: m.section(),
             field: m.field.or(named.then_some(STIFFNESS_FIELD)),
-            label: m.label(),
-            symbol: Some(m.symbol()).filter(|s| !s.is_empty()),
+            label: m.label,
+            symbol: Some(m.symbol).filter(|s| !s.is_empty()),
             // A strain may be a percentage.
             quantity: Some(m.dimension).filter(|_| !m.is_plain() || m.written == Written::Quantity),
             unit: Some(m.unit()).filter(|unit| !unit.is_empty()),

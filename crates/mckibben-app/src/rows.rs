@@ -258,7 +258,7 @@ fn understood(answer: &CheckAnswer, u: &Units) -> Vec<Row> {
     };
     let mut rows = listed(&row, MUSCLE, u);
     let stated = answer.stated.iter().filter(|(measure, _)| measure.is_shown);
-    rows.extend(stated.map(|(measure, v)| (measure.label().to_owned(), u.show(measure.dimension, v))));
+    rows.extend(stated.map(|(measure, v)| (measure.label.to_owned(), u.show(measure.dimension, v))));
     rows.extend(m.friction().map(|f| {
         let rule = format!("± {} · (P/MPa)^{}", u.force.show(f.coefficient), number(f.exponent, 3));
         let contact = format!("of the strands' contact, μw {}", u.length.show(f.lever_mm));

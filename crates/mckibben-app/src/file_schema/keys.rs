@@ -49,7 +49,7 @@ fn of_key(key: &Key) -> Value {
 
 fn of_measure(measure: &'static Measure, key: &Key) -> Value {
     if *measure == STIFFNESS {
-        return of_kind(&key.kind, measure.about());
+        return of_kind(&key.kind, measure.about);
     }
     if *measure == END_FACTOR {
         return of_key(&Key { measure: None, ..key.clone() });
@@ -60,8 +60,8 @@ fn of_measure(measure: &'static Measure, key: &Key) -> Value {
     if let Some(unit) = measure.unit {
         schema["x-unit"] = unit.into();
     }
-    if !measure.symbol().is_empty() {
-        schema["x-symbol"] = measure.symbol().into();
+    if !measure.symbol.is_empty() {
+        schema["x-symbol"] = measure.symbol.into();
     }
     for (end, value) in measure.bounds.ends() {
         schema[if end == "above" { "exclusiveMinimum" } else { end }] = value.into();

@@ -129,7 +129,11 @@ fn a_named_sleeve_gives_angle_and_stiffness_of_the_tube_that_it_is_on() {
     let refused =
         problem(json!({ "outer_diameter_mm": 20, "braid": "nfl-19", "stiffness": 300, "angle_deg": 28 }));
     assert!(refused.message.contains("31.68 deg"), "{}", refused.message);
-    assert!(problem(json!({ "strand_diameter_mm": 0.2 })).message.contains("complete a named `braid`"));
+    assert!(
+        problem(json!({ "strand_diameter_mm": 0.2 }))
+            .message
+            .contains("a braid described by its strands needs")
+    );
 }
 
 /// An identity: fields say what a muscle file says, and what stands over a file completes it.
@@ -166,9 +170,9 @@ fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
     for (request, field, said) in [
         (json!({ "strand_modulus_mpa": 3000 }), Some("strands"), "`strands` is missing"),
         (json!({ "strands": 96, "strand_area_mm2": 0.05 }), Some("strand_modulus_mpa"), "is missing"),
-        (json!({ "strand_strength_n": 40 }), Some("strands"), "needs `strands`"),
-        (json!({ "friction_coefficient": 40 }), Some("friction_exponent"), "belong together"),
-        (json!({ "crimp_stiffness": 0.2 }), Some("crimp"), "belong together"),
+        (json!({ "strand_strength_n": 40 }), Some("strands"), "`strands` is missing"),
+        (json!({ "friction_coefficient": 40 }), Some("friction_exponent"), "is missing; friction is C·P^β"),
+        (json!({ "crimp_stiffness": 0.2 }), Some("crimp"), "`crimp` is missing"),
         (json!({ "strands": 37 }), None, "braid.strands is 37; it must be an even whole number"),
         (json!({ "strands": 36.5 }), None, "braid.strands is 36.5;"),
         (
@@ -179,7 +183,7 @@ fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
         (
             json!({ "strands": 96, "strand_area_mm2": 0.05, "strand_modulus_mpa": 1, "stiffness": 300 }),
             None,
-            "in place of a `stiffness`",
+            "give either `stiffness`, or `strands`",
         ),
     ] {
         let problem = problem(request.clone());

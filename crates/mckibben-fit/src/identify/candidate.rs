@@ -42,7 +42,7 @@ pub fn own_value(muscle: &Muscle, target: Target) -> Option<f64> {
             (twice / muscle.family_stiffness_n_per_mm()?).log2()
         }
         Target::Measure(m) if *m == END_FACTOR || *m == FRICTION_EXPONENT => {
-            muscle.measure(m).or(target.identify().and_then(|i| (i.start)(muscle)))?
+            muscle.measure(m).or(target.identify().and_then(|i| i.start(muscle)))?
         }
         Target::Measure(m) => muscle.measure(m)?,
         Target::ContractionOffset | Target::DeadVolume => 0.0,

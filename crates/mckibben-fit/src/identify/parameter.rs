@@ -139,7 +139,7 @@ impl Target {
             StiffnessExponent => (-5.0, 5.0),
             ContractionOffset => (-0.3, 0.3),
             DeadVolume => (0.0, f64::INFINITY),
-            other => other.identify().map_or((0.0, f64::INFINITY), |i| (i.bounds)(muscle)),
+            other => other.identify().map_or((0.0, f64::INFINITY), |i| i.bounds(muscle)),
         }
     }
 
@@ -155,7 +155,7 @@ impl Target {
             StiffnessExponent => 1.0,
             ContractionOffset => 0.02,
             DeadVolume => 0.2 * muscle.rest_volume_mm3(),
-            other => other.identify().map_or(0.5 * v.abs(), |i| (i.limit)(v)),
+            other => other.identify().map_or(0.5 * v.abs(), |i| i.limit(v)),
         }
     }
 

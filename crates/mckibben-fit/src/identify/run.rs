@@ -84,7 +84,7 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>, IdentifyError> {
                 Some(friction_start(request.points, exponent))
             }
             // Inside of its bounds, and small beside the muscle.
-            other => other.identify().and_then(|i| (i.start)(muscle)),
+            other => other.identify().and_then(|i| i.start(muscle)),
         });
         let start = p.start.or(own).ok_or_else(|| {
             IdentifyError::Refused(format!(

@@ -13,8 +13,8 @@ pub use fit_softening::{SofteningFit, fit_softening};
 
 use crate::least_squares::EstimateError;
 use crate::rubber::TensionFitError;
+use mckibben::refused::Refused;
 use mckibben::rubber::Law;
-use mckibben::rubber::over_time::OverTimeError;
 use serde::{Serialize, Serializer};
 use thiserror::Error;
 
@@ -26,7 +26,7 @@ pub enum OverTimeFitError {
     Refused(String),
     /// A constant that was found is invalid.
     #[error(transparent)]
-    Constant(#[from] OverTimeError),
+    Constant(#[from] Refused),
     /// The law itself has no fit.
     #[error(transparent)]
     Law(#[from] TensionFitError),

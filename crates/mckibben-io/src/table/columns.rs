@@ -1,9 +1,9 @@
 //! Which column is what, where its heading does not say so: `pressure="P1:kPa",contraction="x:mm"`.
 
 use super::error::{TableError, short};
+use super::find::Column;
 use super::heading::{self, MINUS, plain};
 use super::vocabulary::{Entry, Meaning, Vocabulary};
-use crate::units::Unit;
 use crate::units::nearest::{meant, nearest};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -53,15 +53,6 @@ pub(crate) struct Choice {
     text: String,
 }
 
-/// A column that was chosen and is there.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Chosen {
-    pub(crate) meaning: Meaning,
-    pub(crate) index: usize,
-    pub(crate) unit: Option<Unit>,
-    pub(crate) negated: bool,
-}
-
 impl Vocabulary {
     /// The choices, each for a quantity of this kind of table.
     pub(crate) fn choices(&'static self, columns: &Columns) -> Result<Vec<Choice>, TableError> {
@@ -108,13 +99,13 @@ impl Choice {
     }
 
     /// Its place among headings; `None` where it is not there.
-    pub(crate) fn find(&self, headings: &[&str]) -> Result<Option<Chosen>, TableError> {
+    pub(crate) fn find(&self, headings: &[&str]) -> Result<Option<Column>, TableError> {
         let vocabulary = self.vocabulary;
         let exact = || headings.iter().any(|h| [self.text.trim(), self.split().0].contains(h));
         if let Some(rest) = self.text.trim().strip_prefix(MINUS).filter(|_| !exact()) {
             let plus = Self { text: rest.trim().to_owned(), ..self.clone() };
             let found = plus.find(headings)?;
-            return Ok(found.map(|c| Chosen { negated: !c.negated, ..c }));
+            return Ok(found.map(|c| Column { negated: !c.negated, ..c }));
         }
         let whole = self.place(headings, &self.text)?;
         let (heading, unit) = if whole.is_some() { (self.text.as_str(), None) } else { self.split() };
@@ -148,9 +139,15 @@ impl Choice {
             }
             None => stated,
         };
-        let meaning = found.map_or(self.entry.meaning, |f| f.0);
-        let negated = heading::is_negated(headings[index]);
-        Ok(Some(Chosen { meaning, index, unit: found.map(|f| f.1), negated }))
+        Ok(Some(Column {
+            meaning: found.map_or(self.entry.meaning, |f| f.0),
+            index,
+            heading: short(headings[index]),
+            unit: found.map(|f| f.1),
+            unknown_unit: false,
+            negated: heading::is_negated(headings[index]),
+            chosen: true,
+        }))
     }
 
     /// The heading that is meant: letter by letter, then without regard to case and marks, then without its unit.

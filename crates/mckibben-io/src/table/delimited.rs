@@ -178,54 +178,30 @@ fn fields(line: &str, separator: Separator) -> Option<StringRecord> {
 
 fn marked(text: &str, mark: char, skip: usize) -> Result<Vec<TableRow>, TableError> {
     let mut out = vec![];
-    let mut place = Cursor { text, byte: 0, line: 1 };
     let mut reader = reader(text, mark);
-    let mut fields = StringRecord::new();
+    let (mut line, mut fields) = (1, StringRecord::new());
     loop {
         cancel::check()?;
-        let broken = |e: csv::Error| TableError::Refused(format!("after line {}: {e}", place.line));
+        let broken = |e: csv::Error| TableError::Refused(format!("after line {line}: {e}"));
         if !reader.read_record(&mut fields).map_err(broken)? {
             break;
         }
-        place.go_to(fields.position().map_or(0, |p| p.byte() as usize));
+        let from = fields.position().map_or(0, |p| p.byte() as usize);
+        let mut written = text.get(from..reader.position().byte() as usize).unwrap_or_default();
+        // The reader begins at the blank lines and comments above a record.
+        while written.starts_with(['\n', '#']) {
+            written = written.split_once('\n').unwrap_or_default().1;
+        }
+        line = reader.position().line() - written.matches('\n').count() as u64;
         // A quote left open hides all that follows, or all up to the next one.
-        let written = text.get(place.byte..reader.position().byte() as usize).unwrap_or_default().trim_end();
+        let written = written.trim_end();
         let lines = written.lines().count();
         if lines > MOST_LINES || (lines > 1 && written.matches('"').count() % 2 == 1) {
-            return Err(TableError::Refused(format!(
-                "line {line}: a quote (\") is opened and not closed",
-                line = place.line
-            )));
+            return Err(TableError::Refused(format!("line {line}: a quote (\") is opened and not closed")));
         }
-        out.push(TableRow { line: place.line, fields: fields.clone() });
+        out.push(TableRow { line, fields: fields.clone() });
     }
     Ok(out.into_iter().skip(skip).collect())
-}
-
-/// Where the reader is. It says where it began to look for a record, which may be before blank lines and comments.
-struct Cursor<'a> {
-    text: &'a str,
-    byte: usize,
-    line: u64,
-}
-
-impl Cursor<'_> {
-    fn go_to(&mut self, byte: usize) {
-        while self.byte < byte {
-            self.step();
-        }
-        let bytes = self.text.as_bytes();
-        while let Some(b'\n' | b'#') = bytes.get(self.byte) {
-            let end = self.text[self.byte..].find('\n').map_or(bytes.len(), |end| self.byte + end);
-            self.byte = end;
-            self.step();
-        }
-    }
-
-    fn step(&mut self) {
-        self.line += u64::from(self.text.as_bytes().get(self.byte) == Some(&b'\n'));
-        self.byte += 1;
-    }
 }
 
 #[cfg(test)]

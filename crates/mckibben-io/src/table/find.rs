@@ -1,7 +1,7 @@
 //! The line of the heading, and the column of each quantity.
 
 use super::Table;
-use super::columns::{Choice, Chosen, Columns, listed};
+use super::columns::{Choice, Columns, listed};
 use super::delimited::{Separator, Sheet, TableRow};
 use super::error::{TableError, short};
 use super::heading::{self, HeadingUnit};
@@ -268,21 +268,13 @@ impl Search {
         let mut missing = vec![];
         for (i, choice) in self.choices.iter().enumerate() {
             match choice.find(headings)? {
-                Some(Chosen { index, .. }) if columns.iter().any(|c| c.index == index) => {
+                Some(found) if columns.iter().any(|c| c.index == found.index) => {
                     return Err(TableError::Refused(format!(
-                        "`columns`: the column \"{heading}\" is chosen for two quantities",
-                        heading = short(headings[index])
+                        "`columns`: the column \"{}\" is chosen for two quantities",
+                        found.heading
                     )));
                 }
-                Some(Chosen { meaning, index, unit, negated }) => columns.push(Column {
-                    meaning,
-                    index,
-                    heading: short(headings[index]),
-                    unit,
-                    unknown_unit: false,
-                    negated,
-                    chosen: true,
-                }),
+                Some(found) => columns.push(found),
                 None => missing.push(i),
             }
         }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
 
 /// What a number measures; decides which units it may carry and what a bare number means.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Dimension {
     /// Lengths, in mm.
@@ -17,6 +17,7 @@ pub enum Dimension {
     /// Forces, in N.
     Force,
     /// Ratios (contraction, strain), plain; `10%` is 0.1.
+    #[default]
     Ratio,
     /// Stiffness of a strand family (force per length of a cut across it), in N/mm.
     Stiffness,

@@ -86,17 +86,13 @@ pub fn parse_values(text: &str, dimension: Dimension) -> Result<Values, RangeErr
     };
     let (low, high) = parsed.bounds();
     if !(low.is_finite() && high.is_finite()) {
-        return Err(QuantityError::NotFinite { text: shortened(text), expected: dimension }.into());
+        return Err(QuantityError::not_finite(&shortened(text), dimension).into());
     }
     let sound = match &parsed {
         Values::List(list) => list.iter().copied().all(plausible),
         Values::Interval(low, high) => plausible(*low) && plausible(*high),
     };
-    if sound {
-        Ok(parsed)
-    } else {
-        Err(QuantityError::Beyond { text: shortened(text), expected: dimension }.into())
-    }
+    if sound { Ok(parsed) } else { Err(QuantityError::beyond(&shortened(text), dimension).into()) }
 }
 
 fn range(parts: &[(f64, &str)], text: &str, dimension: Dimension) -> Result<Values, RangeError> {

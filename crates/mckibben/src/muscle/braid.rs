@@ -4,23 +4,31 @@ use super::Crimp;
 use super::LARGEST_ANGLE_DEG;
 use super::error::{MuscleError, positive};
 use super::tube::Tube;
-use crate::sleeve::{SleeveError, SleeveShape};
+use crate::refused::Refused;
+use crate::sleeve::SleeveShape;
+use serde::{Deserialize, Serialize};
 
 /// How far a written angle may be from that of a named sleeve on the tube, in degrees.
 pub const SLEEVE_ANGLE_TOLERANCE_DEG: f64 = 0.5;
 
 /// How stiff a strand family is, as a force per length of a cut across the strands: k = E·A/spacing.
-#[derive(Debug, Clone, Copy, PartialEq)]
+///
+/// As data (serde): a number in N/mm, `"inextensible"` or `"paper"`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case", expecting = "a number in N/mm, `inextensible` or `paper` is expected")]
+#[schemars(rename = "Stiffness")]
 pub enum BraidStiffness {
+    /// Strands that do not stretch: the limit k → ∞.
+    Inextensible,
     /// The paper's braid: k = 452 N/mm · (D0/40 mm)^1.2, identified together with the rubber `paper`
     /// (`docs/identify/paper.md`).
     Paper,
-    /// k of one family in N/mm.
-    NewtonPerMm(f64),
-    /// Strands that do not stretch: the limit k → ∞.
-    Inextensible,
     /// From [`Strands`]: k = E·A/spacing, spacing = π D0 cosθ0/(N/2).
+    #[serde(skip)]
     OfStrands,
+    /// k of one family in N/mm.
+    #[serde(untagged)]
+    NewtonPerMm(f64),
 }
 
 /// The strands one by one.
@@ -75,7 +83,7 @@ pub(super) const NEEDS_STRANDS: &str = "a braid described by its strands needs `
 
 fn strands_incomplete(missing: &str) -> MuscleError {
     let keys = ["braid.strand_area", "braid.strand_modulus", "braid.strands"];
-    MuscleError::refused(keys, format!("braid: {missing} is missing; {NEEDS_STRANDS}"))
+    MuscleError::new(keys, format!("braid: {missing} is missing; {NEEDS_STRANDS}"))
 }
 
 impl Braid {
@@ -106,8 +114,8 @@ impl Braid {
     /// This braid on a tube of another diameter: a named sleeve has another angle there; any other braid stays as it is.
     ///
     /// # Errors
-    /// [`SleeveError`] where the sleeve does not fit the tube.
-    pub fn on_diameter(self, outer_diameter_mm: f64) -> Result<Self, SleeveError> {
+    /// [`MuscleError`] where the sleeve does not fit the tube.
+    pub fn on_diameter(self, outer_diameter_mm: f64) -> Result<Self, MuscleError> {
         let angle_deg = match &self.sleeve {
             Some(sleeve) => sleeve.angle_deg_on(self.diameter_mm.unwrap_or(outer_diameter_mm))?,
             None => self.angle_deg,
@@ -118,46 +126,40 @@ impl Braid {
     /// This braid with an angle that somebody stated, on a tube of a diameter.
     ///
     /// # Errors
-    /// [`MuscleError::Refused`] where it is not that of the named sleeve within [`SLEEVE_ANGLE_TOLERANCE_DEG`], or
-    /// [`MuscleError::Sleeve`] where the sleeve does not fit.
+    /// [`MuscleError`] where it is not that of the named sleeve within [`SLEEVE_ANGLE_TOLERANCE_DEG`], or the sleeve does not fit.
     pub fn with_stated_angle(self, angle_deg: f64, outer_diameter_mm: f64) -> Result<Self, MuscleError> {
         if let Some(sleeve) = &self.sleeve {
             let outer_diameter_mm = self.diameter_mm.unwrap_or(outer_diameter_mm);
             let of_sleeve_deg = sleeve.angle_deg_on(outer_diameter_mm)?;
+            let (off_deg, name) = ((angle_deg - of_sleeve_deg).abs(), &sleeve.name);
             // A NaN is no angle, and `check` says so.
-            if (angle_deg - of_sleeve_deg).abs() > SLEEVE_ANGLE_TOLERANCE_DEG {
-                let name = &sleeve.name;
-                return Err(MuscleError::refused(
-                    ["braid.angle"],
+            Refused::unless(
+                off_deg.is_nan() || off_deg <= SLEEVE_ANGLE_TOLERANCE_DEG,
+                ["braid.angle"],
+                || {
                     format!(
                         "braid.angle is {angle_deg} deg, but {name} has {of_sleeve_deg:.2} deg on a tube of {outer_diameter_mm} mm: leave one of them out"
-                    ),
-                ));
-            }
+                    )
+                },
+            )?;
         }
         Ok(Self { angle_deg, ..self })
     }
 
     pub(super) fn check(&self) -> Result<(), MuscleError> {
+        let angle = self.angle_deg;
         // No braid is laid at less than a degree, and many are at half a radian.
-        if self.angle_deg > 0.0 && self.angle_deg < 1.0 {
-            let (angle, meant) = (self.angle_deg, self.angle_deg.to_degrees());
-            return Err(MuscleError::refused(
-                ["braid.angle"],
-                format!(
-                    "braid.angle is {angle} deg, less than any braid has; was {angle} rad meant? write {meant:.4} deg"
-                ),
-            ));
-        }
-        if !(self.angle_deg > 0.0 && self.angle_deg <= LARGEST_ANGLE_DEG) {
-            return Err(MuscleError::refused(
-                ["braid.angle"],
-                format!(
-                    "braid.angle is {} deg; the angle of the strands to the axis must be between 0 and 75 deg: a muscle contracts below 54.7356 deg and extends above",
-                    self.angle_deg
-                ),
-            ));
-        }
+        Refused::unless(!(angle > 0.0 && angle < 1.0), ["braid.angle"], || {
+            format!(
+                "braid.angle is {angle} deg, less than any braid has; was {angle} rad meant? write {:.4} deg",
+                angle.to_degrees()
+            )
+        })?;
+        Refused::unless(angle > 0.0 && angle <= LARGEST_ANGLE_DEG, ["braid.angle"], || {
+            format!(
+                "braid.angle is {angle} deg; the angle of the strands to the axis must be between 0 and 75 deg: a muscle contracts below 54.7356 deg and extends above"
+            )
+        })?;
         if let BraidStiffness::NewtonPerMm(k) = self.stiffness {
             positive("braid.stiffness", k, "N/mm")?;
         }
@@ -172,42 +174,36 @@ impl Braid {
 
     /// Crimp whose measures are possible by themselves.
     pub(super) fn check_crimp(&self) -> Result<(), MuscleError> {
-        match self.crimp {
-            Some(Crimp { stiffness_ratio, .. }) if stiffness_ratio > 1.0 => {
-                let must = "; it is the share of the strands' stiffness that they have before they are straight, above 0 and at most 1";
-                Err(MuscleError::refused(
-                    ["braid.crimp_stiffness"],
-                    format!("braid.crimp_stiffness is {stiffness_ratio}{must}"),
-                ))
-            }
-            Some(_) if self.stiffness == BraidStiffness::Inextensible => {
-                let message = "braid.crimp needs strands with a stiffness: it is a share of it that they have before they are straight";
-                Err(MuscleError::refused(["braid.crimp", "braid.stiffness"], message))
-            }
-            _ => Ok(()),
-        }
+        let Some(Crimp { stiffness_ratio, .. }) = self.crimp else { return Ok(()) };
+        Refused::unless(stiffness_ratio <= 1.0, ["braid.crimp_stiffness"], || {
+            format!(
+                "braid.crimp_stiffness is {stiffness_ratio}; it is the share of the strands' stiffness that they have before they are straight, above 0 and at most 1"
+            )
+        })?;
+        let gives = self.stiffness != BraidStiffness::Inextensible;
+        Refused::unless(gives, ["braid.crimp", "braid.stiffness"], || {
+            "braid.crimp needs strands with a stiffness: it is a share of it that they have before they are straight".into()
+        })
     }
 
     /// Whether the tube fits into the sleeve.
     pub(super) fn check_on(&self, tube: &Tube) -> Result<(), MuscleError> {
         let (thickness_mm, outer_diameter_mm) = (self.thickness_mm, tube.outer_diameter_mm);
-        if thickness_mm >= outer_diameter_mm {
-            return Err(MuscleError::refused(
-                ["braid.thickness", "tube.outer_diameter"],
+        Refused::unless(
+            thickness_mm < outer_diameter_mm,
+            ["braid.thickness", "tube.outer_diameter"],
+            || {
                 format!(
                     "braid.thickness is {thickness_mm} mm; it must be below the tube's outer diameter of {outer_diameter_mm} mm (both layers of strands, not the sleeve's diameter)"
-                ),
-            ));
-        }
-        match self.diameter_mm {
-            Some(diameter_mm) if diameter_mm < outer_diameter_mm => Err(MuscleError::refused(
-                ["braid.diameter", "tube.outer_diameter"],
-                format!(
-                    "braid.diameter is {diameter_mm} mm, but the tube has an outer diameter of {outer_diameter_mm} mm: a sleeve that is pulled over a wider tube has the angle that it takes there; give that angle and leave the diameter out"
-                ),
-            )),
-            _ => Ok(()),
-        }
+                )
+            },
+        )?;
+        let diameter_mm = self.diameter_mm.unwrap_or(outer_diameter_mm);
+        Refused::unless(diameter_mm >= outer_diameter_mm, ["braid.diameter", "tube.outer_diameter"], || {
+            format!(
+                "braid.diameter is {diameter_mm} mm, but the tube has an outer diameter of {outer_diameter_mm} mm: a sleeve that is pulled over a wider tube has the angle that it takes there; give that angle and leave the diameter out"
+            )
+        })
     }
 
     /// What the user should know of this braid on this tube.

@@ -2,8 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 use std::fmt;
-use std::str::FromStr;
-use thiserror::Error;
 
 /// Which way the muscle moves, and so on which branch of its hysteresis loop it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, schemars::JsonSchema)]
@@ -16,14 +14,6 @@ pub enum Direction {
     Contraction,
     /// The muscle is lengthened: upper branch, friction increases the pull.
     Elongation,
-}
-
-/// A word that names no direction.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("\"{given}\" is not a direction of motion; expected mean, contraction or elongation")]
-pub struct UnknownDirection {
-    /// What was given.
-    pub given: String,
 }
 
 impl Direction {
@@ -69,14 +59,5 @@ impl Direction {
 impl fmt::Display for Direction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())
-    }
-}
-
-impl FromStr for Direction {
-    type Err = UnknownDirection;
-
-    fn from_str(s: &str) -> Result<Self, UnknownDirection> {
-        let found = Self::ALL.into_iter().find(|d| d.name() == s.trim());
-        found.ok_or_else(|| UnknownDirection { given: s.chars().take(60).collect() })
     }
 }

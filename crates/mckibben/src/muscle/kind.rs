@@ -52,6 +52,6 @@ impl Muscle {
 
     fn wrong_way(&self, said: &str) -> MuscleError {
         let angle_deg = self.braid().angle_deg;
-        MuscleError::refused(["braid.angle"], format!("braid.angle is {angle_deg} deg; {said}"))
+        MuscleError::new(["braid.angle"], format!("braid.angle is {angle_deg} deg; {said}"))
     }
 }

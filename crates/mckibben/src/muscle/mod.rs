@@ -18,6 +18,7 @@ mod presliding;
 mod reach;
 mod rubber;
 mod sleeve;
+mod stated;
 mod terminals;
 mod tube;
 
@@ -27,7 +28,7 @@ pub use bench::Bench;
 pub use braid::{Braid, BraidStiffness, MeasuredStrand, SLEEVE_ANGLE_TOLERANCE_DEG, Strands};
 pub use crimp::Crimp;
 pub use derived::BuildSheet;
-pub use direction::{Direction, UnknownDirection};
+pub use direction::Direction;
 pub use ends::{EndState, Ends, InnerPull};
 pub use error::MuscleError;
 pub use friction::Friction;
@@ -36,9 +37,11 @@ pub use lay::StrandLay;
 pub use measures::{Measure, Parts};
 pub use presliding::{Presliding, PreslidingElement};
 pub use reach::largest_stretch;
+pub use stated::Stated;
 pub use terminals::{EndFactor, Terminals};
 pub use tube::Tube;
 
+use crate::refused::Refused;
 use crate::rubber::{RubberLaw, library};
 use std::sync::Arc;
 
@@ -81,84 +84,62 @@ impl Muscle {
         braid.check_crimp()?;
         parts.check("terminals")?;
         terminals.check()?;
-        if let Some(measured) = braid.measured
-            && measured.strand_length_mm <= tube.length_mm
-        {
-            let (strand_length_mm, length_mm) = (measured.strand_length_mm, tube.length_mm);
-            return Err(MuscleError::refused(
-                ["braid.strand_length"],
+        let length_mm = tube.length_mm;
+        if let Some(MeasuredStrand { strand_length_mm, .. }) = braid.measured {
+            Refused::unless(strand_length_mm > length_mm, ["braid.strand_length"], || {
                 format!(
                     "braid.strand_length is {strand_length_mm} mm, not above the muscle's length of {length_mm} mm, which it must span slantwise"
-                ),
-            ));
+                )
+            })?;
         }
         parts.check("friction")?;
-        if parts.friction.is_some_and(|f| f.presliding_mm.is_some() && f.is_zero()) {
-            let message = "friction.presliding needs the friction itself: friction.lever, or friction.coefficient and friction.exponent";
-            return Err(MuscleError::refused(["friction.presliding"], message));
-        }
+        let without = parts.friction.is_some_and(|f| f.presliding_mm.is_some() && f.is_zero());
+        Refused::unless(!without, ["friction.presliding"], || {
+            "friction.presliding needs the friction itself: friction.lever, or friction.coefficient and friction.exponent".into()
+        })?;
         braid.check_on(tube)?;
-        let (seating_mm, length_mm) = (terminals.seating_mm.unwrap_or(0.0), tube.length_mm);
-        if seating_mm >= length_mm {
-            return Err(MuscleError::refused(
-                ["terminals.seating", "tube.length"],
-                format!(
-                    "terminals.seating is {seating_mm} mm; it must be below the muscle's length of {length_mm} mm"
-                ),
-            ));
-        }
-        let grip_mm = terminals.grip_mm.unwrap_or(0.0);
-        if seating_mm + 2.0 * grip_mm >= length_mm {
-            return Err(MuscleError::refused(
-                ["terminals.grip", "tube.length"],
-                format!(
-                    "terminals.grip is {grip_mm} mm at each end; twice that, with a seating of {seating_mm} mm, must be below the muscle's length of {length_mm} mm"
-                ),
-            ));
-        }
+        let (seating_mm, grip_mm) = (terminals.seating_mm.unwrap_or(0.0), terminals.grip_mm.unwrap_or(0.0));
+        Refused::unless(seating_mm < length_mm, ["terminals.seating", "tube.length"], || {
+            format!(
+                "terminals.seating is {seating_mm} mm; it must be below the muscle's length of {length_mm} mm"
+            )
+        })?;
+        let held_mm = seating_mm + 2.0 * grip_mm;
+        Refused::unless(held_mm < length_mm, ["terminals.grip", "tube.length"], || {
+            format!(
+                "terminals.grip is {grip_mm} mm at each end; twice that, with a seating of {seating_mm} mm, must be below the muscle's length of {length_mm} mm"
+            )
+        })?;
         let (plug_mm, bore_mm) = (2.0 * parts.plug_radius_mm(), 2.0 * tube.inner_radius_mm());
         let (least, largest) = Terminals::PLUG_OF_BORE;
-        if !(least * bore_mm..=largest * bore_mm).contains(&plug_mm) {
-            return Err(MuscleError::refused(
-                ["terminals.plug_diameter", "tube.outer_diameter"],
-                format!(
-                    "terminals.plug_diameter is {plug_mm} mm, and the bore of the tube {bore_mm} mm: a plug has between half of the bore and twice the bore"
-                ),
-            ));
-        }
+        let closes = (least * bore_mm..=largest * bore_mm).contains(&plug_mm);
+        Refused::unless(closes, ["terminals.plug_diameter", "tube.outer_diameter"], || {
+            format!(
+                "terminals.plug_diameter is {plug_mm} mm, and the bore of the tube {bore_mm} mm: a plug has between half of the bore and twice the bore"
+            )
+        })?;
         let widened = braid.angle_rad().sin() * parts.clamped_radius_mm() / tube.outer_radius_mm();
-        if widened >= 1.0 {
-            return Err(MuscleError::refused(
-                ["terminals.plug_diameter", "braid.angle"],
-                format!(
-                    "terminals.plug_diameter is {plug_mm} mm; a braid with an angle of {} degrees does not widen to the tube on it, with an outer diameter of {:.1} mm: take a narrower plug",
-                    braid.angle_deg,
-                    2.0 * parts.clamped_radius_mm()
-                ),
-            ));
-        }
-        let strand_mm = parts
-            .braid
-            .strands
-            .and_then(|s| s.section)
-            .map_or(0.0, |s| (4.0 * s.0 / std::f64::consts::PI).sqrt());
-        if strand_mm > 0.0 && strand_mm < THINNEST_STRAND_MM {
-            return Err(MuscleError::refused(
-                ["braid.strand_diameter", "braid.strand_area"],
-                format!(
-                    "braid: a strand of {strand_mm:.2e} mm is thinner than a single fibre; is its unit mm (or mm2)?"
-                ),
-            ));
-        }
-        if strand_mm > parts.tube.outer_diameter_mm {
-            return Err(MuscleError::refused(
-                ["braid.strand_diameter", "braid.strand_area"],
-                format!(
-                    "braid: a strand of {strand_mm:.4} mm is thicker than the tube, which has {} mm; is its unit mm (or mm2)?",
-                    parts.tube.outer_diameter_mm
-                ),
-            ));
-        }
+        Refused::unless(widened < 1.0, ["terminals.plug_diameter", "braid.angle"], || {
+            format!(
+                "terminals.plug_diameter is {plug_mm} mm; a braid with an angle of {} degrees does not widen to the tube on it, with an outer diameter of {:.1} mm: take a narrower plug",
+                braid.angle_deg,
+                2.0 * parts.clamped_radius_mm()
+            )
+        })?;
+        let section = braid.strands.and_then(|s| s.section);
+        let strand_mm = section.map_or(0.0, |s| (4.0 * s.0 / std::f64::consts::PI).sqrt());
+        const STRAND: [&str; 2] = ["braid.strand_diameter", "braid.strand_area"];
+        Refused::unless(strand_mm == 0.0 || strand_mm >= THINNEST_STRAND_MM, STRAND, || {
+            format!(
+                "braid: a strand of {strand_mm:.2e} mm is thinner than a single fibre; is its unit mm (or mm2)?"
+            )
+        })?;
+        let outer_mm = tube.outer_diameter_mm;
+        Refused::unless(strand_mm <= outer_mm, STRAND, || {
+            format!(
+                "braid: a strand of {strand_mm:.4} mm is thicker than the tube, which has {outer_mm} mm; is its unit mm (or mm2)?"
+            )
+        })?;
         let reach = parts.reach();
         parts.tube.rubber = library::following(parts.tube.rubber, reach);
         let warm =
@@ -306,7 +287,7 @@ impl Muscle {
     /// The same muscle with another tube. A braid cut from a named sleeve has the sleeve's angle on another diameter.
     ///
     /// # Errors
-    /// As [`Muscle::new`], and [`MuscleError::Sleeve`] where the sleeve does not fit the tube.
+    /// As [`Muscle::new`], and where the sleeve does not fit the tube.
     pub fn with_tube(&self, tube: Tube) -> Result<Self, MuscleError> {
         let braid = self.braid_on(tube.outer_diameter_mm)?;
         Ok(Self::from_parts(Parts { tube, braid, ..self.parts.clone() })?.with_bench_of(self))
@@ -315,15 +296,12 @@ impl Muscle {
     /// The braid of this muscle on a tube of a diameter: its own on its own, that of its named sleeve on another.
     ///
     /// # Errors
-    /// [`MuscleError::Sleeve`] where the sleeve does not fit the tube.
+    /// [`MuscleError`] where the sleeve does not fit the tube.
     pub fn braid_on(&self, outer_diameter_mm: f64) -> Result<Braid, MuscleError> {
         let braid = self.parts.braid.clone();
         // An angle that was stated for this diameter stays.
-        if outer_diameter_mm == self.parts.tube.outer_diameter_mm {
-            Ok(braid)
-        } else {
-            Ok(braid.on_diameter(outer_diameter_mm)?)
-        }
+        let same = outer_diameter_mm == self.parts.tube.outer_diameter_mm;
+        if same { Ok(braid) } else { braid.on_diameter(outer_diameter_mm) }
     }
 
     /// The same muscle with another diameter and wall.

@@ -1,15 +1,24 @@
 //! The braid that a sleeve is on a tube.
 
-use super::{Braid, BraidStiffness, Muscle, Strands};
-use crate::sleeve::{Sleeve, SleeveError, library};
+use super::{Braid, BraidStiffness, Muscle, MuscleError, Strands};
+use crate::sleeve::{Sleeve, library, refused};
 
 impl Sleeve {
     /// The strands of a braid.
-    pub fn of_strands(&self) -> Result<Strands, SleeveError> {
+    pub fn of_strands(&self) -> Result<Strands, MuscleError> {
         let section = self.strand_area_mm2().zip(self.strand_modulus_mpa);
         match (self.strand_count(), section) {
             (Some(count), Some(_)) => Ok(Strands { count, section, strength_n: self.strand_strength_n }),
-            _ => Err(SleeveError::Incomplete { name: self.shape.name.clone(), missing: self.missing() }),
+            _ => {
+                let missing = self.missing();
+                let keys: Vec<String> = missing.iter().map(|key| format!("`{key}`")).collect();
+                Err(refused(format!(
+                    "the source of {} does not state {}; give {} or `stiffness`, or take strands that do not stretch (stiffness inextensible)",
+                    self.shape.name,
+                    missing.join(" and "),
+                    keys.join(" and ")
+                )))
+            }
         }
     }
 
@@ -30,7 +39,7 @@ impl Sleeve {
     /// assert!(sleeve.on(60.0).unwrap_err().to_string().contains("from 9.525"));
     /// # Ok::<(), mckibben::sleeve::SleeveError>(())
     /// ```
-    pub fn on(&self, outer_diameter_mm: f64) -> Result<Braid, SleeveError> {
+    pub fn on(&self, outer_diameter_mm: f64) -> Result<Braid, MuscleError> {
         let angle_deg = self.shape.angle_deg_on(outer_diameter_mm)?;
         let strands = self.of_strands()?;
         Ok(Braid {

@@ -1,6 +1,7 @@
 //! The rubber tube.
 
 use super::error::MuscleError;
+use crate::refused::Refused;
 use crate::rubber::Rubber;
 use std::borrow::Cow;
 
@@ -47,9 +48,12 @@ impl Tube {
 
     pub(super) fn check(&self) -> Result<(), MuscleError> {
         let radius_mm = self.outer_radius_mm();
-        if self.wall_mm >= radius_mm {
-            return Err(MuscleError::WallTooThick { wall_mm: self.wall_mm, radius_mm });
-        }
+        let wall_mm = self.wall_mm;
+        Refused::unless(wall_mm < radius_mm, ["tube.wall_thickness", "tube.outer_diameter"], || {
+            format!(
+                "tube.wall_thickness is {wall_mm} mm, but the radius is {radius_mm} mm: the wall must be thinner than the radius (half of tube.outer_diameter)"
+            )
+        })?;
         self.rubber.check()
     }
 

@@ -8,45 +8,14 @@ use serde::{Deserialize, Serialize};
 ///
 /// As data (serde): `"incompressible"`, or the bulk modulus in MPa.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(into = "WrittenBulk", from = "WrittenBulk")]
+#[serde(rename_all = "lowercase", expecting = "\"incompressible\", or a bulk modulus in MPa")]
 pub enum Bulk {
     /// Volume stays.
     #[default]
     Incompressible,
     /// Bulk modulus in MPa.
+    #[serde(untagged)]
     Modulus(f64),
-}
-
-/// [`Bulk`] as muscle files have it.
-#[derive(Serialize, Deserialize)]
-#[serde(untagged, expecting = "\"incompressible\", or a bulk modulus in MPa")]
-enum WrittenBulk {
-    Word(Incompressible),
-    Modulus(f64),
-}
-
-#[derive(Serialize, Deserialize)]
-enum Incompressible {
-    #[serde(rename = "incompressible")]
-    Word,
-}
-
-impl From<Bulk> for WrittenBulk {
-    fn from(bulk: Bulk) -> Self {
-        match bulk {
-            Bulk::Incompressible => Self::Word(Incompressible::Word),
-            Bulk::Modulus(k) => Self::Modulus(k),
-        }
-    }
-}
-
-impl From<WrittenBulk> for Bulk {
-    fn from(written: WrittenBulk) -> Self {
-        match written {
-            WrittenBulk::Word(Incompressible::Word) => Self::Incompressible,
-            WrittenBulk::Modulus(k) => Self::Modulus(k),
-        }
-    }
 }
 
 /// What softening rubber has been through. As data (serde) a pressure in MPa, or `{"strain": 1.0}`; in a muscle file a pressure or a strain such as

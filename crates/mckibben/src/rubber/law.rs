@@ -1,8 +1,8 @@
 //! What can be done with any law: its constants, their check, and the work that is compiled for each law.
 
 use super::{ConstantValue, InvariantLaw, Law, LawKind, RubberLaw};
+use crate::refused::Refused;
 use std::collections::BTreeMap;
-use thiserror::Error;
 
 /// Something that is done with a law whose type is known at compile time ([`RubberLaw::visit`]): a loop inside is compiled
 /// for every law.
@@ -19,31 +19,12 @@ pub trait LawVisitor: Sized {
     }
 }
 
-/// Why constants do not make a law.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[error("{message}")]
-pub struct LawError {
-    constant: Option<&'static str>,
-    message: String,
-}
-
 /// Most terms of a sum; published laws have up to six.
 const MOST_TERMS: usize = 20;
 
 fn between((low, high): (f64, f64)) -> String {
     let low = if low == 0.0 { "zero".to_owned() } else { low.to_string() };
     if high.is_finite() { format!("above {low} and below {high}") } else { format!("above {low}") }
-}
-
-impl LawError {
-    fn new(constant: Option<&'static str>, message: String) -> Self {
-        Self { constant, message }
-    }
-
-    /// The constant at fault, where it is one; as in muscle files.
-    pub fn constant(&self) -> Option<&'static str> {
-        self.constant
-    }
 }
 
 impl Law {
@@ -94,17 +75,17 @@ impl Law {
     /// Checks the constants.
     ///
     /// # Errors
-    /// [`LawError`] where a constant is not finite or the rubber has no stiffness at rest.
-    pub fn validated(self) -> Result<Self, LawError> {
+    /// [`Refused`] where a constant is not finite or the rubber has no stiffness at rest.
+    pub fn validated(self) -> Result<Self, Refused> {
         let (law, constants) = (self.name(), self.constants());
         if self.kind().is_sum && constants.len() > MOST_TERMS * self.kind().constants.len() {
             let message = format!("an {law} law has at most {MOST_TERMS} terms");
-            return Err(LawError::new(Some("alpha"), message));
+            return Err(Refused::new(["alpha"], message));
         }
         if let Some(ConstantValue { name, value, .. }) = constants.iter().find(|c| !c.value.is_finite()) {
             let message =
                 format!("the constant {name} of the {law} law is {value}; it must be a finite number");
-            return Err(LawError::new(None, message));
+            return Err(Refused::new([], message));
         }
         // Moduli are judged together, by the stiffness that they give.
         for ConstantValue { value, constant: c, .. } in &constants {
@@ -112,20 +93,20 @@ impl Law {
             if !c.is_modulus() && !within {
                 let (name, must, doc) = (c.name, between(c.bounds), c.doc);
                 let message = format!("{name} of the {law} law is {value}; it must be {must} (it is {doc})");
-                return Err(LawError::new(Some(name), message));
+                return Err(Refused::new([name], message));
             }
         }
         let mu = self.shear_modulus_mpa();
         // A sum of terms without a term, or with one that is not defined.
         if self.kind().is_sum && (constants.is_empty() || !self.principal([1.0; 3]).w.is_finite()) {
             let message = "an ogden law needs one alpha other than zero for each mu";
-            return Err(LawError::new(Some("alpha"), message.into()));
+            return Err(Refused::new(["alpha"], message));
         }
         if mu > 0.0 {
             return Ok(self);
         }
         let first = self.kind().constants.iter().find(|c| c.is_modulus()).map(|c| c.name);
-        Err(LawError::new(
+        Err(Refused::new(
             first,
             format!(
                 "the {law} constants give a shear modulus of {mu} MPa at rest; it must be above zero (c10 + c01, mu, or Σ mu·alpha)"
@@ -185,6 +166,6 @@ mod tests {
             error.to_string(),
             "jm of the gent law is -3; it must be above zero (it is the largest I1 − 3)"
         );
-        assert_eq!(error.constant(), Some("jm"));
+        assert_eq!(error.fields, ["jm"]);
     }
 }

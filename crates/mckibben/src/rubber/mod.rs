@@ -23,7 +23,7 @@ pub use constant::{
 };
 pub use form::Form;
 pub use invariants::{InvariantDerivatives, InvariantLaw};
-pub use law::{LawError, LawVisitor};
+pub use law::LawVisitor;
 pub use laws::*;
 pub use library::{LibraryError, RubberEntry, RubberFit};
 pub use stability::{

@@ -1,7 +1,8 @@
 //! Named sleeves, from `data/braids.toml`, which states source and terms of each.
 
-use super::{Helix, OF_STIFFNESS, Sleeve, SleeveError, SleeveShape};
+use super::{Helix, OF_STIFFNESS, Sleeve, SleeveShape, refused};
 use crate::catalogue::{Catalogue, CatalogueError, Row, named};
+use crate::refused::Refused;
 use std::sync::OnceLock;
 
 /// An angle at a diameter, as stated.
@@ -75,46 +76,46 @@ const TEXT: &str = include_str!("../../data/braids.toml");
 /// All sleeves, in the order of the table.
 ///
 /// # Errors
-/// [`SleeveError::Refused`], which no released program should see.
-pub fn entries() -> Result<&'static [SleeveEntry], SleeveError> {
-    static ENTRIES: OnceLock<Result<Vec<SleeveEntry>, SleeveError>> = OnceLock::new();
-    ENTRIES.get_or_init(|| read_entries(TEXT, materials()?)).as_deref().map_err(SleeveError::clone)
+/// [`Refused`], which no released program should see.
+pub fn entries() -> Result<&'static [SleeveEntry], Refused> {
+    static ENTRIES: OnceLock<Result<Vec<SleeveEntry>, Refused>> = OnceLock::new();
+    ENTRIES.get_or_init(|| read_entries(TEXT, materials()?)).as_deref().map_err(Refused::clone)
 }
 
 /// All materials, in the order of the table.
-pub fn materials() -> Result<&'static [Material], SleeveError> {
-    static MATERIALS: OnceLock<Result<Vec<Material>, SleeveError>> = OnceLock::new();
-    MATERIALS.get_or_init(|| read_materials(TEXT)).as_deref().map_err(SleeveError::clone)
+pub fn materials() -> Result<&'static [Material], Refused> {
+    static MATERIALS: OnceLock<Result<Vec<Material>, Refused>> = OnceLock::new();
+    MATERIALS.get_or_init(|| read_materials(TEXT)).as_deref().map_err(Refused::clone)
 }
 
 /// The entry of a name or alias, without regard to case; spaces and underscores are as good as hyphens.
-pub fn entry(name: &str) -> Result<&'static SleeveEntry, SleeveError> {
+pub fn entry(name: &str) -> Result<&'static SleeveEntry, Refused> {
     let found = named("sleeve", entries()?, |e| (e.sleeve.name(), &e.aliases), name);
-    found.map_err(SleeveError::Refused)
+    found.map_err(refused)
 }
 
 /// The sleeve of a name.
-pub fn find(name: &str) -> Result<Sleeve, SleeveError> {
+pub fn find(name: &str) -> Result<Sleeve, Refused> {
     entry(name).map(|e| e.sleeve.clone())
 }
 
-impl From<CatalogueError> for SleeveError {
+impl From<CatalogueError> for Refused {
     fn from(error: CatalogueError) -> Self {
-        Self::Refused(format!("the built-in table of sleeves is damaged: {error}"))
+        refused(format!("the built-in table of sleeves is damaged: {error}"))
     }
 }
 
 /// The rows of a kind, of which a table has some.
-fn rows<'a>(file: &'a Catalogue<'_>, kind: &str) -> Result<Vec<Row<'a>>, SleeveError> {
+fn rows<'a>(file: &'a Catalogue<'_>, kind: &str) -> Result<Vec<Row<'a>>, Refused> {
     let rows = file.rows(kind);
     if rows.is_empty() {
-        Err(SleeveError::Refused(format!("the built-in table of sleeves is damaged: no [[{kind}]]")))
+        Err(refused(format!("the built-in table of sleeves is damaged: no [[{kind}]]")))
     } else {
         Ok(rows)
     }
 }
 
-fn read_materials(file: &str) -> Result<Vec<Material>, SleeveError> {
+fn read_materials(file: &str) -> Result<Vec<Material>, Refused> {
     let one = |row: &Row<'_>| {
         Ok(Material {
             name: row.text("name")?.to_owned(),
@@ -133,7 +134,7 @@ fn read_materials(file: &str) -> Result<Vec<Material>, SleeveError> {
     rows(&Catalogue::parse(file)?, "material")?.iter().map(one).collect()
 }
 
-fn read_entries(file: &str, materials: &'static [Material]) -> Result<Vec<SleeveEntry>, SleeveError> {
+fn read_entries(file: &str, materials: &'static [Material]) -> Result<Vec<SleeveEntry>, Refused> {
     rows(&Catalogue::parse(file)?, "sleeve")?.iter().map(|row| Ok(read_entry(row, materials)?)).collect()
 }
 
@@ -225,8 +226,8 @@ mod tests {
     #[test]
     fn a_damaged_table_is_an_error() {
         for text in ["", "x =", "[[sleeve]]\nname = \"n\"", "[[material]]\nname = \"n\"\n[[sleeve]]\n"] {
-            assert!(matches!(read_entries(text, &[]), Err(SleeveError::Refused(_))), "{text}");
-            assert!(matches!(read_materials(text), Err(SleeveError::Refused(_))), "{text}");
+            assert!(matches!(read_entries(text, &[]), Err(Refused { .. })), "{text}");
+            assert!(matches!(read_materials(text), Err(Refused { .. })), "{text}");
         }
         assert_eq!(damage("least_diameter = 3\nlargest_diameter = 4.0"), "read");
         assert_eq!(damage("least_diameter = 2\nstrands = 24\nstrand_diameter = 0.25"), "read");

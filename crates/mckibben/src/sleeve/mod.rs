@@ -20,8 +20,8 @@ pub mod library;
 pub use helix::{Helix, NEUTRAL_ANGLE_DEG};
 pub use library::{Material, SleeveEntry};
 
+use crate::refused::Refused;
 use std::f64::consts::PI;
-use thiserror::Error;
 
 /// The shape of a sleeve: what gives the angle on a tube.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,48 +70,9 @@ const COUNT_FACTOR: f64 = 1.25;
 /// Estimates on which the stiffness depends.
 const OF_STIFFNESS: [&str; 2] = ["strand_diameter", "strand_modulus"];
 
-/// Why a sleeve makes no braid of a muscle.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum SleeveError {
-    /// Refused: field, value, what it must be.
-    #[error("{0}")]
-    Refused(String),
-    /// The sleeve does not fit this diameter, or a muscle of it would not contract.
-    #[error("{0}")]
-    Diameter(String),
-    /// What gives the stiffness is not stated by the sleeve's source.
-    #[error(
-        "the source of {name} does not state {}; give {} or `stiffness`, or take strands that do not stretch (stiffness inextensible)",
-        .missing.join(" and "),
-        .missing.iter().map(|m| format!("`{m}`")).collect::<Vec<_>>().join(" and ")
-    )]
-    Incomplete {
-        /// The sleeve.
-        name: String,
-        /// Keys of a muscle file that would complete it.
-        missing: Vec<&'static str>,
-    },
-    /// A measure that must be above zero.
-    #[error("`{key}` is {value}; it must be above zero and finite")]
-    NotPositive {
-        /// Key as in the muscle file.
-        key: &'static str,
-        /// What was given.
-        value: f64,
-    },
-}
-
-impl SleeveError {
-    /// The same error with other names of what is missing or wrong: keys of a muscle file are fields in a request.
-    pub fn named(self, name: impl Fn(&'static str) -> &'static str) -> Self {
-        match self {
-            Self::Incomplete { name: sleeve, missing } => {
-                Self::Incomplete { name: sleeve, missing: missing.into_iter().map(name).collect() }
-            }
-            Self::NotPositive { key, value } => Self::NotPositive { key: name(key), value },
-            other => other,
-        }
-    }
+/// That a sleeve is not known, or does not say enough.
+pub(crate) fn refused(message: impl Into<String>) -> Refused {
+    Refused::new(["braid.name"], message)
 }
 
 /// A length for a message, to a tenth of a micrometre.
@@ -123,21 +84,22 @@ impl SleeveShape {
     /// θ0 in degrees on a tube of this outer diameter.
     ///
     /// # Errors
-    /// [`SleeveError::Diameter`] beyond the sleeve's range, and from 54.7° on.
-    pub fn angle_deg_on(&self, outer_diameter_mm: f64) -> Result<f64, SleeveError> {
+    /// [`Refused`] beyond the sleeve's range, and from 54.7° on.
+    pub fn angle_deg_on(&self, outer_diameter_mm: f64) -> Result<f64, Refused> {
         let (least_mm, largest_mm) = (self.least_mm, self.largest_mm);
         // Where a range was turned from inches, its ends belong to it.
         let fits =
             outer_diameter_mm >= least_mm * (1.0 - 1e-9) && outer_diameter_mm <= largest_mm * (1.0 + 1e-9);
         let angle = fits.then(|| self.helix.angle_deg(outer_diameter_mm)).flatten();
+        let wrong = |message| Refused::new(["braid.name", "tube.outer_diameter"], message);
         let (name, least, on) = (&self.name, short(least_mm), short(outer_diameter_mm));
         match angle {
             Some(angle_deg) if angle_deg < NEUTRAL_ANGLE_DEG => Ok(angle_deg),
-            Some(angle_deg) => Err(SleeveError::Diameter(format!(
+            Some(angle_deg) => Err(wrong(format!(
                 "{name} has an angle of {angle_deg:.2} deg on {on} mm, and a muscle contracts below 54.7356 deg only: from {least} to {} mm",
                 short(self.helix.diameter_mm(NEUTRAL_ANGLE_DEG))
             ))),
-            None => Err(SleeveError::Diameter(format!(
+            None => Err(wrong(format!(
                 "{name} fits tubes from {least} to {} mm; the tube has an outer diameter of {on} mm",
                 short(largest_mm)
             ))),
@@ -145,7 +107,7 @@ impl SleeveShape {
     }
 
     /// The contraction at which a muscle on this tube ends: at 54.7°, or where the strands jam before.
-    pub fn largest_contraction_on(&self, outer_diameter_mm: f64) -> Result<f64, SleeveError> {
+    pub fn largest_contraction_on(&self, outer_diameter_mm: f64) -> Result<f64, Refused> {
         let start = self.angle_deg_on(outer_diameter_mm)?;
         let jammed = self.helix.angle_deg(self.largest_mm).unwrap_or(90.0);
         let end = jammed.min(NEUTRAL_ANGLE_DEG);
@@ -197,21 +159,6 @@ impl Sleeve {
         needs.iter().filter(|n| n.1).map(|n| n.0).collect()
     }
 
-    /// This sleeve with a strand diameter (mm) and modulus (MPa) in place of its own, where they are given.
-    pub fn with_strands(
-        self,
-        strand_diameter_mm: Option<f64>,
-        strand_modulus_mpa: Option<f64>,
-    ) -> Result<Self, SleeveError> {
-        for (key, value) in [("strand_diameter", strand_diameter_mm), ("strand_modulus", strand_modulus_mpa)]
-        {
-            if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
-                return Err(SleeveError::NotPositive { key, value });
-            }
-        }
-        Ok(self.with(None, strand_diameter_mm, strand_modulus_mpa, None))
-    }
-
     /// This sleeve with what was measured on it in place of its own numbers: strands, diameter of one (mm), modulus (MPa), strength (N). Another
     /// diameter has as many times the strength as it has the section, where the strength is an estimate.
     pub fn with(
@@ -251,7 +198,7 @@ impl Sleeve {
     }
 
     /// k of one family in N/mm on a tube of an outer diameter; `None` where the strands are not known.
-    pub fn stiffness_n_per_mm(&self, outer_diameter_mm: f64) -> Result<Option<f64>, SleeveError> {
+    pub fn stiffness_n_per_mm(&self, outer_diameter_mm: f64) -> Result<Option<f64>, Refused> {
         let cos = self.shape.angle_deg_on(outer_diameter_mm)?.to_radians().cos();
         let section = self.strand_area_mm2().zip(self.strand_modulus_mpa);
         Ok(section.zip(self.strand_count()).map(|((area, modulus), count)| {

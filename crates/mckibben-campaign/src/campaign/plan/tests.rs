@@ -278,7 +278,7 @@ fn every_measure_of_a_muscle_varies() {
         let value = measure
             .identify
             .as_ref()
-            .and_then(|i| (i.start)(&base))
+            .and_then(|i| i.start(&base))
             .or(base.measure(measure))
             .or(measure.default);
         let Some(value) = value else { continue };

@@ -1,6 +1,6 @@
 //! The values of a file against the list of keys: each is of its kind, and within its bounds.
 
-use super::error::{FileError, without_key, without_subject};
+use super::error::{FileError, without_key};
 use super::keys::{Key, dimension, dotted, join};
 use super::source::{Source, shortened};
 use crate::nearest::{meant, nearest};
@@ -224,7 +224,7 @@ fn quantity(value: &Written, dimension: Dimension) -> Result<f64, String> {
     let expected = dimension.expectation();
     match value.as_str() {
         Some(text) if text.len() > 100 => Err(format!("is a long text; expected {expected}")),
-        Some(text) => parse_quantity(text, dimension).map_err(|error| without_subject(&error)),
+        Some(text) => parse_quantity(text, dimension).map_err(|error| error.problem),
         None => sound(value, expected),
     }
 }

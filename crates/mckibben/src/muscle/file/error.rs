@@ -1,7 +1,6 @@
 //! What is wrong with a file, where, and what should stand there.
 
 use crate::muscle::MuscleError;
-use crate::units::QuantityError;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -27,22 +26,6 @@ pub struct FileError {
     pub written: Option<String>,
     /// What is wrong, in a sentence that the key is before.
     pub problem: String,
-}
-
-/// `"30 bar" is a pressure` → `is a pressure`: the text is in front already.
-pub(super) fn without_subject(error: &QuantityError) -> String {
-    let message = error.to_string();
-    match error {
-        QuantityError::NotANumber { text, .. }
-        | QuantityError::Comma { text, .. }
-        | QuantityError::NotFinite { text, .. }
-        | QuantityError::Beyond { text, .. }
-        | QuantityError::WrongDimension { text, .. } => {
-            message.strip_prefix(&format!("\"{text}\" ")).unwrap_or(&message).to_string()
-        }
-        QuantityError::UnknownUnit { text, .. } => message.replacen(&format!(" in \"{text}\""), "", 1),
-        QuantityError::Empty { .. } => message,
-    }
 }
 
 /// `tube.wall_thickness is -3 mm; …` → `is -3 mm; …`: the key, or the table it belongs to, is in front already.

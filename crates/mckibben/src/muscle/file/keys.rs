@@ -81,7 +81,7 @@ impl Key {
             }
             "varied" => {
                 let varied = |m: &'static Measure| {
-                    Self::made(m.name(), format!("values {} log", name_of(m.dimension)), m.about())
+                    Self::made(m.name(), format!("values {} log", name_of(m.dimension)), m.about)
                 };
                 of_section(rest).map(varied).chain(keys(&format!("varied-{rest}"))).collect()
             }
@@ -107,8 +107,8 @@ fn of_measure(measure: &'static Measure) -> Key {
         (Written::Number, _) | (Written::Special, Dimension::Ratio) => "number".into(),
         (_, dimension) => name_of(dimension),
     };
-    let made = Key::made(measure.name(), kind, measure.about());
-    Key { measure: Some(measure), comment: measure.comment(), ..made }
+    let made = Key::made(measure.name(), kind, measure.about);
+    Key { measure: Some(measure), comment: measure.comment, ..made }
 }
 
 /// Every key of sections with the tables in them, dotted; tells a key in the wrong table from one that means nothing anywhere.

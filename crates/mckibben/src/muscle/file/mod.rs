@@ -17,7 +17,6 @@
 //! a default.
 
 mod bench;
-mod braid;
 mod check;
 mod error;
 mod keys;

@@ -2,9 +2,13 @@
 
 use super::error::{FileError, without_key};
 use super::source::{Section, Source};
-use super::{bench, braid, material};
-use crate::muscle::measures::{Written, of_section};
-use crate::muscle::{EndFactor, Measure, Muscle, MuscleError, Parts};
+use super::{bench, material};
+use crate::muscle::measures::{
+    CONE_FACTOR, END_FACTOR, OUTER_DIAMETER, SECTIONS, STIFFNESS, WALL, of_section,
+};
+use crate::muscle::{EndFactor, Measure, Muscle, MuscleError, Stated};
+use crate::sleeve::library;
+use std::borrow::Cow;
 
 const INNER: &str = "inner_diameter";
 
@@ -22,74 +26,74 @@ pub fn parse_muscle(text: &str) -> Result<Muscle, FileError> {
 /// [`FileError`], as [`parse_muscle`].
 pub fn muscle_of(source: &Source<'_>) -> Result<Muscle, FileError> {
     let root = source.root();
-    let mut parts = Muscle::prototype().parts().clone();
-    let tube = root.at("tube");
-    measures(&tube, "tube", &mut parts)?;
-    inner_diameter(&tube, &mut parts)?;
-    parts.tube.rubber = material::read(&tube)?;
-    braid::read(&root.at("braid"), &mut parts)?;
-    terminals(&root, &mut parts)?;
-    measures(&root.at("friction"), "friction", &mut parts)?;
+    let (tube, braid) = (root.at("tube"), root.at("braid"));
+    let located = |error: MuscleError| located(source, &error);
+    let mut stated = Stated {
+        rubber: Some(material::read(&tube)?),
+        sleeve: braid.get("name").map(library::find).transpose().map_err(located)?,
+        stiffness: braid.get("stiffness"),
+        strand_diameter_mm: braid.get("strand_diameter"),
+        ..Stated::default()
+    };
+    // What has rules of its own is read where these are.
+    let plain = |m: &&Measure| ![&END_FACTOR, &CONE_FACTOR, &STIFFNESS].contains(m);
+    for (name, measure) in SECTIONS.into_iter().flat_map(|name| of_section(name).map(move |m| (name, m))) {
+        if let Some(value) = root.at(name).get(measure.name()).filter(|_| plain(&measure)) {
+            stated.measures.set(measure, value);
+        }
+    }
+    inner_diameter(&tube, &mut stated)?;
+    let mut parts = stated.over(&Muscle::prototype()).map_err(located)?;
+    let (end_factor, cone_factor) = factors(&root)?;
+    (parts.terminals.end_factor, parts.terminals.cone_factor) = (end_factor, cone_factor);
+    parts.braid.compression = braid.get("compression").unwrap_or(parts.braid.compression);
     let bench = bench::read(&root.at("identified"))?;
-    let muscle = Muscle::from_parts(parts).map_err(|e| located(source, &e))?;
+    let muscle = Muscle::from_parts(parts).map_err(located)?;
     Ok(match bench {
         Some(bench) => muscle.with_bench(bench),
         None => muscle,
     })
 }
 
-/// The error of the finished muscle, at the line of the key that caused it.
+/// The error of the muscle, at the line of the key that caused it.
 fn located(source: &Source<'_>, error: &MuscleError) -> FileError {
-    let keys = error.keys();
+    // A constant of a law is a key of the rubber's table.
+    let full = |key: &&'static str| match key.contains('.') {
+        true => Cow::Borrowed(*key),
+        false => Cow::from(format!("tube.material.{key}")),
+    };
+    let keys: Vec<Cow<'_, str>> = error.fields.iter().map(full).collect();
     let written = keys.iter().find(|k| source.has(k)).or(keys.first());
     let key = written.map_or("muscle", |key| key.as_ref());
-    // Wall and diameter must suit each other, and either may be a default.
-    let wall = matches!(error, MuscleError::WallTooThick { .. });
-    let default = keys.iter().find(|k| wall && !source.has(k));
+    // What does not suit the other measures may be a default.
+    let sizes = [OUTER_DIAMETER.key, WALL.key, "tube.length"];
+    let default = keys.iter().find(|k| sizes.contains(&k.as_ref()) && !source.has(k));
     let default = default.map(|key| format!("; {key} is not written, so this is its default"));
     source.error(key, without_key(error, key) + &default.unwrap_or_default())
 }
 
-/// Puts what a table says of its measures into the parts.
-pub(super) fn measures(section: &Section<'_>, name: &str, parts: &mut Parts) -> Result<(), FileError> {
-    for measure in of_section(name) {
-        let value = section.get(measure.name()).filter(|_| measure.written != Written::Special);
-        if let Some(value) = value {
-            (measure.set)(parts, value);
-        }
-        let missing = measure.beside.and_then(|(key, needs)| Some((Measure::of_key(key)?.name(), needs)));
-        if let Some((missing, needs)) = missing.filter(|m| section.has(measure.name()) && !section.has(m.0)) {
-            return Err(section.missing(missing, Some(measure.name()), needs));
-        }
-    }
-    Ok(())
-}
-
 /// The bore, by which tubes are sold: with the outer diameter it gives the wall, with the wall the outer diameter.
-fn inner_diameter(section: &Section<'_>, parts: &mut Parts) -> Result<(), FileError> {
+fn inner_diameter(section: &Section<'_>, stated: &mut Stated) -> Result<(), FileError> {
     let Some(inner_mm) = section.get::<f64>(INNER) else { return Ok(()) };
-    let tube = &mut parts.tube;
-    let problem = match (section.has("outer_diameter"), section.has("wall_thickness")) {
-        (true, false) => {
-            tube.wall_mm = 0.5 * (tube.outer_diameter_mm - inner_mm);
-            if tube.wall_mm > 0.0 {
-                return Ok(());
-            }
-            "must lie between 0 and outer_diameter"
-        }
-        (false, true) => {
-            tube.outer_diameter_mm = inner_mm + 2.0 * tube.wall_mm;
+    let values = &mut stated.measures;
+    let problem = match (values.get(&OUTER_DIAMETER), values.get(&WALL)) {
+        (Some(outer_mm), None) if outer_mm > inner_mm => {
+            values.set(&WALL, 0.5 * (outer_mm - inner_mm));
             return Ok(());
         }
-        (true, true) => "follows from outer_diameter and wall_thickness; leave one of the three out",
-        (false, false) => "needs outer_diameter or wall_thickness beside it",
+        (Some(_), None) => "must lie between 0 and outer_diameter",
+        (None, Some(wall_mm)) => {
+            values.set(&OUTER_DIAMETER, inner_mm + 2.0 * wall_mm);
+            return Ok(());
+        }
+        (Some(_), Some(_)) => "follows from outer_diameter and wall_thickness; leave one of the three out",
+        (None, None) => "needs outer_diameter or wall_thickness beside it",
     };
     Err(section.error(INNER, problem))
 }
 
-/// The terminals, and what models of their own say of the ends.
-fn terminals(root: &Section<'_>, parts: &mut Parts) -> Result<(), FileError> {
-    // The two factors belong to a model; in the table of the terminals are their keys of before.
+/// What models of their own say of the ends; in the table of the terminals are their keys of before.
+fn factors(root: &Section<'_>) -> Result<(Option<EndFactor>, Option<f64>), FileError> {
     let (section, models) = (root.at("terminals"), root.at("model"));
     let (ends, cones) = (models.at("tondu-lopez"), models.at("conical-ends"));
     for (table, key) in [(&ends, "end_factor"), (&cones, "cone_factor")] {
@@ -98,10 +102,8 @@ fn terminals(root: &Section<'_>, parts: &mut Parts) -> Result<(), FileError> {
             return Err(section.error(key, said));
         }
     }
-    measures(&section, "terminals", parts)?;
-    parts.terminals.end_factor = end_factor(&ends).or(end_factor(&section));
-    parts.terminals.cone_factor = cones.get("cone_factor").or(section.get("cone_factor"));
-    Ok(())
+    let cone_factor = cones.get("cone_factor").or(section.get("cone_factor"));
+    Ok((end_factor(&ends).or(end_factor(&section)), cone_factor))
 }
 
 /// A number, or a table of `a` and `b`: k(P) = a·e^(−P) + b, P in bar.

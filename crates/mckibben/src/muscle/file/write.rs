@@ -60,7 +60,7 @@ impl Text {
                 Dimension::Ratio => number(value),
                 _ => quantity(value, measure.unit()),
             };
-            self.key(measure.name(), &text, measure.comment());
+            self.key(measure.name(), &text, measure.comment);
         }
     }
 

@@ -1,9 +1,10 @@
 //! The measures of a muscle, each declared once: every number of tube, braid, terminals and friction.
 //!
-//! An entry of [`MEASURES`] has the key in the muscle file, the field in requests, the unit, the bounds, how the number is read from
-//! and written to the parts of a muscle, and one sentence about it. From it follow the reader and the writer of muscle files, the bounds
-//! that [`Muscle::new`](super::Muscle::new) checks, the fields of requests with their schema, the flags of the command line, the arguments in Python, and what
-//! can be identified from measured points. Relations between measures (a wall thinner than the radius) are in the parts.
+//! `data/measures.json` has an entry for each ([`Facts`]): the key in the muscle file, the field in requests, the unit, the bounds, how it is
+//! identified, and sentences about it; [`MEASURES`] how its number is read from and written to the parts of a muscle. From them follow the reader and the
+//! writer of muscle files, the bounds that [`Muscle::new`](super::Muscle::new) checks, the fields of requests with their schema, the flags of the command
+//! line, the arguments in Python, and what can be identified from measured points. Relations between measures (a wall thinner than the radius) are in the
+//! parts.
 
 mod table;
 mod values;
@@ -13,10 +14,13 @@ pub use values::{GROUP, MeasureValues};
 
 use super::error::{must, not_negative, positive};
 use super::{Braid, Friction, Muscle, MuscleError, Terminals, Tube};
+use crate::model::Ideal;
 use crate::units::Dimension;
+use serde::Deserialize;
 use std::borrow::Cow;
 use std::fmt;
-use std::sync::LazyLock;
+use std::ops::Deref;
+use std::sync::{LazyLock, OnceLock};
 
 /// What a muscle is made of, before its parts are checked against each other.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,9 +59,11 @@ impl Parts {
 }
 
 /// The values that a measure may have by itself.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Bounds {
     /// Above zero.
+    #[default]
     Positive,
     /// Zero and above.
     NotNegative,
@@ -83,9 +89,11 @@ impl Bounds {
 }
 
 /// How a value is written in a muscle file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Written {
     /// A quantity with its unit.
+    #[default]
     Quantity,
     /// A plain number.
     Number,
@@ -93,26 +101,84 @@ pub enum Written {
     Special,
 }
 
+/// What the numbers of [`Identify`] are multiples of.
+#[derive(Debug, Clone, Copy, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Scale {
+    #[default]
+    One,
+    /// D0
+    Diameter,
+    Bore,
+    /// L0
+    Length,
+    /// L0 over the pull of the ideal muscle at 3 bar and rest length, the size of its pulls.
+    LengthPerPull,
+}
+
+impl Scale {
+    fn times(self, factor: f64, muscle: &Muscle) -> f64 {
+        match self {
+            Self::One => factor,
+            Self::Diameter => factor * muscle.outer_diameter_mm(),
+            Self::Bore => factor * muscle.inner_diameter_mm(),
+            Self::Length => factor * muscle.length_mm(),
+            Self::LengthPerPull => factor * muscle.length_mm() / Ideal::new(muscle).pull(0.3, 0.0),
+        }
+    }
+}
+
 /// How a measure is identified from measured points.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Identify {
     /// Other spellings of its name.
-    pub also: &'static [&'static str],
-    /// Start of the search for a muscle that does not state it.
-    pub start: fn(&Muscle) -> Option<f64>,
-    /// Lowest and highest value that a muscle can have.
-    pub bounds: fn(&Muscle) -> (f64, f64),
-    /// A half-width of the 95 % interval above this means that the data do not determine it; of the value found.
-    pub limit: fn(f64) -> f64,
+    #[serde(borrow, default)]
+    pub also: Vec<&'static str>,
+    #[serde(default)]
+    scale: Scale,
+    start: Option<f64>,
+    bounds: Option<(f64, f64)>,
+    limit: Option<f64>,
+    share: Option<f64>,
     /// Whether it is a size of the muscle, as a ruler measures it.
+    #[serde(default)]
     pub is_geometry: bool,
 }
 
-/// A measure of the muscle.
-pub struct Measure {
-    /// Key in the muscle file: `tube.outer_diameter`.
-    pub key: &'static str,
+impl Identify {
+    /// Start of the search for a muscle that does not state it.
+    pub fn start(&self, muscle: &Muscle) -> Option<f64> {
+        self.start.map(|start| self.scale.times(start, muscle))
+    }
+
+    /// Lowest and highest value that a muscle can have.
+    pub fn bounds(&self, muscle: &Muscle) -> (f64, f64) {
+        let times = |end| self.scale.times(end, muscle);
+        self.bounds.map_or((0.0, f64::INFINITY), |(low, high)| (times(low), times(high)))
+    }
+
+    /// A half-width of the 95 % interval above this means that the data do not determine it; of the value found.
+    pub fn limit(&self, value: f64) -> f64 {
+        self.limit.unwrap_or(self.share.unwrap_or(0.5) * value.abs())
+    }
+}
+
+/// What is known of a measure.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Facts {
+    key: &'static str,
     /// Field in requests and answers, with its unit: `outer_diameter_mm`.
     pub field: Option<&'static str>,
+    /// Its symbol.
+    pub symbol: &'static str,
+    /// Its name, in a few words.
+    pub label: &'static str,
+    /// What it is, in one sentence without its unit.
+    pub about: &'static str,
+    /// Comment in muscle files.
+    pub comment: &'static str,
     /// Whether the command line has a flag for it; those that few muscles state have none, and help texts stay short.
     pub has_flag: bool,
     /// Letter of its flag.
@@ -130,17 +196,38 @@ pub struct Measure {
     /// Whether `check` has a line for it where it is stated; others are shown by rules of their own.
     pub is_shown: bool,
     /// Models that use it, where not all of them may.
-    pub models: &'static [&'static str],
+    pub models: Vec<&'static str>,
     /// A measure that must be given with it, and the sentence that says so.
     pub beside: Option<(&'static str, &'static str)>,
     /// Whether the muscle's digest has it as a line of its own.
     pub digested: bool,
     /// How it is identified, where it can be.
     pub identify: Option<Identify>,
+}
+
+static FACTS: LazyLock<Vec<Facts>> =
+    LazyLock::new(|| serde_json::from_str(include_str!("../../../data/measures.json")).unwrap_or_default());
+
+/// Of a measure that the list has not, which no released program has.
+static NOTHING: LazyLock<Facts> = LazyLock::new(Facts::default);
+
+/// A measure of the muscle.
+pub struct Measure {
+    /// Key in the muscle file: `tube.outer_diameter`.
+    pub key: &'static str,
     /// Its value; none where it is not stated.
     pub get: fn(&Parts) -> Option<f64>,
     /// Puts a value in.
     pub set: fn(&mut Parts, f64),
+    facts: OnceLock<&'static Facts>,
+}
+
+impl Deref for Measure {
+    type Target = Facts;
+
+    fn deref(&self) -> &Facts {
+        self.facts.get_or_init(|| FACTS.iter().find(|facts| facts.key == self.key).unwrap_or(&NOTHING))
+    }
 }
 
 /// The tables of a muscle file that hold measures, in their order.
@@ -156,32 +243,10 @@ pub fn fields() -> impl Iterator<Item = (&'static str, &'static Measure)> {
     MEASURES.iter().filter_map(|m| Some((m.field?, *m)))
 }
 
-/// The words for the measures: key, symbol, name, sentence, comment.
-static WORDS: LazyLock<Vec<[&'static str; 5]>> = LazyLock::new(|| {
-    let lines = include_str!("../../../data/measures.txt").lines();
-    lines.filter_map(|line| line.split('|').map(str::trim).collect::<Vec<_>>().try_into().ok()).collect()
-});
-
 impl Measure {
-    /// An entry whose other fields are these.
-    const BASE: Self = Self {
-        key: "",
-        field: None,
-        has_flag: true,
-        short: None,
-        dimension: Dimension::Length,
-        written: Written::Quantity,
-        unit: None,
-        bounds: Bounds::Positive,
-        default: None,
-        is_shown: false,
-        models: &[],
-        beside: None,
-        digested: false,
-        identify: None,
-        get: |_| None,
-        set: |_, _| {},
-    };
+    const fn new(key: &'static str, get: fn(&Parts) -> Option<f64>, set: fn(&mut Parts, f64)) -> Self {
+        Self { key, get, set, facts: OnceLock::new() }
+    }
 
     /// The measure of a key in the muscle file.
     pub fn of_key(key: &str) -> Option<&'static Self> {
@@ -191,30 +256,6 @@ impl Measure {
     /// The measure of a field of requests.
     pub fn of_field(field: &str) -> Option<&'static Self> {
         MEASURES.iter().copied().find(|m| m.field == Some(field))
-    }
-
-    fn words(&self, of: usize) -> &'static str {
-        WORDS.iter().find(|words| words[0] == self.key).map_or("", |words| words[of])
-    }
-
-    /// Its symbol.
-    pub fn symbol(&self) -> &'static str {
-        self.words(1)
-    }
-
-    /// Its name, in a few words.
-    pub fn label(&self) -> &'static str {
-        self.words(2)
-    }
-
-    /// What it is, in one sentence without its unit.
-    pub fn about(&self) -> &'static str {
-        self.words(3)
-    }
-
-    /// Comment in muscle files.
-    pub fn comment(&self) -> &'static str {
-        self.words(4)
     }
 
     /// The table of the muscle file.
@@ -248,7 +289,7 @@ impl Measure {
     /// What stands for its value in help texts: `LENGTH`, or the symbol of a plain number that a keyboard has.
     pub fn value_name(&self) -> String {
         let noun = self.dimension.noun().rsplit(' ').next().unwrap_or_default();
-        (if self.is_plain() && self.symbol().is_ascii() { self.symbol() } else { noun }).to_uppercase()
+        (if self.is_plain() && self.symbol.is_ascii() { self.symbol } else { noun }).to_uppercase()
     }
 
     /// Its value where nothing is stated: that of the prototype, or the default.
@@ -259,9 +300,9 @@ impl Measure {
     /// The sentence of its flag, with the value of the prototype.
     pub fn help(&self) -> String {
         let mut out = if self.is_plain() {
-            self.about().to_owned()
+            self.about.to_owned()
         } else {
-            self.about().replacen(&format!(" {}", self.symbol()), "", usize::from(!self.symbol().is_empty()))
+            self.about.replacen(&format!(" {}", self.symbol), "", usize::from(!self.symbol.is_empty()))
         };
         if !self.models.is_empty() {
             out += &format!(", for {}", self.models.join(" and "));
@@ -279,16 +320,16 @@ impl Measure {
             _ if self.is_plain() => Cow::Borrowed(""),
             _ => format!(", {}", self.unit()).into(),
         };
-        format!("{}{unit}{}{more}.", self.about(), self.for_models())
+        format!("{}{unit}{}{more}.", self.about, self.for_models())
     }
 
     /// What it is and which models use it, in a sentence.
     pub fn sentence(&self) -> String {
-        format!("{}{}.", self.about(), self.for_models())
+        format!("{}{}.", self.about, self.for_models())
     }
 
     fn for_models(&self) -> String {
-        match self.models {
+        match &self.models[..] {
             [] => String::new(),
             [one] => format!(", for the model {one}"),
             many => format!(", for the models {}", many.join(" and ")),
@@ -297,8 +338,7 @@ impl Measure {
 
     /// Whether a value may be that of this measure.
     pub fn check(&self, value: f64) -> Result<(), MuscleError> {
-        // Words for a keyboard without Greek letters.
-        let unit = if self.unit == Some(FRICTION_UNIT) { "N/MPa^exponent" } else { self.unit() };
+        let unit = self.unit();
         let key = self.key;
         match self.bounds {
             Bounds::OfPart => Ok(()),
@@ -417,7 +457,7 @@ mod tests {
                 MEASURES[..i].iter().all(|o| o.key != m.key && (o.field != m.field || m.field.is_none()))
             );
             assert!(SECTIONS.contains(&m.section()), "{}", m.key);
-            assert!(!m.about().is_empty() && !m.label().is_empty(), "{}", m.key);
+            assert!(!m.about.is_empty() && !m.label.is_empty(), "{}", m.key);
             assert!(m.beside.is_none_or(|b| Measure::of_key(b.0).is_some()), "{}", m.key);
             if let Some(field) = m.field {
                 let named = crate::units::NamedUnit::of_field(field).and_then(|u| u.dimension);

@@ -1,13 +1,13 @@
 //! Values of measures as fields of requests.
 
 use super::{Measure, fields};
-use serde::de::{IgnoredAny, MapAccess, Visitor};
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
+use serde_json::{Map, Value, json};
 use std::borrow::Cow;
-use std::fmt;
 
 /// Values of measures, in the order of their table.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
+#[serde(try_from = "Map<String, Value>")]
 pub struct MeasureValues(Vec<(&'static Measure, f64)>);
 
 impl MeasureValues {
@@ -44,33 +44,15 @@ impl Serialize for MeasureValues {
     }
 }
 
-impl<'de> Deserialize<'de> for MeasureValues {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_map(Fields)
-    }
-}
+impl TryFrom<Map<String, Value>> for MeasureValues {
+    type Error = serde_json::Error;
 
-/// Reads fields; those of no measure are left to others.
-struct Fields;
-
-impl<'de> Visitor<'de> for Fields {
-    type Value = MeasureValues;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("measures of a muscle")
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<MeasureValues, A::Error> {
-        let mut out = MeasureValues::default();
-        while let Some(key) = map.next_key::<Cow<'_, str>>()? {
-            match Measure::of_field(&key) {
-                Some(measure) => {
-                    if let Some(value) = map.next_value()? {
-                        out.set(measure, value);
-                    }
-                }
-                None => drop(map.next_value::<IgnoredAny>()?),
-            }
+    /// Reads fields; those of no measure are left to others.
+    fn try_from(given: Map<String, Value>) -> Result<Self, serde_json::Error> {
+        let mut out = Self::default();
+        for (field, measure) in fields() {
+            let value = given.get(field).map(Option::<f64>::deserialize).transpose()?.flatten();
+            out.0.extend(value.map(|value| (measure, value)));
         }
         Ok(out)
     }
@@ -80,16 +62,16 @@ impl<'de> Visitor<'de> for Fields {
 pub const GROUP: &str = "muscle";
 impl Measure {
     /// The schema of its field; `more` is added to the sentence about it.
-    pub fn schema(&self, more: &str) -> serde_json::Value {
-        let mut field = serde_json::json!({
+    pub fn schema(&self, more: &str) -> Value {
+        let mut field = json!({
             "description": self.documentation(more), "type": ["number", "null"], "format": "double",
             "x-group": GROUP, "x-key": self.key,
         });
-        if !self.symbol().is_empty() {
-            field["x-symbol"] = self.symbol().into();
+        if !self.symbol.is_empty() {
+            field["x-symbol"] = self.symbol.into();
         }
         if !self.is_plain() {
-            field["x-quantity"] = serde_json::json!(self.dimension);
+            field["x-quantity"] = json!(self.dimension);
             field["x-unit"] = self.unit().into();
         }
         field
@@ -97,7 +79,7 @@ impl Measure {
 
     /// The same in a request, with the values that it may have (`x-above`, `x-minimum`, `x-maximum`: the muscle refuses others, not the reader of
     /// the request) and the one of a muscle that does not state it.
-    pub fn request_schema(&self) -> serde_json::Value {
+    pub fn request_schema(&self) -> Value {
         let mut field = self.schema("");
         for (end, value) in self.bounds.ends() {
             field[format!("x-{end}")] = value.into();
@@ -115,7 +97,7 @@ impl schemars::JsonSchema for MeasureValues {
     }
 
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        let properties: serde_json::Map<String, serde_json::Value> =
+        let properties: Map<String, Value> =
             fields().map(|(field, measure)| (field.to_owned(), measure.schema(""))).collect();
         schemars::json_schema!({ "type": "object", "properties": properties })
     }

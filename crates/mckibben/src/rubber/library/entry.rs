@@ -2,22 +2,25 @@
 
 use super::window::Window;
 use crate::rubber::Law;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 /// A rubber of the library.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct RubberEntry {
     /// Name in kebab-case, such as `dragon-skin-30`.
     pub name: String,
     /// Other names it answers to.
+    #[serde(default)]
     pub aliases: Vec<String>,
     /// What it is, for people.
     pub title: String,
     /// Where the data come from.
     pub source: String,
     /// Terms under which the data may be used.
+    #[serde(skip)]
     pub terms: String,
     /// Whether its tests are uniaxial alone.
+    #[serde(skip)]
     pub one_axis: bool,
     /// What else one should know.
     pub note: Option<String>,
@@ -25,7 +28,6 @@ pub struct RubberEntry {
     #[serde(default = "one")]
     pub factor: f64,
     /// Density in kg/m³, where it is known.
-    #[serde(default)]
     pub density_kg_per_m3: Option<f64>,
     /// Largest engineering strain of the test (failure, for the silicones).
     pub max_strain: Option<f64>,
@@ -36,8 +38,10 @@ pub struct RubberEntry {
     /// Its measured curve, a path in `data/` of the repository, or [`TABLE_OF_FITS`](super::TABLE_OF_FITS).
     pub data: Option<String>,
     /// The laws fitted to that curve, from the smallest range of stretches to the widest.
+    #[serde(skip)]
     pub windows: Vec<Window>,
     /// The law of these ranges that the name alone means; none without a curve.
+    #[serde(skip)]
     pub usual_law: Option<String>,
 }
 
@@ -46,7 +50,7 @@ fn one() -> f64 {
 }
 
 /// A published law of a rubber.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct RubberFit {
     /// The law with its constants.
     #[serde(flatten)]

@@ -11,19 +11,9 @@ pub use erf::{erf, erf_integral};
 pub use prony::{Branch, Held, Prony};
 pub use softening::{OgdenRoxburgh, Softened};
 
-use thiserror::Error;
+use crate::refused::Refused;
 
 /// A constant of rubber over time that is invalid.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum OverTimeError {
-    /// A constant that makes no rubber.
-    #[error("{name} is {value}; it must be {expected}")]
-    Constant {
-        /// Which.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-        /// What it should be.
-        expected: &'static str,
-    },
+fn constant(name: &str, value: f64, expected: &str) -> Refused {
+    Refused::new([], format!("{name} is {value}; it must be {expected}"))
 }

@@ -1,6 +1,7 @@
 //! Relaxation: a Prony series over any law.
 
-use super::OverTimeError;
+use super::constant;
+use crate::refused::Refused;
 use crate::rubber::Law;
 use serde::{Deserialize, Serialize};
 
@@ -73,21 +74,20 @@ impl Prony {
     }
 
     /// Checks the constants.
-    pub fn validated(self) -> Result<Self, OverTimeError> {
-        let bad = |name, value, expected| Err(OverTimeError::Constant { name, value, expected });
+    pub fn validated(self) -> Result<Self, Refused> {
         for b in &self.branches {
             if !(b.share >= 0.0 && b.share.is_finite()) {
-                return bad("a branch's share g", b.share, "zero or above");
+                return Err(constant("a branch's share g", b.share, "zero or above"));
             }
             if !(b.time_constant_s > 0.0 && b.time_constant_s.is_finite()) {
-                return bad("a branch's time constant in s", b.time_constant_s, "above zero");
+                return Err(constant("a branch's time constant in s", b.time_constant_s, "above zero"));
             }
         }
         let sum = self.relaxing();
         if sum < 1.0 {
             Ok(self)
         } else {
-            bad("the sum of all shares g", sum, "below 1: what is left is the rubber at rest")
+            Err(constant("the sum of all shares g", sum, "below 1: what is left is the rubber at rest"))
         }
     }
 

@@ -1,7 +1,8 @@
 //! Mullins softening by Ogden & Roxburgh: the stress of any law times η ≤ 1 where the rubber has been further before.
 
-use super::OverTimeError;
+use super::constant;
 use super::erf::{erf, erf_integral};
+use crate::refused::Refused;
 use crate::rubber::{Biaxial, Principal, RubberLaw};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -37,8 +38,8 @@ pub struct OgdenRoxburgh {
 
 impl OgdenRoxburgh {
     /// Checks the constants.
-    pub fn validated(self) -> Result<Self, OverTimeError> {
-        let bad = |name, value, expected| Err(OverTimeError::Constant { name, value, expected });
+    pub fn validated(self) -> Result<Self, Refused> {
+        let bad = |name, value, expected| Err(constant(name, value, expected));
         match self {
             Self { r, .. } if !(r >= 1.0 && r.is_finite()) => {
                 bad("r", r, "1 or above: 1/r is the largest loss of stress")

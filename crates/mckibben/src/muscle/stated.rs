@@ -1,0 +1,158 @@
+//! What somebody states of a muscle, in a file or in a request, in place of what another muscle has.
+
+use super::braid::NEEDS_STRANDS;
+use super::error::{MuscleError, positive};
+use super::measures::{
+    ANGLE, MeasureValues, SECTIONS, SLEEVE_DIAMETER, STIFFNESS_FACTOR, STRAND_AREA, STRAND_MODULUS,
+    STRAND_STRENGTH, STRANDS, STRANDS_PER_CARRIER,
+};
+use super::{Braid, BraidStiffness, Measure, Muscle, Parts, Rubber, Strands};
+use crate::sleeve::Sleeve;
+use std::f64::consts::PI;
+
+/// What is stated of a muscle.
+#[derive(Debug, Clone, Default)]
+pub struct Stated {
+    /// Its measures, but for the stiffness.
+    pub measures: MeasureValues,
+    /// The rubber.
+    pub rubber: Option<Rubber>,
+    /// The sleeve that its braid is cut from.
+    pub sleeve: Option<Sleeve>,
+    /// Stiffness of one strand family.
+    pub stiffness: Option<BraidStiffness>,
+    /// Diameter of a round strand in mm, in place of its cross-section.
+    pub strand_diameter_mm: Option<f64>,
+}
+
+impl Stated {
+    /// The parts of a muscle with these in place of its own.
+    ///
+    /// # Errors
+    /// [`MuscleError`] of the first that is invalid by itself, or lacks what belongs to it.
+    pub fn over(&self, base: &Muscle) -> Result<Parts, MuscleError> {
+        let mut parts = base.parts().clone();
+        for section in SECTIONS.into_iter().filter(|section| *section != "braid") {
+            self.put(section, &mut parts)?;
+        }
+        parts.tube.rubber = self.rubber.clone().unwrap_or(parts.tube.rubber);
+        parts.braid = self.braid_on(parts.tube.outer_diameter_mm, base)?;
+        Ok(parts)
+    }
+
+    /// Puts the measures of a table of the muscle file into the parts; the angle follows from the whole braid.
+    fn put(&self, section: &str, parts: &mut Parts) -> Result<(), MuscleError> {
+        for (measure, value) in self.measures.iter().filter(|v| v.0.section() == section && *v.0 != ANGLE) {
+            let lacks = |m: &Measure| self.measures.get(m).is_none() && (m.get)(parts).is_none();
+            if let Some((key, needs)) = measure.beside
+                && Measure::of_key(key).is_some_and(lacks)
+            {
+                return Err(MuscleError::new([key, measure.key], format!("{key} is missing; {needs}")));
+            }
+            // A count cannot hold every number.
+            measure.check(value)?;
+            (measure.set)(parts, value);
+        }
+        Ok(())
+    }
+
+    /// The braid on a tube of a diameter: the named sleeve, or the muscle's own braid, with the angle and stiffness that are stated.
+    ///
+    /// # Errors
+    /// As [`Stated::over`].
+    pub fn braid_on(&self, outer_diameter_mm: f64, base: &Muscle) -> Result<Braid, MuscleError> {
+        let mut parts = base.parts().clone();
+        self.put("braid", &mut parts)?;
+        let area = self.strand_area_mm2()?;
+        let is_described = area.is_some() || self.measures.get(&STRAND_MODULUS).is_some();
+        if is_described && self.stiffness.is_some() {
+            let message = "give either `stiffness`, or `strands`, `strand_area` (or `strand_diameter`) and `strand_modulus`; both are given";
+            return Err(MuscleError::new(["braid.stiffness"], message));
+        }
+        let own = parts.braid;
+        let mut braid = match &self.sleeve {
+            Some(sleeve) => self.of_sleeve(sleeve.clone(), area, own)?.on_diameter(outer_diameter_mm)?,
+            None => {
+                let own = self.of_strands(area, is_described, own)?;
+                // An angle that was stated for this diameter stays.
+                let same = outer_diameter_mm == base.outer_diameter_mm()
+                    && self.measures.get(&SLEEVE_DIAMETER).is_none();
+                if same { own } else { own.on_diameter(outer_diameter_mm)? }
+            }
+        };
+        if let Some(angle_deg) = self.measures.get(&ANGLE) {
+            braid = braid.with_stated_angle(angle_deg, outer_diameter_mm)?;
+        }
+        if let Some(stiffness) = self.stiffness {
+            braid.stiffness = stiffness;
+            braid.stiffness_factor = self.measures.get(&STIFFNESS_FACTOR).unwrap_or(1.0);
+            // What it takes the place of is no longer stated.
+            braid.strands = braid.strands.map(|strands| Strands { section: None, ..strands });
+        }
+        Ok(braid)
+    }
+
+    /// The cross-section of a strand, as an area or as the diameter of a round one.
+    fn strand_area_mm2(&self) -> Result<Option<f64>, MuscleError> {
+        match (self.measures.get(&STRAND_AREA), self.strand_diameter_mm) {
+            (Some(_), Some(_)) => {
+                let message = "give either `strand_area` or `strand_diameter`; both are given";
+                Err(MuscleError::new(["braid.strand_diameter"], message))
+            }
+            (None, Some(d)) => positive("braid.strand_diameter", d, "mm").map(|()| Some(PI * d * d / 4.0)),
+            (area, None) => Ok(area),
+        }
+    }
+
+    /// A braid with a named sleeve, whose strands are completed. Beside a stated stiffness they only inform.
+    fn of_sleeve(&self, sleeve: Sleeve, area: Option<f64>, own: Braid) -> Result<Braid, MuscleError> {
+        // An area is that of one round filament, as wide as it.
+        let diameter = self.strand_diameter_mm.or(area.map(|a| 2.0 * (a / PI).sqrt()));
+        let count = self.measures.get(&STRANDS).map(|count| count as u32);
+        let [modulus, strength] = [&STRAND_MODULUS, &STRAND_STRENGTH].map(|m| self.measures.get(m));
+        let sleeve = sleeve.with(count, diameter, modulus, strength);
+        let (stiffness, mut strands, factor) = match self.stiffness {
+            Some(stiffness) => (stiffness, sleeve.strands_beside_stiffness(), 1.0),
+            None => (BraidStiffness::OfStrands, Some(sleeve.of_strands()?), sleeve.stiffness_factor()),
+        };
+        let stiffness_factor = self.measures.get(&STIFFNESS_FACTOR).unwrap_or(factor);
+        if let (Some(area), Some(Strands { section: Some(section), .. })) = (area, &mut strands) {
+            // To the last bit, not by way of the diameter.
+            section.0 = area;
+        }
+        let strands_per_carrier = self.measures.get(&STRANDS_PER_CARRIER).or(sleeve.strands_per_carrier);
+        let sleeve = Some(sleeve.shape);
+        Ok(Braid { stiffness, strands, stiffness_factor, strands_per_carrier, sleeve, ..own })
+    }
+
+    /// A braid whose strands may be stated: all that a stiffness needs, or none of it.
+    fn of_strands(
+        &self,
+        area: Option<f64>,
+        is_described: bool,
+        mut braid: Braid,
+    ) -> Result<Braid, MuscleError> {
+        if let (Some(area), Some(strands)) = (area, &mut braid.strands) {
+            strands.section.get_or_insert((0.0, 0.0)).0 = area;
+        }
+        let found = braid.strands.unwrap_or(Strands { count: 0, section: None, strength_n: None });
+        let (own_area, own_modulus) = found.section.unwrap_or_default();
+        let needs = [
+            ("braid.strands", found.count == 0),
+            ("braid.strand_modulus", own_modulus == 0.0),
+            ("braid.strand_area", own_area == 0.0 && area.is_none()),
+        ];
+        if let Some((missing, _)) = needs.into_iter().find(|need| is_described && need.1) {
+            let written = [missing, "braid.strand_area", "braid.strand_diameter", "braid.strand_modulus"];
+            return Err(MuscleError::new(written, format!("{missing} is missing; {NEEDS_STRANDS}")));
+        }
+        if self.measures.get(&STRAND_STRENGTH).is_some() && found.count == 0 {
+            let message = "braid.strands is missing; the load is shared among them";
+            return Err(MuscleError::new(["braid.strands", "braid.strand_strength"], message));
+        }
+        if is_described {
+            braid.stiffness = BraidStiffness::OfStrands;
+        }
+        Ok(braid)
+    }
+}
