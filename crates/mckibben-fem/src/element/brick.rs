@@ -11,9 +11,6 @@
 //!
 //! The same code serves one, four or eight elements at a time ([`super::lanes`]).
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::lanes::Real;
 use super::spatial::{AT, PAIRS, SpatialLaw};
 

@@ -8,9 +8,6 @@
 //!
 //! Order of components: xx, yy, zz, xy, yz, zx.
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 pub use super::tensor::{AT, PAIRS, Spatial, Symmetric};
 
 use super::lanes::{MOST, Real};

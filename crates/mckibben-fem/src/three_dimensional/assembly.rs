@@ -1,8 +1,5 @@
 //! Residual and tangent of a body, element by element.
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::discretisation::{Discretisation, Material};
 use super::mesh::Brick;
 use crate::element::brick::{Input, Output, ShapePoint, run};

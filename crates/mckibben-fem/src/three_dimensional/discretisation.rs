@@ -1,9 +1,6 @@
 //! A body divided into bricks and strands: numbers of the unknowns, places in the tangent, everything that does not
 //! change while it deforms.
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::mesh::Brick;
 use super::problem::{Freedom, Problem};
 use crate::FemError;

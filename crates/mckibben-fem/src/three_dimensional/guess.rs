@@ -3,9 +3,6 @@
 //! It only says where Newton's method begins. What comes out is an equilibrium of the three-dimensional body by its own
 //! residual; where the guess does not lead to one, [`crate::solver::continuation`] walks from rest.
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::discretisation::Discretisation;
 use super::mesh::BrickMesh;
 use crate::axisymmetric::Section;

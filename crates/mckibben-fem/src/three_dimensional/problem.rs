@@ -1,8 +1,5 @@
 //! What a body is made of, before unknowns are numbered.
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::mesh::{Brick, BrickMesh};
 use super::plug::PlugGrid;
 use crate::element::truss::Truss;

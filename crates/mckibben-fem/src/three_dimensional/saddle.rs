@@ -7,9 +7,6 @@
 //! Where γ = k (β = 0) the multipliers follow from du. The others solve [V/k + β G K⁻¹ Gᵀ] dm = G K⁻¹(…) − d by
 //! conjugate gradients with V/γ for a preconditioner (augmented Lagrangian: Fortin & Glowinski 1983 \[fortin1983\]).
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::assembly::Assembled;
 use super::discretisation::{Discretisation, share};
 use crate::solver::body::State;

@@ -2,9 +2,6 @@
 //!
 //! Loaded and held: the faces of a block by given displacements in one or two directions, all else free.
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::block::bent_cube;
 use super::{BRICKS, body, push};
 use crate::three_dimensional::{Body, Brick, Freedom};

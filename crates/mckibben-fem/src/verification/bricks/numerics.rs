@@ -2,9 +2,6 @@
 //!
 //! Loaded and held: a short muscle shaken at random, its length given.
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::{BRICKS, body, prototype, solve, tight};
 use crate::element::spatial::AT;
 use crate::element::truss::Truss;
