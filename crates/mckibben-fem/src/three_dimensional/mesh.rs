@@ -31,7 +31,7 @@ impl Brick {
     pub fn bricks(
         self,
         [n0, n1, n2]: [usize; 3],
-        node: impl Fn(usize, usize, usize) -> usize,
+        mut node: impl FnMut(usize, usize, usize) -> usize,
     ) -> Vec<Vec<u32>> {
         let p = self.order();
         let one = |e: usize| {
