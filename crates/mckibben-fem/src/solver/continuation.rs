@@ -22,8 +22,6 @@ use mckibben::status::Status;
 
 /// Strands are taut at this multiple of the pressure at which the muscle is expected to begin to pull.
 pub(crate) const TAUT: f64 = 1.3;
-/// Equilibria that are not stable and are noted.
-const NOTED: usize = 16;
 /// Contractions lie between ± this.
 pub(super) const LARGEST_CONTRACTION: f64 = 0.95;
 
@@ -75,7 +73,8 @@ pub struct Continuation<B: Body> {
     pub(super) before: State,
     /// Steps of the present walk from rest.
     pub(super) steps: Option<usize>,
-    unstable: Vec<Unstable>,
+    /// The first equilibrium that was met and is not stable.
+    pub unstable: Option<Unstable>,
     pub(super) descent: Descent,
 }
 
@@ -95,7 +94,7 @@ impl<B: Body> Continuation<B> {
             base: rest.clone(),
             before: rest,
             steps: None,
-            unstable: vec![],
+            unstable: None,
             descent: Descent::default(),
         }
     }
@@ -111,29 +110,13 @@ impl<B: Body> Continuation<B> {
         self.body.totals().pull
     }
 
-    /// Forgets every equilibrium.
-    pub fn forget(&mut self) {
-        self.kept.clear();
-        self.oldest = 0;
-        self.trail.clear();
-        self.unstable.clear();
-        self.descent = Descent::default();
-        self.body.forget();
-    }
-
-    /// Back to the body at rest.
-    /// Equilibria that were met and are not stable, the first ones.
-    pub fn unstable(&self) -> &[Unstable] {
-        &self.unstable
-    }
-
     /// Notes an equilibrium that is not stable.
     pub(super) fn note(&mut self) {
         let directions = self.body.unstable_directions();
-        if directions > 0 && self.unstable.len() < NOTED {
+        if directions > 0 && self.unstable.is_none() {
             let (step, pressure_mpa) = (self.steps.unwrap_or(0), self.body.state().pressure);
             let contraction = self.contraction();
-            self.unstable.push(Unstable { step, pressure_mpa, contraction, directions });
+            self.unstable = Some(Unstable { step, pressure_mpa, contraction, directions });
         }
     }
 

@@ -110,16 +110,13 @@ impl Mesh for ThreeDimensional {
     }
 
     fn findings(&self, workspace: &Workspace) -> Vec<String> {
-        let unstable = self.known(workspace).and_then(|c| c.unstable().first());
-        let said = unstable.map(|u| {
+        let said = self.known(workspace).and_then(|c| c.unstable).map(|u| {
             let met = match u.step {
                 0 => "an equilibrium".to_owned(),
                 n => format!("step {n} of the walk from rest"),
             };
-            format!(
-                "{met} is not stable ({} directions) at contraction {:.4} and {:.4} MPa",
-                u.directions, u.contraction, u.pressure_mpa
-            )
+            let (directions, contraction, mpa) = (u.directions, u.contraction, u.pressure_mpa);
+            format!("{met} is not stable ({directions} directions) at contraction {contraction:.4} and {mpa:.4} MPa")
         });
         said.into_iter().collect()
     }

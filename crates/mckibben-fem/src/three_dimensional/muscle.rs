@@ -160,10 +160,6 @@ impl body::Body for MuscleInBricks {
         self.bricks.control = control;
     }
 
-    fn rest(&mut self) {
-        self.bricks.state.copy_from(&self.bricks.discretisation.rest());
-    }
-
     fn half_length(&self) -> f64 {
         self.bricks.discretisation.half
     }
@@ -224,16 +220,5 @@ impl body::Body for MuscleInBricks {
 
     fn radius(&self) -> f64 {
         self.bricks.discretisation.radius
-    }
-
-    fn taut(&self) -> bool {
-        let state = &self.bricks.state;
-        (state.pressure == 0.0 && state.terminal >= 0.0) || state.q.iter().all(|q| *q > 0.0)
-    }
-
-    fn forget(&mut self) {
-        if let Some((_, section)) = &mut self.section {
-            section.forget();
-        }
     }
 }

@@ -15,12 +15,10 @@ use nalgebra::DMatrix;
 
 /// Relative difference of the pull from the axisymmetric first iterate and after a walk from rest.
 fn walked(brick: Brick, pressure: f64, contraction: f64) -> Option<f64> {
-    let mut c = prototype(brick)?;
-    c.reach(pressure, contraction).ok()?;
-    let guessed = c.pull();
-    c.forget();
-    c.walk_from_rest(pressure, contraction).ok()?;
-    Some((c.pull() / guessed - 1.0).abs())
+    let (mut guessed, mut walked) = (prototype(brick)?, prototype(brick)?);
+    guessed.reach(pressure, contraction).ok()?;
+    walked.walk_from_rest(pressure, contraction).ok()?;
+    Some((walked.pull() / guessed.pull() - 1.0).abs())
 }
 
 /// The largest difference between tangent and differences at an equilibrium of an incompressible rubber.
@@ -51,7 +49,7 @@ fn negative_eigenvalues(body: &Body) -> Option<usize> {
 }
 
 /// Strands that carry compression, shortened at rest: what is noticed, and (pivots, eigenvalues) that are negative.
-fn shortened() -> Option<(Vec<Unstable>, usize, usize)> {
+fn shortened() -> Option<(Option<Unstable>, f64, f64)> {
     let spec = BrickSpec { around: Some(4), along: Some(12), through: Some(1), ..BrickSpec::default() };
     let mut c = at_rest(&peers()?, &spec)?;
     let contraction = 0.02;
@@ -63,8 +61,8 @@ fn shortened() -> Option<(Vec<Unstable>, usize, usize)> {
     }
     let body = &mut c.body.bricks;
     body.factorise().ok()?;
-    let (pivots, eigenvalues) = (body.unstable_directions(), negative_eigenvalues(body)?);
-    Some((c.unstable().to_vec(), pivots, eigenvalues))
+    let (pivots, eigenvalues) = (body.unstable_directions() as f64, negative_eigenvalues(body)? as f64);
+    Some((c.unstable, pivots, eigenvalues))
 }
 
 /// The rows of paths and stability.
@@ -79,12 +77,10 @@ pub fn paths(rows: &mut Rows) {
             rows.add(title, 0.0, incompressible(brick, law), 1e-7);
         }
     }
-    let (noticed, pivots, eigenvalues) = shortened()
-        .map_or((None, None, None), |(noticed, pivots, values)| {
-            (noticed.first().copied(), Some(pivots as f64), Some(values as f64))
-        });
+    let found = shortened();
+    let (noticed, pivots) = (found.and_then(|f| f.0), found.map(|f| f.1));
     let title = "strands in compression, P 0, ε 0.02: negative pivots against eigenvalues";
-    rows.add(title, eigenvalues, pivots, 0.0);
+    rows.add(title, found.map(|f| f.2), pivots, 0.0);
     rows.add("the same: there are some", 1.0, pivots.map(|n| n.min(1.0)), 0.0);
     let title = |what: &str| format!("the same: the first unstable step is noticed, {what}");
     rows.add(title("P (MPa)"), 0.0, noticed.map(|u| u.pressure_mpa), 0.0);
