@@ -146,16 +146,6 @@ fn pull(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> Option<f64> {
     Axisymmetric::new(muscle).ok()?.force_n(&mut Workspace::new(), pressure_mpa, contraction).ok()
 }
 
-/// Weight of point `i` of `steps` in Simpson's rule, of an integral over 1.
-fn simpson(i: usize, steps: usize) -> f64 {
-    let weight = match i {
-        i if i == 0 || i == steps => 1.0,
-        i if i % 2 == 1 => 4.0,
-        _ => 2.0,
-    };
-    weight / (3.0 * steps as f64)
-}
-
 /// log(r3/r2)/log(r2/r1) of the last residuals of a large step above rounding, at most 2: faster is no fault.
 fn order_of_newton<S: NewtonSystem>(system: &mut S, options: &NewtonOptions, rounding: f64) -> Option<f64> {
     let mut seen = vec![];

@@ -81,6 +81,12 @@ fn solve(body: &mut Body, w: f64) -> Option<Effort> {
     newton::solve(body, &tight(), &mut effort, |_| Ok(())).ok().map(|()| effort)
 }
 
+/// (∂F/∂P, −∂V/∂L) in mm² of the tangent.
+fn maxwell(body: &mut Body) -> Option<(f64, f64)> {
+    body.factorise().ok()?;
+    Some((body.force_per_pressure(), body.volume_per_length()))
+}
+
 /// Goes to (pressure, displacement of the terminal) in so many equal steps.
 fn drive(body: &mut Body, pressure: f64, terminal: f64, steps: usize) -> Option<()> {
     for i in 1..=steps {
