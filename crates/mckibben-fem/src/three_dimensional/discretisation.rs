@@ -1,7 +1,6 @@
 //! A body divided into bricks and strands: numbers of the unknowns, places in the tangent, everything that does not
 //! change while it deforms.
 
-use super::mesh::Brick;
 use super::problem::{Freedom, Problem};
 use crate::FemError;
 use crate::element::brick::{Modes, modes};
@@ -32,8 +31,6 @@ pub struct Discretisation {
     pub per_brick: usize,
     /// Pressure modes a brick.
     pub modes: usize,
-    /// Nodes of all bricks, one after the other.
-    pub connectivity: Vec<u32>,
     /// Pressure modes at rest.
     pub rest: Vec<Modes>,
     /// Number of the unknown of each displacement: below `free` an unknown, `free` the terminal, `free` + 1 held.
@@ -119,12 +116,7 @@ impl Discretisation {
     /// [`FemError::Refused`] where an element is turned inside out at rest, [`FemError::Refused`] without enough memory,
     /// [`FemError::Cancelled`] where the work is cancelled.
     pub fn new(problem: Problem) -> Result<Self, FemError> {
-        let (per_brick, count) = match problem.brick {
-            Brick::Linear => (8, 1),
-            Brick::Quadratic => (27, 4),
-        };
-        let connectivity: Vec<u32> = problem.bricks.concat();
-        let rest = rest_modes(&problem, count)?;
+        let rest = rest_modes(&problem)?;
         let (unknown, place, terminal) = number(&problem);
         let free = place.len();
         let pattern = pattern(&problem, &unknown, free)?;
@@ -147,9 +139,8 @@ impl Discretisation {
             .map(|(_, t)| (1.0 / t.stiffness_n, t.stiffness_n.min(most * t.length_mm)))
             .collect();
         let mut out = Self {
-            per_brick,
-            modes: count,
-            connectivity,
+            per_brick: problem.brick.nodes(),
+            modes: problem.brick.modes(),
             rest,
             unknown,
             free,
@@ -297,21 +288,15 @@ fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
     stiff.iter().map(one).fold(0.0, f64::max)
 }
 
-fn rest_modes(problem: &Problem, count: usize) -> Result<Vec<Modes>, FemError> {
-    fn all<const NN: usize>(problem: &Problem, count: usize) -> Result<Vec<Modes>, FemError> {
-        let points = points();
-        let element = |(e, nodes): (usize, &Vec<u32>)| {
-            look(e)?;
-            let places: [[f64; 3]; NN] = std::array::from_fn(|a| problem.rest(e, nodes[a]));
-            modes::<NN>(&points, &places, count)
-                .ok_or_else(|| FemError::Refused(format!("mesh: element {e} is turned inside out at rest")))
-        };
-        problem.bricks.iter().enumerate().map(element).collect()
-    }
-    match problem.brick {
-        Brick::Linear => all::<8>(problem, count),
-        Brick::Quadratic => all::<27>(problem, count),
-    }
+fn rest_modes(problem: &Problem) -> Result<Vec<Modes>, FemError> {
+    let points = points(problem.brick.order());
+    let element = |(e, nodes): (usize, &Vec<u32>)| {
+        look(e)?;
+        let places: Vec<[f64; 3]> = nodes.iter().map(|node| problem.rest(e, *node)).collect();
+        modes(&points, &places, problem.brick.modes())
+            .ok_or_else(|| FemError::Refused(format!("mesh: element {e} is turned inside out at rest")))
+    };
+    problem.bricks.iter().enumerate().map(element).collect()
 }
 
 /// Numbers of the displacements, displacement of each unknown, displacements of the terminal.

@@ -182,23 +182,17 @@ impl NodeField {
 /// Stretches and stress at the nodes of the bricks of a material, averaged where bricks meet: at the nodes or, of a plug, in the `middle` of
 /// its bricks.
 fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
-    match body.discretisation.problem.brick {
-        Brick::Linear => fill::<8>(body, material, middle),
-        Brick::Quadratic => fill::<27>(body, material, middle),
-    }
-}
-
-fn fill<const NN: usize>(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
     let (problem, Material { bricks, law, .. }) =
         (&body.discretisation.problem, &body.discretisation.materials[material]);
-    let corners = if NN == 8 { [-1.0, 1.0].as_slice() } else { &[-1.0, 0.0, 1.0] };
-    let p = corners.len();
-    let corner = |a: usize| [corners[a % p], corners[a / p % p], corners[a / (p * p)]];
-    let places: [[f64; 3]; NN] = std::array::from_fn(|a| if middle { [0.0; 3] } else { corner(a) });
+    let order = problem.brick.order();
+    let p = order + 1;
+    let corner = |a: usize| [a % p, a / p % p, a / (p * p)].map(|i| 2.0 * i as f64 / order as f64 - 1.0);
+    let places = |a: usize| if middle { [0.0; 3] } else { corner(a) };
+    let places: Vec<[f64; 3]> = (0..problem.brick.nodes()).map(places).collect();
     let gauss = |k: usize| [GAUSS2[k % 2].0, GAUSS2[k / 2 % 2].0, GAUSS2[k / 4].0];
-    let points = if NN == 8 || middle { vec![[0.0; 3]] } else { (0..8).map(gauss).collect() };
-    let at_nodes = places.map(|x| at::<NN>(x, 1.0));
-    let at_points: Vec<ShapePoint<NN>> = points.iter().map(|x| at(*x, 1.0)).collect();
+    let points = if order == 1 || middle { vec![[0.0; 3]] } else { (0..8).map(gauss).collect() };
+    let [at_nodes, at_points] =
+        [&places, &points].map(|list| list.iter().map(|x| at(order, *x, 1.0)).collect::<Vec<_>>());
     let mut out = vec![NodeField::default(); problem.nodes.len()];
     let mut shares = vec![0.0; out.len()];
     for e in bricks.clone() {
@@ -219,7 +213,7 @@ fn fill<const NN: usize>(body: &Body, material: usize, middle: bool) -> Vec<Node
 }
 
 /// Cauchy stress at a point of brick `e`.
-fn stress<const NN: usize>(body: &Body, law: SpatialLaw<'_>, e: usize, p: &ShapePoint<NN>) -> [f64; 6] {
+fn stress(body: &Body, law: SpatialLaw<'_>, e: usize, p: &ShapePoint) -> [f64; 6] {
     let Some((f, at)) = gradient(body, e, p) else { return [0.0; 6] };
     let j = determinant(&f);
     let pressure = pressure(&body.discretisation, body, e, at);

@@ -84,21 +84,15 @@ impl MuscleBody for MuscleInBricks {
     /// Looked at in three layers of every brick.
     fn largest_stretch(&self) -> StretchAt {
         const LAYERS: [f64; 3] = [-2.0 / 3.0, 0.0, 2.0 / 3.0];
-        largest_of_most(match self.mesh.brick {
-            Brick::Linear => look(&self.bricks, &LAYERS.map(|x| at::<8>([x, 0.0, 0.0], 1.0))),
-            Brick::Quadratic => {
-                let places = LAYERS.map(|x| LAYERS.map(|z| at::<27>([x, 0.0, z], 1.0)));
-                look(&self.bricks, places.as_flattened())
-            }
-        })
+        let along = if self.mesh.brick == Brick::Linear { &LAYERS[1..2] } else { &LAYERS };
+        let places: Vec<[f64; 3]> =
+            LAYERS.iter().flat_map(|x| along.iter().map(move |z| [*x, 0.0, *z])).collect();
+        largest_of_most(look(&self.bricks, &places))
     }
 
     /// On the inner and outer face of the row of bricks at the middle plane.
     fn middle_stretch(&self) -> f64 {
-        let list = match self.mesh.brick {
-            Brick::Linear => look(&self.bricks, &[-1.0, 1.0].map(|x| at::<8>([x, 0.0, -1.0], 1.0))),
-            Brick::Quadratic => look(&self.bricks, &[-1.0, 1.0].map(|x| at::<27>([x, 0.0, -1.0], 1.0))),
-        };
+        let list = look(&self.bricks, &[-1.0, 1.0].map(|x| [x, 0.0, -1.0]));
         let near = 1e-6 * self.mesh.tube.half_mm;
         list.iter().filter(|s| s.at.rest_mm[1].abs() < near).map(|s| s.at.value).fold(1.0, f64::max)
     }
@@ -119,14 +113,15 @@ fn ring(body: &Body, mesh: &BrickMesh, i: usize, k: usize) -> (f64, f64) {
 }
 
 /// The stretch at places of every brick of rubber.
-fn look<const NN: usize>(body: &Body, points: &[ShapePoint<NN>]) -> Vec<StretchOf> {
+fn look(body: &Body, places: &[[f64; 3]]) -> Vec<StretchOf> {
     let d = &body.discretisation;
+    let points: Vec<ShapePoint> = places.iter().map(|x| at(d.problem.brick.order(), *x, 1.0)).collect();
     let mut list = vec![];
     for (e, nodes) in d.problem.bricks[d.materials[0].bricks.clone()].iter().enumerate() {
-        for p in points {
+        let rest: Vec<[f64; 3]> = nodes.iter().map(|n| d.problem.nodes[*n as usize]).collect();
+        for p in &points {
             let Some((f, _)) = gradient(body, e, p) else { continue };
-            let rest: [[f64; 3]; NN] = std::array::from_fn(|a| d.problem.nodes[nodes[a] as usize]);
-            let at = [0, 1, 2].map(|i| rest.iter().zip(p.n).map(|(x, share)| share * x[i]).sum::<f64>());
+            let at = [0, 1, 2].map(|i| rest.iter().zip(&p.n).map(|(x, share)| share * x[i]).sum::<f64>());
             let at = StretchAt { value: largest_principal(&f), rest_mm: [at[0].hypot(at[1]), at[2]] };
             list.push(StretchOf { at, volume: determinant(&jacobian(&rest, &p.dn)).abs() });
         }

@@ -35,7 +35,7 @@ impl Constraints<'_> {
     fn each(&self, mut each: impl FnMut(usize, &[u32], &[f64], f64, f64, f64)) {
         let (d, nn) = (self.d, self.d.per_brick);
         for e in 0..d.bricks() {
-            let nodes = &d.connectivity[e * nn..(e + 1) * nn];
+            let nodes = &d.problem.bricks[e];
             let (volume, material) = (d.rest[e].volume, &d.materials[d.material[e] as usize]);
             for k in 0..d.modes {
                 let m = e * d.modes + k;
