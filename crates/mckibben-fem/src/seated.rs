@@ -52,7 +52,7 @@ fn between(of: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<f64, FemErro
             force_per_pressure_mm2: response.force_per_pressure_mm2,
         })
     })?;
-    let found = found.ok_or(FemError::Ends { pressure_mpa: p, contraction: e, steps: Ends::STEPS })?;
+    let found = found.ok_or(FemError::Ends { pressure_mpa: p, contraction: e })?;
     Ok(found.between)
 }
 
@@ -81,7 +81,7 @@ fn between_at_pull(of: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> Resul
         (low, low_miss) = (p, here);
         p -= if slope < 0.0 { here / slope } else { -here };
     }
-    Err(FemError::Ends { pressure_mpa: p, contraction: e, steps: Ends::STEPS })
+    Err(FemError::Ends { pressure_mpa: p, contraction: e })
 }
 
 /// What is given of the muscle between its ends, by how much in mm these give way, and the contraction of the whole where it is given.

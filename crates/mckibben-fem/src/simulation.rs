@@ -120,7 +120,7 @@ impl<D: Divided> FiniteElements<D> {
     }
 
     /// The body in an equilibrium.
-    fn led_to<'w>(
+    pub(crate) fn led_to<'w>(
         &self,
         workspace: &'w mut Workspace,
         given: Given,

@@ -21,6 +21,7 @@ use super::discretisation::Discretisation;
 use super::results::strand;
 use crate::FemError;
 use crate::element::q2::{GAUSS2, along};
+use crate::simulation::Given;
 use mckibben::model::Workspace;
 use std::f64::consts::PI;
 
@@ -57,7 +58,9 @@ impl Axisymmetric {
         pressure_mpa: f64,
         contraction: f64,
     ) -> Result<Contact, FemError> {
-        Ok(of(&mut self.factorised(workspace, pressure_mpa, contraction)?.body))
+        let c = self.led_to(workspace, Given::at(pressure_mpa, contraction))?;
+        c.body.tangent()?;
+        Ok(of(&mut c.body))
     }
 }
 

@@ -15,7 +15,7 @@ use mckibben::muscle::Muscle;
 
 impl MuscleBody for Body {
     fn derivatives(&mut self) -> Result<[f64; 3], FemError> {
-        self.factorised().map_err(|reason| FemError::at_force(self.totals.pull, reason))?;
+        self.tangent()?;
         let (half_volume_per_pressure, force_per_pressure) = self.by_pressure();
         Ok([self.end.stiffness(), force_per_pressure, 2.0 * half_volume_per_pressure])
     }
@@ -76,7 +76,7 @@ impl MuscleBody for Body {
     }
 
     fn sensitivities(&mut self, muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
-        if self.discretisation.has_slopes() { sensitivity::all(self, muscle) } else { Ok(vec![]) }
+        if self.discretisation.has_slopes() { sensitivity::of(self, muscle, |_| true) } else { Ok(vec![]) }
     }
 }
 

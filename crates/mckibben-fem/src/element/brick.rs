@@ -216,7 +216,7 @@ pub fn run<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
         let tau = &state.tau;
         let jdv = j * dv;
         for k in 0..NM {
-            out.defect[k] += psi[k] * (jdv - dv);
+            out.defect[k] = out.defect[k] + psi[k] * (jdv - dv);
             let weight = psi[k] * jdv;
             for a in 0..NN {
                 for i in 0..3 {
@@ -243,9 +243,9 @@ pub fn run<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
                 }
             }
             for a in 0..3 {
-                whole[a] += pj;
+                whole[a] = whole[a] + pj;
                 for b in 0..3 {
-                    c[a][b] += pj;
+                    c[a][b] = c[a][b] + pj;
                 }
                 c[a][a] = c[a][a] - pj - pj;
                 c[a + 3][a + 3] = c[a + 3][a + 3] - pj;
@@ -283,9 +283,9 @@ fn tangent<R: Real, const NN: usize>(g: &[[R; 3]; NN], c: &[[R; 6]; 6], tau: &[R
                 block[3 * i + 1] = y.mul_add(l[1], x.mul_add(l[3], z.mul_add(l[4], block[3 * i + 1])));
                 block[3 * i + 2] = z.mul_add(l[2], y.mul_add(l[4], x.mul_add(l[5], block[3 * i + 2])));
             }
-            block[0] += straight;
-            block[4] += straight;
-            block[8] += straight;
+            block[0] = block[0] + straight;
+            block[4] = block[4] + straight;
+            block[8] = block[8] + straight;
         }
     }
 }

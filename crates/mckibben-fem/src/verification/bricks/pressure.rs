@@ -20,6 +20,6 @@ pub fn follower_pressure(rows: &mut Rows) {
         let spec = BrickSpec { along: None, ..coarse(brick) };
         let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).ok();
         let balance = model.and_then(|m| balance(&m));
-        rows.add(format!("{name}, (∫P dV + ∫F dL)/ΔW along a path"), 1.0, balance, 1e-6);
+        rows.add(format!("{name}, (∫P dV + ∫F dL)/ΔW along a path"), 1.0, balance, 1e-7);
     }
 }
