@@ -229,7 +229,7 @@ fn pressure(d: &Discretisation, body: &Body, e: usize, at: [f64; 3]) -> f64 {
         .map(|k| {
             let psi: f64 = (0..4).map(|m| rest.factors[k][m] * monomials[m]).sum();
             let i = e * d.modes + k;
-            let augment = d.materials[d.material[e] as usize].augment;
+            let augment = d.material(e).augment;
             psi * (body.state.p[i] + augment * body.assembled.defect[i] / rest.volume)
         })
         .sum()

@@ -86,7 +86,7 @@ pub(super) fn carry_over(
         let c = modes.centre;
         let mut mean = 0.0;
         state.p[e * d.modes..(e + 1) * d.modes].fill(0.0);
-        if d.material[e] > 0 {
+        if e >= d.materials[0].bricks.end {
             continue;
         }
         find.at(c[0].hypot(c[1]), c[2].min(mesh.tube.half_mm), |n, w| {

@@ -1,10 +1,10 @@
 //! The three-dimensional muscle as a force model.
 
 use super::mesh::{BrickMesh, BrickSpec};
-use super::muscle::{MuscleInBricks, MuscleMesh};
+use super::muscle::MuscleMesh;
 use crate::FemError;
-use crate::simulation::{Divided, FiniteElements};
-use mckibben::model::{Accuracy, Extensions, Mesh, ModelEntry, ModelError, Reference, Workspace};
+use crate::simulation::FiniteElements;
+use mckibben::model::{Accuracy, Mesh, ModelEntry, ModelError, Reference, Workspace};
 use mckibben::muscle::Muscle;
 
 pub(crate) const ENTRY: ModelEntry = ModelEntry {
@@ -43,19 +43,6 @@ impl ThreeDimensional {
         };
         let notes = notes(&divided, muscle);
         Ok(Self::of(divided, muscle, &ENTRY, accuracy, notes))
-    }
-}
-
-impl Divided for MuscleMesh {
-    type Body = MuscleInBricks;
-
-    fn at_rest(&self) -> Result<MuscleInBricks, FemError> {
-        Self::at_rest(self)
-    }
-
-    fn extensions(model: &ThreeDimensional) -> Extensions<'_> {
-        let companion = Some(&model.divided.limit as _);
-        Extensions { inverse: Some(model), mesh: Some(model), companion, ..Extensions::default() }
     }
 }
 

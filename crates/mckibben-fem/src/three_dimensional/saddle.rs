@@ -36,7 +36,7 @@ impl Constraints<'_> {
         let (d, nn) = (self.d, self.d.per_brick);
         for e in 0..d.bricks() {
             let nodes = &d.problem.bricks[e];
-            let (volume, material) = (d.rest[e].volume, &d.materials[d.material[e] as usize]);
+            let (volume, material) = (d.rest[e].volume, d.material(e));
             for k in 0..d.modes {
                 let m = e * d.modes + k;
                 let gradient = &self.assembled.gradient[m * nn * 3..(m + 1) * nn * 3];

@@ -14,6 +14,7 @@ mod torsion;
 mod tube;
 
 use super::{Case, Rows, VerificationRow};
+use crate::simulation::Divided;
 use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{self, Effort, NewtonOptions};
