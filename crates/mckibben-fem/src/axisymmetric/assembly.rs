@@ -3,7 +3,7 @@
 use super::discretisation::{BraidSpec, Discretisation};
 use crate::element::plane::{self, AnyPlaneLaw};
 use crate::element::q2::{MODES, NODES, PADDED};
-use crate::element::solid::{self, Contribution, Material, NodalRow, Unknowns};
+use crate::element::solid::{self, Contribution, Material, NodalRow};
 use crate::element::strand::STRAND_POINTS;
 use crate::load::cavity::volume;
 use crate::solver::body::{State, Totals};
@@ -144,12 +144,7 @@ impl Assembly<'_> {
         let pressure = d.layout.pressure(slab, i);
         let index = slab * d.layout.through + i;
         let geometry = &d.elements[index];
-        let mut u = Unknowns::default();
-        for a in 0..NODES {
-            let k = at.vector[a / 3] + 2 * (a % 3);
-            (u.r[a], u.z[a]) = (s.u[k], s.u[k + 1]);
-        }
-        u.p.copy_from_slice(&s.u[pressure..pressure + MODES]);
+        let u = d.layout.element(&s.u, slab, i);
         let c = &mut w.element;
         let memory = d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index]));
         let material = Material { law, compliance: d.compliance, memory };
@@ -247,10 +242,8 @@ impl Assembly<'_> {
         let Self { d, s, ref mut w, ref mut totals } = *self;
         let at = Places::new(d, slab, 0);
         let mut x = d.layout.line(&s.u, slab, 0);
-        for (k, j) in [2 * slab + 1, 2 * slab, 2 * slab + 2].into_iter().enumerate() {
-            let rest = d.mesh.node(0, j);
-            x[2 * k] += rest[0];
-            x[2 * k + 1] += rest[1];
+        for (x, rest) in x.iter_mut().zip(d.mesh.line(slab, 0).as_flattened()) {
+            *x += rest;
         }
         let v = volume::<TANGENT>(&x);
         totals.volume += v.value;

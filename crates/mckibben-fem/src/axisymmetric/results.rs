@@ -4,7 +4,7 @@ use super::body::Body;
 use super::discretisation::{Discretisation, nodes};
 use super::sensitivity;
 use crate::FemError;
-use crate::element::q2::{MODES, NODES, Point};
+use crate::element::q2::{NODES, Point};
 use crate::element::solid::{Unknowns, gradient};
 use crate::element::strand::{STRAND_POINTS, Stretch};
 use crate::results::{
@@ -140,24 +140,10 @@ pub(super) fn from_cylinder(
     element: usize,
 ) -> ([[f64; 2]; NODES], Unknowns) {
     let [cylinder, drawn] = [&d.cylinder, &d.mesh].map(|mesh| nodes(mesh, slab, element));
-    let mut u = unknowns(d, s, slab, element);
+    let mut u = d.layout.element(&s.u, slab, element);
     for a in 0..NODES {
         u.r[a] += drawn[a][0] - cylinder[a][0];
         u.z[a] += drawn[a][1] - cylinder[a][1];
     }
     (cylinder, u)
-}
-
-/// Displacements and pressure modes of an element.
-pub(super) fn unknowns(d: &Discretisation, s: &State, slab: usize, element: usize) -> Unknowns {
-    let l = d.layout;
-    let mut u = Unknowns::default();
-    for a in 0..NODES {
-        let j = [2 * slab + 1, 2 * slab, 2 * slab + 2][a / 3];
-        let k = l.at(j) + 2 * (2 * element + a % 3);
-        (u.r[a], u.z[a]) = (s.u[k], s.u[k + 1]);
-    }
-    let first = l.pressure(slab, element);
-    u.p.copy_from_slice(&s.u[first..first + MODES]);
-    u
 }

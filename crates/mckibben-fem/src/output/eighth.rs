@@ -49,29 +49,25 @@ impl Shape {
 
 /// Bricks and their copies. Nodes in a plane of symmetry are shared by the copies on both sides.
 fn solid(nodes: &[NodeField], bricks: &[Vec<u32>], extent: Extent) -> Grid {
-    let (mut copies, mut number, mut connectivity) = (vec![], HashMap::new(), vec![]);
+    let (mut copies, mut number, mut cells) = (vec![], HashMap::new(), vec![]);
     for sign in extent.signs() {
         let mut copy = |node: u32| {
             let rest = nodes[node as usize].rest_mm;
             let sign = [0, 1, 2].map(|i| if rest[i] == 0.0 { 1.0 } else { sign[i] });
             *number.entry((node, sign.map(|s: f64| s > 0.0))).or_insert_with(|| {
                 copies.push((&nodes[node as usize], sign));
-                copies.len() as i64 - 1
+                copies.len() as u32 - 1
             })
         };
         // A mirrored brick is turned inside out: its lower side comes second.
         let first = if sign.iter().product::<f64>() > 0.0 { 0 } else { 4 };
-        for brick in bricks {
-            for side in [first, 4 - first] {
-                connectivity.extend([0, 1, 3, 2].map(|a| copy(brick[side + a])));
-            }
-        }
+        cells.extend(bricks.iter().map(|brick| (0..8).map(|a| copy(brick[(first + a) % 8])).collect()));
     }
-    grid(&copies, connectivity)
+    grid(&copies, &cells)
 }
 
 /// Hexahedra between copies of nodes, each with its signs, and what is known of the nodes.
-fn grid(copies: &[(&NodeField, [f64; 3])], connectivity: Vec<i64>) -> Grid {
+fn grid(copies: &[(&NodeField, [f64; 3])], cells: &[Vec<u32>]) -> Grid {
     let vector = |value: &dyn Fn(&NodeField) -> [f64; 3]| -> Vec<[f64; 3]> {
         copies.iter().map(|(node, sign)| mirrored(value(node), *sign)).collect()
     };
@@ -95,7 +91,7 @@ fn grid(copies: &[(&NodeField, [f64; 3])], connectivity: Vec<i64>) -> Grid {
         scalar("stress_mises_mpa", &|n| mises(&n.stress_mpa)),
         scalar("rubber_pressure_mpa", &|n| -(n.stress_mpa[0] + n.stress_mpa[1] + n.stress_mpa[2]) / 3.0),
     ];
-    Grid::of_hexahedra(vector(&|n| n.now_mm), connectivity, data)
+    Grid::of_hexahedra(vector(&|n| n.now_mm), cells, data)
 }
 
 /// (σrr, σθθ) about the axis, in the present place.

@@ -47,12 +47,6 @@ pub(super) enum Guessed {
     Nothing,
 }
 
-impl Guessed {
-    pub(super) fn is_answer(self) -> bool {
-        self == Self::Answer
-    }
-}
-
 /// A body that is led from equilibrium to equilibrium, and the equilibria it passed.
 #[derive(Debug, Clone)]
 pub struct Continuation<B: Body> {
@@ -239,11 +233,8 @@ impl<B: Body> Continuation<B> {
 
     fn question(&self, pressure_mpa: f64, contraction: f64) -> Result<(), FemError> {
         let known = -LARGEST_CONTRACTION < contraction && contraction < LARGEST_CONTRACTION;
-        if pressure_mpa.is_finite() && known {
-            Ok(())
-        } else {
-            Err(FemError::Question { pressure_mpa, contraction })
-        }
+        let question = FemError::Question { pressure_mpa, contraction };
+        (pressure_mpa.is_finite() && known).then_some(()).ok_or(question)
     }
 
     /// Seeks an equilibrium within the factorisations that its question may cost.
@@ -316,16 +307,5 @@ impl<B: Body> Continuation<B> {
     pub(super) fn interrupted(&mut self, reason: Stopped) -> Interrupted {
         self.base.copy_from(self.body.state());
         Interrupted { reason, last: self.last() }
-    }
-
-    /// Solves with the terminal at `w` from the present iterate, as step number `step` of a walk from rest.
-    pub(crate) fn step(&mut self, step: usize, w: f64) -> Result<(), Stopped> {
-        self.steps = Some(step);
-        let found = self.solve(Control::Length(w));
-        if found.is_ok() {
-            self.note();
-        }
-        self.steps = None;
-        found
     }
 }
