@@ -19,7 +19,7 @@ use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{self, Effort, NewtonOptions, NewtonSystem};
 use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::{Braid, Bulk, Muscle, Tube};
+use mckibben::muscle::{Braid, Bulk, Muscle, Rubber, StrandLay, Terminals, Tube};
 use mckibben::progress::Progress;
 use mckibben::rubber::{Law, MooneyRivlin, NeoHookean};
 
@@ -132,6 +132,25 @@ fn inflated(mut c: Continuation<Body>, pressure: f64, stretch: f64) -> Option<Bo
 fn radius(body: &Body, i: usize, j: usize) -> f64 {
     let d = &body.discretisation;
     d.mesh.node(i, j)[0] + body.state.u[d.layout.at(j) + 2 * i]
+}
+
+/// A braid of strands that carry no compression; `stiffness` in N/mm.
+fn braid(lay: StrandLay, stiffness: Option<f64>) -> BraidSpec {
+    BraidSpec { lay, crimp: None, stiffness, compression: false }
+}
+
+/// A slice of an infinitely long muscle of radii `inner` and `outer` in mm.
+fn slice([inner, outer]: [f64; 2], law: Law, braid: BraidSpec) -> Option<Continuation<Body>> {
+    body(Mesh::tube(inner, outer, 5.0, (THROUGH, 1, 1.0)), law, Some(braid), Ends::Sliding)
+}
+
+/// Elements through the wall of a slice.
+const THROUGH: usize = 8;
+
+/// A muscle of radii `inner` and `outer` in mm.
+fn muscle([inner, outer]: [f64; 2], length_mm: f64, law: Law, braid: Braid) -> Option<Muscle> {
+    let tube = Tube::new(2.0 * outer, outer - inner, length_mm, Rubber::of(law));
+    Muscle::new(tube, braid, Terminals::default(), None).ok()
 }
 
 /// The prototype of the paper, changed.

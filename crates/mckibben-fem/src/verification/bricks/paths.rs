@@ -3,7 +3,7 @@
 //! Loaded and held: a bonded muscle under pressure at a given length; strands that carry compression shortened without pressure.
 
 use super::muscle::peers;
-use super::numerics::tangent_error;
+use super::numerics::{dense_tangent, tangent_error};
 use super::{BRICKS, at_rest, coarse, prototype, solve};
 use crate::solver::continuation::Unstable;
 use crate::three_dimensional::{Body, Brick, BrickSpec};
@@ -11,7 +11,6 @@ use crate::verification::numerics::laws;
 use crate::verification::{Rows, changed};
 use mckibben::muscle::Bulk;
 use mckibben::rubber::Law;
-use nalgebra::DMatrix;
 
 /// Relative difference of the pull from the axisymmetric first iterate and after a walk from rest.
 fn walked(brick: Brick, pressure: f64, contraction: f64) -> Option<f64> {
@@ -35,16 +34,7 @@ fn incompressible(brick: Brick, law: Law) -> Option<f64> {
 
 /// Negative eigenvalues of the tangent with the terminal held, from all of them.
 fn negative_eigenvalues(body: &Body) -> Option<usize> {
-    let d = &body.discretisation;
-    let mut full = DMatrix::<f64>::zeros(d.free, d.free);
-    for c in 0..d.free {
-        for k in d.pattern().columns[c] as usize..d.pattern().columns[c + 1] as usize {
-            let r = d.pattern().rows[k] as usize;
-            full[(r, c)] = body.assembled.values[k];
-            full[(c, r)] = full[(r, c)];
-        }
-    }
-    let values = full.symmetric_eigenvalues();
+    let values = dense_tangent(body).symmetric_eigenvalues();
     values.iter().all(|x| x.is_finite()).then(|| values.iter().filter(|x| **x < 0.0).count())
 }
 
