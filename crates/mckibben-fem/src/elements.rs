@@ -7,7 +7,6 @@ use crate::simulation::Simulation;
 use crate::three_dimensional::{self, BrickMesh, BrickSpec, ThreeDimensional, estimate};
 use mckibben::model::{ModelEntry, UnknownModel};
 use mckibben::muscle::Muscle;
-use std::fmt;
 use std::str::FromStr;
 
 /// Which finite elements, and how fine.
@@ -96,12 +95,6 @@ impl Elements {
 /// The axisymmetric model of a muscle.
 pub fn section(muscle: &Muscle, spec: &MeshSpec) -> Result<Box<dyn Simulation>, FemError> {
     Ok(with_ends(muscle, Box::new(Axisymmetric::with_mesh(&muscle.between_ends(), spec)?)))
-}
-
-impl fmt::Display for Elements {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
 }
 
 impl FromStr for Elements {

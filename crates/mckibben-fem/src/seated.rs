@@ -23,8 +23,9 @@ fn for_whole_muscle(of: &Whole, displacement_mm: f64, mut error: FemError) -> Fe
             *contraction = whole(*contraction);
             last.contraction = whole(last.contraction);
         }
-        FemError::Question { contraction, .. } => *contraction = whole(*contraction),
-        FemError::OutOfReach { contraction, .. } => *contraction = whole(*contraction),
+        FemError::Question { contraction, .. } | FemError::OutOfReach { contraction, .. } => {
+            *contraction = whole(*contraction);
+        }
         _ => {}
     }
     error

@@ -6,6 +6,7 @@
 use super::discretisation::Discretisation;
 use super::mesh::BrickMesh;
 use crate::axisymmetric::Section;
+use crate::output::helices;
 use crate::solver::body::State;
 use std::cmp::Ordering;
 
@@ -94,12 +95,9 @@ pub(super) fn carry_over(
         });
         state.p[e * d.modes] = mean;
     }
-    let strands = &section.strands;
     for (q, (ends, _)) in state.q.iter_mut().zip(&d.problem.trusses) {
         let z = 0.5 * (d.problem.nodes[ends[0] as usize][2] + d.problem.nodes[ends[1] as usize][2]);
-        let next = strands.partition_point(|s| s.rest_mm < z).clamp(1, strands.len().max(2) - 1);
-        let (Some(a), Some(b)) = (strands.get(next - 1), strands.get(next)) else { continue };
-        let t = ((z - a.rest_mm) / (b.rest_mm - a.rest_mm)).clamp(0.0, 1.0);
-        *q = width * (a.tension_n_per_mm + t * (b.tension_n_per_mm - a.tension_n_per_mm));
+        let [.., per_width, _] = helices::state(&section.strands, z);
+        *q = width * per_width;
     }
 }

@@ -179,7 +179,7 @@ impl body::Body for MuscleInBricks {
     }
 
     fn terminal_stiffness(&mut self) -> f64 {
-        self.bricks.terminal_stiffness()
+        self.bricks.terminal_response().0
     }
 
     fn force_per_pressure(&mut self) -> f64 {

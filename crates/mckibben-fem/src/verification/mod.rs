@@ -62,7 +62,7 @@ impl Rows {
 type Case = (&'static str, fn(&mut Rows));
 
 /// Every case of the section.
-const SECTION: [Case; 10] = [
+const SECTION: [Case; 11] = [
     ("A: Rivlin 1948 [rivlin1948]; Treloar 1975 [treloar1975]", homogeneous::homogeneous),
     ("B: Rivlin 1949 [rivlin1949]; Haughton & Ogden 1979 [haughton1979]", tube::thick_tube),
     ("C: Green & Zerna 1954 [green1954], thick sphere", sphere::thick_sphere),
@@ -73,6 +73,7 @@ const SECTION: [Case; 10] = [
     ("I: Maxwell relation", muscle::identities),
     ("independent axisymmetric prototype", muscle::prototype),
     ("J: numerical conduct", numerics::numerics),
+    ("J: sensitivities against finite differences", numerics::sensitivities),
 ];
 
 /// Every case, one after the other.

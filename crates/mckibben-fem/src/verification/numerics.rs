@@ -70,9 +70,6 @@ pub fn numerics(rows: &mut Rows) {
         Some(w.body.totals.pull)
     };
     rows.add("F after one step against twenty (N)", in_steps(20), in_steps(1), 1e-8);
-    let source = rows.source;
-    sensitivities(rows);
-    rows.source = source;
     // Bore of a thick tube 1/2 at p = 0.1377728574 (a/A = 2): elements through the wall doubled. Theory: the energy, and with
     // it the answer to the only load, converges with h⁴.
     let error = |n: usize| {
@@ -113,8 +110,7 @@ pub fn tangent_error(body: &mut Body) -> Option<f64> {
 }
 
 /// ∂F of every constant and measure by implicit differentiation against answers of neighbouring muscles.
-fn sensitivities(rows: &mut Rows) {
-    rows.source = "J: sensitivities against finite differences";
+pub fn sensitivities(rows: &mut Rows) {
     let (p, e) = (0.2, 0.1);
     let muscle = changed(|tube, braid| (tube.rubber.law, braid.stiffness) = (rubber(), STIFFNESS));
     let solved = muscle

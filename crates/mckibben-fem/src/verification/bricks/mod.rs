@@ -85,7 +85,7 @@ fn solve(body: &mut Body, w: f64) -> Option<Effort> {
 /// (∂F/∂P, −∂V/∂L) in mm² of the tangent.
 fn maxwell(body: &mut Body) -> Option<(f64, f64)> {
     body.factorise().ok()?;
-    Some((body.force_per_pressure(), body.volume_per_length()))
+    Some((body.force_per_pressure(), body.terminal_response().1))
 }
 
 /// Goes to (pressure, displacement of the terminal) in so many equal steps.
