@@ -4,6 +4,7 @@ use crate::FemError;
 use crate::results::{Sensitivity, Solution};
 use crate::simulation::{Detail, Given, Simulation};
 use crate::solver::curve::{Curve, CurvePoint, Test};
+use mckibben::cancel::Cancelled;
 use mckibben::model::{Response, Seated, Workspace};
 use mckibben::muscle::{EndState, Ends, InnerPull, Muscle};
 use mckibben::progress::{Progress, Silent};
@@ -141,22 +142,20 @@ fn slipped(
     detail: Detail,
     progress: &dyn Progress,
 ) -> Curve {
-    let mut found: Vec<(usize, Result<CurvePoint, FemError>)> = vec![];
-    for i in test.order(values) {
-        progress.report(found.len(), values.len());
-        let ended = progress.check();
+    let mut out: Curve = vec![Err(Cancelled.into()); values.len()];
+    for (turn, i) in test.order(values).into_iter().enumerate() {
+        progress.report(turn, values.len());
+        if progress.cancelled() {
+            break;
+        }
         let (p, held) = match test {
             Test::Isobaric(p) => (p, values[i]),
             Test::Isometric(held) | Test::Isotonic(held) => (values[i], held),
         };
-        let mut one = || {
-            let x = between(of, w, p, held)?;
-            Ok(whole_point(of, Some(held), inner(of, w, p, x, detail)?))
-        };
-        found.push((i, ended.map_err(FemError::from).and_then(|()| one())));
+        let x = between(of, w, p, held);
+        out[i] = x.and_then(|x| Ok(whole_point(of, Some(held), inner(of, w, p, x, detail)?)));
     }
-    found.sort_by_key(|f| f.0);
-    found.into_iter().map(|f| f.1).collect()
+    out
 }
 
 impl Simulation for Whole {

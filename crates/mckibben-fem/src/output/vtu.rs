@@ -124,11 +124,11 @@ impl Grid {
     }
 }
 
-/// The file that lists the problem (number, name, file) of each step.
-pub fn collection<'a>(about: &str, problem: impl Iterator<Item = (usize, usize, &'a str, String)>) -> String {
+/// The file that lists step, part, name and file of a series.
+pub fn collection(about: &str, files: &[(usize, usize, &str, String)]) -> String {
     let mut out = head("Collection", about);
     out.push_str("<Collection>\n");
-    for (step, part, name, file) in problem {
+    for (step, part, name, file) in files {
         let place = format!("timestep=\"{step}\" group=\"\" part=\"{part}\"");
         out += &format!("<DataSet {place} name=\"{name}\" file=\"{file}\"/>\n");
     }
