@@ -50,10 +50,9 @@ fn report() {
         let curve = model.run(w, Test::Isometric(e), &pressures(), Detail::Point, &Silent);
         let effort = model.known(w).map(|c| c.effort).unwrap_or_default();
         println!(
-            "isometric ε {e}, 26 points: {:.2} iterations, {:.2} factorisations, {:.2} residuals per point; {} without answer",
+            "isometric ε {e}, 26 points: {:.2} iterations, {:.2} factorisations per point; {} without answer",
             effort.iterations as f64 / 26.0,
             effort.factorisations as f64 / 26.0,
-            effort.residuals as f64 / 26.0,
             curve.iter().filter(|p| p.is_err()).count()
         );
     }

@@ -7,6 +7,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::read_muscle;
+use mckibben_fem::simulation::Divided;
 use mckibben_fem::solver::body::Body as _;
 use mckibben_fem::solver::continuation::Continuation;
 use mckibben_fem::three_dimensional::{BrickSpec, Match, MuscleInBricks, MuscleMesh, Ring, ThreeDimensional};

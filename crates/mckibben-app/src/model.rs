@@ -7,7 +7,7 @@ use mckibben::model::{
 };
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::MeshSpec;
-use mckibben_fem::elements::{Elements, MeshTextError, section};
+use mckibben_fem::elements::{Elements, section};
 use mckibben_fem::three_dimensional::{BrickSpec, Match};
 use std::{fmt, sync::Arc};
 
@@ -147,14 +147,12 @@ impl MeshFields {
         };
         let Some(text) = &self.mesh else { return Ok(elements) };
         elements.with_mesh(text).map_err(|error| {
-            let message = match error {
-                MeshTextError::Syntax(expected) => {
-                    format!("\"{text}\" is not a valid mesh of {}; expected {expected}", elements.name())
-                }
-                MeshTextError::Mesh(error) => error.to_string(),
-            };
-            Problem::new(ProblemKind::Mesh, message, "leave it out: the program then selects the mesh")
-                .in_field("mesh")
+            Problem::new(
+                ProblemKind::Mesh,
+                error.to_string(),
+                "leave it out: the program then selects the mesh",
+            )
+            .in_field("mesh")
         })
     }
 

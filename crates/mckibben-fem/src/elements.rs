@@ -7,9 +7,7 @@ use crate::simulation::Simulation;
 use crate::three_dimensional::{self, BrickMesh, BrickSpec, ThreeDimensional, estimate};
 use mckibben::model::{ModelEntry, UnknownModel};
 use mckibben::muscle::Muscle;
-use std::fmt;
 use std::str::FromStr;
-use thiserror::Error;
 
 /// Which finite elements, and how fine.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,9 +35,11 @@ impl Elements {
         self.entry().name
     }
 
-    /// With the mesh that a text says, in the syntax of [`Elements::mesh_syntax`].
-    pub fn with_mesh(self, text: &str) -> Result<Self, MeshTextError> {
-        let unreadable = || MeshTextError::Syntax(self.mesh_syntax());
+    /// With the mesh that a text says, in the syntax of its elements.
+    pub fn with_mesh(self, text: &str) -> Result<Self, FemError> {
+        let (name, expected) = (self.name(), self.mesh_syntax());
+        let unreadable =
+            || FemError::Refused(format!("\"{text}\" is not a valid mesh of {name}; expected {expected}"));
         match self {
             Self::Axisymmetric(_) => {
                 let spec = MeshSpec::parse(text).ok_or_else(unreadable)?;
@@ -56,7 +56,7 @@ impl Elements {
     }
 
     /// How a mesh is written, in words.
-    pub fn mesh_syntax(&self) -> &'static str {
+    fn mesh_syntax(&self) -> &'static str {
         match self {
             Self::Axisymmetric(_) => {
                 "elements along the half length (\"8\"), through the wall x along (\"2x8\"), or with a grading (\"2x8:2\")"
@@ -97,12 +97,6 @@ pub fn section(muscle: &Muscle, spec: &MeshSpec) -> Result<Box<dyn Simulation>, 
     Ok(with_ends(muscle, Box::new(Axisymmetric::with_mesh(&muscle.between_ends(), spec)?)))
 }
 
-impl fmt::Display for Elements {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
 impl FromStr for Elements {
     type Err = UnknownModel;
 
@@ -112,15 +106,4 @@ impl FromStr for Elements {
         let named = all.into_iter().find(|e| e.name() == word.trim());
         named.ok_or_else(|| UnknownModel::new(word, Self::ENTRIES.map(|entry| entry.name).to_vec()))
     }
-}
-
-/// Why a text is no mesh.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum MeshTextError {
-    /// It is not written as a mesh; what it should be.
-    #[error("expected {0}")]
-    Syntax(&'static str),
-    /// There is no such mesh.
-    #[error(transparent)]
-    Mesh(#[from] FemError),
 }

@@ -3,6 +3,7 @@
 use crate::solver::newton::{LastConverged, Stopped};
 use mckibben::cancel::Cancelled;
 use mckibben::model::ModelError;
+use mckibben::muscle::Ends;
 use mckibben::size;
 use mckibben::status::Status;
 use thiserror::Error;
@@ -23,7 +24,7 @@ pub enum FemError {
         contraction: f64,
     },
     /// The path to the answer ended before it.
-    #[error("{}", ended(*.status, *.pressure_mpa, *.contraction, .reason, .last, *.other_n))]
+    #[error("{}", ended(self))]
     Path {
         /// How: not converged, collapsed, or on another branch.
         status: Status,
@@ -42,15 +43,14 @@ pub enum FemError {
     },
     /// Ends whose slip was not found.
     #[error(
-        "no slip of the ends was found at {pressure_mpa} MPa and contraction {contraction} in {steps} steps: take a smaller terminals.slip"
+        "no slip of the ends was found at {pressure_mpa} MPa and contraction {contraction} in {} steps: take a smaller terminals.slip",
+        Ends::STEPS
     )]
     Ends {
         /// Pressure in MPa.
         pressure_mpa: f64,
         /// Contraction ratio.
         contraction: f64,
-        /// Steps of Newton's method.
-        steps: usize,
     },
     /// No pressure or contraction gives the force.
     #[error("no equilibrium with a pull of {force_n} N was found{}", of_muscle(.reason))]
@@ -121,33 +121,28 @@ fn of_muscle(reason: &Stopped) -> String {
     }
 }
 
-fn ended(
-    status: Status,
-    pressure: f64,
-    contraction: f64,
-    reason: &Stopped,
-    last: &LastConverged,
-    other_n: Option<f64>,
-) -> String {
+fn ended(path: &FemError) -> String {
+    let FemError::Path { status, pressure_mpa, contraction, reason, last, other_n, .. } = path else {
+        return String::new();
+    };
     let percent = |contraction: f64| (1e4 * contraction).round() / 1e2;
-    let asked = format!("at {pressure} MPa and a contraction of {} %", percent(contraction));
+    let asked = format!("at {pressure_mpa} MPa and a contraction of {} %", percent(*contraction));
     let begins = match (status, other_n) {
-        (_, Some(force)) => {
-            format!(
-                "no equilibrium found on the branch of the taut muscle {asked} (one on another branch has a pull of {force:.1} N)"
-            )
-        }
+        (_, Some(force)) => format!(
+            "no equilibrium found on the branch of the taut muscle {asked} (one on another branch has a pull of {force:.1} N)"
+        ),
         (Status::Collapsed, None) => format!("no equilibrium found {asked} (the tube may have collapsed)"),
         _ => format!("no equilibrium found {asked}"),
     };
     let because = of_muscle(reason);
     let (last_mpa, at) = (last.pressure_mpa, percent(last.contraction));
-    let followed = match last_mpa > 0.0 || last.contraction != 0.0 {
-        true => format!("; on the way there from rest, the last one is at {last_mpa:.4} MPa and {at} %"),
-        false => String::new(),
+    let followed = if last_mpa > 0.0 || last.contraction != 0.0 {
+        format!("; on the way there from rest, the last one is at {last_mpa:.4} MPa and {at} %")
+    } else {
+        String::new()
     };
     // No sleeve contracts further.
-    let stiffer = if contraction < 0.4 { ", or take stiffer strands" } else { "" };
+    let stiffer = if *contraction < 0.4 { ", or take stiffer strands" } else { "" };
     format!("{begins}{because}{followed}; lower the pressure or the contraction{stiffer}")
 }
 

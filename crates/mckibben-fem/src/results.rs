@@ -1,8 +1,12 @@
 //! What an equilibrium tells, whichever elements found it.
 
+use crate::FemError;
+use crate::solver::body::Body;
 use mckibben::model::Response;
+use mckibben::muscle::Muscle;
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::f64::consts::PI;
 
 /// A place along the muscle, from the middle (z = 0) to the terminal.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
@@ -126,4 +130,83 @@ pub struct Sensitivity {
     pub unit: &'static str,
     /// ∂F in N per that unit, all others (k among them) held.
     pub force_n_per_unit: f64,
+}
+
+/// A body that is a muscle: what its present equilibrium tells.
+pub trait MuscleBody: Body {
+    /// Factorises the tangent; dF/dw for a displacement of one terminal in N/mm, ∂F/∂P in mm² and ∂V/∂P in mm³/MPa of the whole muscle.
+    fn derivatives(&mut self) -> Result<[f64; 3], FemError>;
+
+    /// Volume of the cavity at rest of the whole muscle, in mm³.
+    fn rest_volume_mm3(&self, muscle: &Muscle) -> f64;
+
+    /// Places of the nodes, from the middle to the terminal.
+    fn profile(&self) -> Vec<ProfilePoint>;
+
+    /// The strands from the middle to the terminal.
+    fn strands(&self, muscle: &Muscle) -> Vec<StrandState>;
+
+    /// Largest outer radius in mm.
+    fn bulge_mm(&self) -> f64;
+
+    /// The stretch below which 99 % of the rubber lies.
+    fn largest_stretch(&self) -> StretchAt;
+
+    /// The largest stretch in the middle plane of the muscle.
+    fn middle_stretch(&self) -> f64;
+
+    /// ∂F/∂(constants and measures) with the tangent that [`MuscleBody::response`] has factorised; none where it does not know them.
+    ///
+    /// # Errors
+    /// [`FemError`] where a neighbouring muscle cannot be assembled.
+    fn sensitivities(&mut self, _muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
+        Ok(vec![])
+    }
+
+    /// What every model answers; factorises the tangent.
+    fn response(&mut self, muscle: &Muscle) -> Result<Response, FemError> {
+        let [stiffness, force_per_pressure, volume_per_pressure] = self.derivatives()?;
+        let (state, totals) = (self.state(), self.totals());
+        let largest = self.strands(muscle).iter().map(|s| s.tension_n_per_mm).fold(0.0, f64::max);
+        let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
+        let all = 2.0 * PI * (2.0 * muscle.strand_lay().radius_mm) * cos * largest;
+        Ok(Response {
+            // Zeros without a sign.
+            pressure_mpa: state.pressure + 0.0,
+            contraction: 0.0 - state.terminal / self.half_length(),
+            force_n: totals.pull,
+            volume_mm3: Some(Self::COPIES * totals.volume),
+            volume_per_pressure_mm3_per_mpa: Some(volume_per_pressure),
+            volume_per_contraction_mm3: Some(muscle.length_mm() * force_per_pressure),
+            stiffness_n_per_mm: Some(0.5 * stiffness),
+            force_per_pressure_mm2: Some(force_per_pressure),
+            braid_tension_n: Some(all),
+            strand_tension_n: count.map(|n| all / f64::from(n)),
+            bulged_diameter_mm: Some(2.0 * self.bulge_mm()),
+            middle_stretch: Some(self.middle_stretch()),
+            max_stretch: Some(self.largest_stretch().value),
+        })
+    }
+
+    /// Everything; factorises the tangent.
+    fn solution(&mut self, muscle: &Muscle) -> Result<Solution, FemError> {
+        let response = self.response(muscle)?;
+        let sensitivities = self.sensitivities(muscle)?;
+        let (pressure, totals) = (self.state().pressure, self.totals());
+        Ok(Solution {
+            profile: self.profile(),
+            strands: self.strands(muscle),
+            max_stretch: self.largest_stretch(),
+            energies: Energies {
+                rubber_n_mm: Self::COPIES * totals.rubber,
+                braid_n_mm: Self::COPIES * totals.braid,
+                ends_n_mm: 0.0,
+                pressure_n_mm: pressure * (Self::COPIES * totals.volume - self.rest_volume_mm3(muscle)),
+            },
+            unstable_directions: self.unstable_directions(),
+            smallest_j: totals.smallest_j,
+            sensitivities,
+            response,
+        })
+    }
 }

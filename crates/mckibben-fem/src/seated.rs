@@ -4,6 +4,7 @@ use crate::FemError;
 use crate::results::{Sensitivity, Solution};
 use crate::simulation::{Detail, Given, Simulation};
 use crate::solver::curve::{Curve, CurvePoint, Test};
+use mckibben::cancel::Cancelled;
 use mckibben::model::{Response, Seated, Workspace};
 use mckibben::muscle::{EndState, Ends, InnerPull, Muscle};
 use mckibben::progress::{Progress, Silent};
@@ -23,8 +24,9 @@ fn for_whole_muscle(of: &Whole, displacement_mm: f64, mut error: FemError) -> Fe
             *contraction = whole(*contraction);
             last.contraction = whole(last.contraction);
         }
-        FemError::Question { contraction, .. } => *contraction = whole(*contraction),
-        FemError::OutOfReach { contraction, .. } => *contraction = whole(*contraction),
+        FemError::Question { contraction, .. } | FemError::OutOfReach { contraction, .. } => {
+            *contraction = whole(*contraction);
+        }
         _ => {}
     }
     error
@@ -52,7 +54,7 @@ fn between(of: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<f64, FemErro
             force_per_pressure_mm2: response.force_per_pressure_mm2,
         })
     })?;
-    let found = found.ok_or(FemError::Ends { pressure_mpa: p, contraction: e, steps: Ends::STEPS })?;
+    let found = found.ok_or(FemError::Ends { pressure_mpa: p, contraction: e })?;
     Ok(found.between)
 }
 
@@ -81,7 +83,7 @@ fn between_at_pull(of: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> Resul
         (low, low_miss) = (p, here);
         p -= if slope < 0.0 { here / slope } else { -here };
     }
-    Err(FemError::Ends { pressure_mpa: p, contraction: e, steps: Ends::STEPS })
+    Err(FemError::Ends { pressure_mpa: p, contraction: e })
 }
 
 /// What is given of the muscle between its ends, by how much in mm these give way, and the contraction of the whole where it is given.
@@ -140,22 +142,20 @@ fn slipped(
     detail: Detail,
     progress: &dyn Progress,
 ) -> Curve {
-    let mut found: Vec<(usize, Result<CurvePoint, FemError>)> = vec![];
-    for i in test.order(values) {
-        progress.report(found.len(), values.len());
-        let ended = progress.check();
+    let mut out: Curve = vec![Err(Cancelled.into()); values.len()];
+    for (turn, i) in test.order(values).into_iter().enumerate() {
+        progress.report(turn, values.len());
+        if progress.cancelled() {
+            break;
+        }
         let (p, held) = match test {
             Test::Isobaric(p) => (p, values[i]),
             Test::Isometric(held) | Test::Isotonic(held) => (values[i], held),
         };
-        let mut one = || {
-            let x = between(of, w, p, held)?;
-            Ok(whole_point(of, Some(held), inner(of, w, p, x, detail)?))
-        };
-        found.push((i, ended.map_err(FemError::from).and_then(|()| one())));
+        let x = between(of, w, p, held);
+        out[i] = x.and_then(|x| Ok(whole_point(of, Some(held), inner(of, w, p, x, detail)?)));
     }
-    found.sort_by_key(|f| f.0);
-    found.into_iter().map(|f| f.1).collect()
+    out
 }
 
 impl Simulation for Whole {

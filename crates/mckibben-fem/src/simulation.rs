@@ -1,8 +1,7 @@
 //! What finite-element models have in common: equilibria and tests.
 
 use crate::FemError;
-use crate::results::{Sensitivity, Solution};
-use crate::solver::body::Body;
+use crate::results::{MuscleBody, Solution};
 use crate::solver::continuation::Continuation;
 use crate::solver::curve::{Curve, CurvePoint, Test, run};
 use mckibben::model::{
@@ -54,23 +53,6 @@ pub enum Detail {
     Tangent,
     /// And ∂F/∂(constants and measures), where the model has them.
     Sensitivities,
-}
-
-/// A body that is a muscle: what its present equilibrium tells.
-pub trait MuscleBody: Body {
-    /// What every model answers; factorises the tangent.
-    fn response(&mut self, muscle: &Muscle) -> Result<Response, FemError>;
-
-    /// Everything; factorises the tangent.
-    fn solution(&mut self, muscle: &Muscle) -> Result<Solution, FemError>;
-
-    /// ∂F/∂(constants and measures) with the tangent that [`MuscleBody::response`] has factorised; none where it does not know them.
-    ///
-    /// # Errors
-    /// [`FemError`] where a neighbouring muscle cannot be assembled.
-    fn sensitivities(&mut self, _muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
-        Ok(vec![])
-    }
 }
 
 /// What of a muscle that is divided into elements does not change.
@@ -138,7 +120,7 @@ impl<D: Divided> FiniteElements<D> {
     }
 
     /// The body in an equilibrium.
-    fn led_to<'w>(
+    pub(crate) fn led_to<'w>(
         &self,
         workspace: &'w mut Workspace,
         given: Given,

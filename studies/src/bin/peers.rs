@@ -6,6 +6,7 @@
 
 use mckibben::muscle::file::read_muscle;
 use mckibben_fem::output::{deck, increments};
+use mckibben_fem::simulation::Divided;
 use mckibben_fem::solver::continuation::Continuation;
 use mckibben_fem::three_dimensional::{Brick, BrickSpec, Match, MuscleMesh, ThreeDimensional};
 use std::error::Error;

@@ -3,7 +3,7 @@
 use super::discretisation::{BraidSpec, Discretisation};
 use crate::element::plane::{self, AnyPlaneLaw};
 use crate::element::q2::{MODES, NODES, PADDED};
-use crate::element::solid::{self, Contribution, Material, NodalRow, Unknowns};
+use crate::element::solid::{self, Contribution, Material, NodalRow};
 use crate::element::strand::STRAND_POINTS;
 use crate::load::cavity::volume;
 use crate::solver::body::{State, Totals};
@@ -53,85 +53,210 @@ pub fn assemble<const TANGENT: bool>(
     s: &State,
     w: &mut Assembled,
 ) -> Result<Totals, Stopped> {
-    plane::with(&d.problem.law, |law| sum::<TANGENT>(law, d, s, w))
+    let totals = Totals { smallest_j: f64::INFINITY, ..Totals::default() };
+    let mut work = Assembly { d, s, w, totals };
+    plane::with(&d.problem.law, |law| work.sum::<TANGENT>(law))?;
+    Ok(work.totals)
 }
 
-fn sum<const TANGENT: bool>(
-    law: &dyn AnyPlaneLaw,
-    d: &Discretisation,
-    s: &State,
-    w: &mut Assembled,
-) -> Result<Totals, Stopped> {
-    w.residual.fill(0.0);
-    w.volume.fill(0.0);
-    if TANGENT {
-        w.chain.begin();
-    }
-    let mut totals = Totals { smallest_j: f64::INFINITY, ..Totals::default() };
-    let share = 1.0 / d.force_scale(s.pressure);
-    for slab in 0..d.layout.along {
+/// An assembly: what is read, and what is filled.
+struct Assembly<'a> {
+    d: &'a Discretisation,
+    s: &'a State,
+    w: &'a mut Assembled,
+    totals: Totals,
+}
+
+impl Assembly<'_> {
+    fn sum<const TANGENT: bool>(&mut self, law: &dyn AnyPlaneLaw) -> Result<(), Stopped> {
+        let d = self.d;
+        self.w.residual.fill(0.0);
+        self.w.volume.fill(0.0);
         if TANGENT {
-            w.chain.slab_mut(slab).fill(0.0);
+            self.w.chain.begin();
         }
-        for i in 0..d.layout.through {
-            solid::<TANGENT>(d, s, w, law, (slab, i), &mut totals)?;
-        }
-        if !d.strands.is_empty() {
-            strands::<TANGENT>(d, s, w, slab, &mut totals);
-        }
-        cavity::<TANGENT>(d, s, w, slab, &mut totals);
-        if TANGENT {
-            if slab == 0 {
-                symmetry(d, w);
+        let share = 1.0 / d.force_scale(self.s.pressure);
+        for slab in 0..d.layout.along {
+            if TANGENT {
+                self.w.chain.slab_mut(slab).fill(0.0);
             }
-            w.chain.eliminate(slab)?;
+            for i in 0..d.layout.through {
+                self.solid::<TANGENT>(law, slab, i)?;
+            }
+            self.strands::<TANGENT>(slab);
+            self.cavity::<TANGENT>(slab);
+            if TANGENT {
+                if slab == 0 {
+                    symmetry(d, self.w);
+                }
+                self.w.chain.eliminate(slab)?;
+            }
+            self.measure(slab, share)?;
         }
-        measure(d, w, slab, share, &mut totals)?;
+        let end = d.layout.end();
+        self.totals.pull = (0..d.layout.nodes()).map(|i| self.w.residual[end + 2 * i + 1]).sum();
+        if self.totals.pull.is_finite() { Ok(()) } else { Err(Stopped::NotFinite) }
     }
-    let end = d.layout.end();
-    totals.pull = (0..d.layout.nodes()).map(|i| w.residual[end + 2 * i + 1]).sum();
-    if totals.pull.is_finite() { Ok(totals) } else { Err(Stopped::NotFinite) }
-}
 
-/// Largest residual of what is complete after slab `slab`, forces as a `share` of one N.
-fn measure(
-    d: &Discretisation,
-    w: &Assembled,
-    slab: usize,
-    share: f64,
-    totals: &mut Totals,
-) -> Result<(), Stopped> {
-    let l = d.layout;
-    let (m, start) = (l.station(), slab * l.stride());
-    let r = &w.residual;
-    // A sum so that numbers which are none show.
-    let mut largest = 0.0_f64;
-    let mut sum = 0.0;
-    for i in 0..2 * m {
-        let fixed = slab == 0 && i < m && i % 2 == 1;
-        if !fixed {
-            largest = largest.max(r[start + i].abs());
-            sum += r[start + i];
+    /// Largest residual of what is complete after slab `slab`, forces as a `share` of one N.
+    fn measure(&mut self, slab: usize, share: f64) -> Result<(), Stopped> {
+        let (d, l, r) = (self.d, self.d.layout, &self.w.residual);
+        let (m, start) = (l.station(), slab * l.stride());
+        // A sum so that numbers which are none show.
+        let mut largest = 0.0_f64;
+        let mut sum = 0.0;
+        for i in 0..2 * m {
+            let fixed = slab == 0 && i < m && i % 2 == 1;
+            if !fixed {
+                largest = largest.max(r[start + i].abs());
+                sum += r[start + i];
+            }
+        }
+        let mut defect = 0.0_f64;
+        for i in 0..l.through {
+            let volume = d.elements[slab * l.through + i].volume;
+            for k in 0..MODES {
+                let g = r[l.pressure(slab, i) + k];
+                defect = defect.max(g.abs() / volume);
+                sum += g;
+            }
+        }
+        if l.multipliers {
+            for g in 0..STRAND_POINTS {
+                let c = r[l.tension(slab) + g];
+                defect = defect.max(c.abs() / d.strands[slab][g].area);
+                sum += c;
+            }
+        }
+        self.totals.defect = self.totals.defect.max(largest * share).max(defect);
+        if sum.is_finite() { Ok(()) } else { Err(Stopped::NotFinite) }
+    }
+
+    #[inline(always)]
+    fn solid<const TANGENT: bool>(
+        &mut self,
+        law: &dyn AnyPlaneLaw,
+        slab: usize,
+        i: usize,
+    ) -> Result<(), Stopped> {
+        let Self { d, s, ref mut w, ref mut totals } = *self;
+        let at = Places::new(d, slab, 2 * i);
+        let pressure = d.layout.pressure(slab, i);
+        let index = slab * d.layout.through + i;
+        let geometry = &d.elements[index];
+        let u = d.layout.element(&s.u, slab, i);
+        let c = &mut w.element;
+        let memory = d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index]));
+        let material = Material { law, compliance: d.compliance, memory };
+        if !solid::contribute::<TANGENT>(geometry, &u, &material, c) {
+            return Err(Stopped::Inverted);
+        }
+        totals.smallest_j = totals.smallest_j.min(c.smallest_j);
+        totals.rubber += c.energy;
+        for a in 0..NODES {
+            let k = at.vector[a / 3] + 2 * (a % 3);
+            w.residual[k] += c.fr[a];
+            w.residual[k + 1] += c.fz[a];
+        }
+        w.residual[pressure..pressure + MODES].copy_from_slice(&c.g);
+        if TANGENT {
+            let share = d.augment / geometry.volume;
+            for k in 0..MODES {
+                for a in 0..NODES {
+                    let (r, z) = (share * c.br[k][a], share * c.bz[k][a]);
+                    for b in 0..PADDED {
+                        c.rr[a][b] += r * c.br[k][b];
+                        c.rz[a][b] += r * c.bz[k][b];
+                        c.zz[a][b] += z * c.bz[k][b];
+                    }
+                }
+            }
+            w.coupling[index] = [c.br, c.bz];
+            scatter(d, w, &at, i, geometry.volume, slab);
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn strands<const TANGENT: bool>(&mut self, slab: usize) {
+        let Self { d, s, ref mut w, ref mut totals } = *self;
+        let Some(braid) = d.problem.braid else { return };
+        let l = d.layout;
+        let outer = 2 * l.through;
+        let at = Places::new(d, slab, outer);
+        let u = l.line(&s.u, slab, outer);
+        let size = w.chain.size();
+        for (g, point) in d.strands[slab].iter().enumerate() {
+            let stretch = point.stretch(&u);
+            let strain = stretch.value - 1.0;
+            let both = 2.0 * point.area;
+            let unknown = l.tension(slab) + g;
+            let multiplier = if l.multipliers { s.u[unknown] } else { 0.0 };
+            let (q, k) = tension(&braid, strain, multiplier, d.augment_strand);
+            for i in 0..6 {
+                w.residual[at.vector[i / 2] + i % 2] += both * q * stretch.first[i];
+            }
+            let taut = k > 0.0;
+            if l.multipliers {
+                // Taut: ∂Π/∂q = 2w c. Slack: q must vanish.
+                w.residual[unknown] =
+                    if taut { both * strain } else { -both / d.augment_strand * multiplier };
+            } else {
+                totals.braid += match (&braid.crimp, braid.stiffness) {
+                    (Some(crimp), Some(k)) if k > 0.0 && q != 0.0 => both * k * crimp.at(strain)[0],
+                    _ => 0.5 * both * q * strain,
+                };
+            }
+            if TANGENT {
+                let index = slab * STRAND_POINTS + g;
+                w.strand[index] = if taut { stretch.first } else { [0.0; 6] };
+                let matrix = w.chain.slab_mut(slab);
+                if taut {
+                    let carried = match braid.stiffness {
+                        Some(_) if braid.compression || s.q[index] > 0.0 => s.q[index],
+                        _ => q,
+                    };
+                    add_line(matrix, size, &at.matrix, |i, j| {
+                        both * (k * stretch.first[i] * stretch.first[j]
+                            + carried * point.curvature(&stretch, i, j))
+                    });
+                }
+                if l.multipliers {
+                    let row = l.station() + MODES * l.through + g;
+                    if taut {
+                        for i in 0..6 {
+                            let column = at.matrix[i / 2] + i % 2;
+                            let (low, high) = (row.min(column), row.max(column));
+                            matrix[low * size + high] += both * stretch.first[i];
+                        }
+                    } else {
+                        matrix[row * size + row] = -both / d.augment_strand;
+                    }
+                }
+            }
         }
     }
-    let mut defect = 0.0_f64;
-    for i in 0..l.through {
-        let volume = d.elements[slab * l.through + i].volume;
-        for k in 0..MODES {
-            let g = r[l.pressure(slab, i) + k];
-            defect = defect.max(g.abs() / volume);
-            sum += g;
+
+    #[inline(always)]
+    fn cavity<const TANGENT: bool>(&mut self, slab: usize) {
+        let Self { d, s, ref mut w, ref mut totals } = *self;
+        let at = Places::new(d, slab, 0);
+        let mut x = d.layout.line(&s.u, slab, 0);
+        for (x, rest) in x.iter_mut().zip(d.mesh.line(slab, 0).as_flattened()) {
+            *x += rest;
+        }
+        let v = volume::<TANGENT>(&x);
+        totals.volume += v.value;
+        for i in 0..6 {
+            let k = at.vector[i / 2] + i % 2;
+            w.volume[k] += v.first[i];
+            w.residual[k] -= s.pressure * v.first[i];
+        }
+        if TANGENT {
+            let size = w.chain.size();
+            add_line(w.chain.slab_mut(slab), size, &at.matrix, |i, j| -s.pressure * v.second[i][j]);
         }
     }
-    if l.multipliers {
-        for g in 0..STRAND_POINTS {
-            let c = r[l.tension(slab) + g];
-            defect = defect.max(c.abs() / d.strands[slab][g].area);
-            sum += c;
-        }
-    }
-    totals.defect = totals.defect.max(largest * share).max(defect);
-    if sum.is_finite() { Ok(()) } else { Err(Stopped::NotFinite) }
 }
 
 /// At Z = 0: u_z = 0.
@@ -163,57 +288,6 @@ impl Places {
             matrix: [first, n + first, n + m + first],
         }
     }
-}
-
-#[inline(always)]
-fn solid<const TANGENT: bool>(
-    d: &Discretisation,
-    s: &State,
-    w: &mut Assembled,
-    law: &dyn AnyPlaneLaw,
-    (slab, i): (usize, usize),
-    totals: &mut Totals,
-) -> Result<(), Stopped> {
-    let at = Places::new(d, slab, 2 * i);
-    let pressure = d.layout.pressure(slab, i);
-    let index = slab * d.layout.through + i;
-    let geometry = &d.elements[index];
-    let mut u = Unknowns::default();
-    for a in 0..NODES {
-        let k = at.vector[a / 3] + 2 * (a % 3);
-        (u.r[a], u.z[a]) = (s.u[k], s.u[k + 1]);
-    }
-    u.p.copy_from_slice(&s.u[pressure..pressure + MODES]);
-    let c = &mut w.element;
-    let memory = d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index]));
-    let material = Material { law, compliance: d.compliance, memory };
-    if !solid::contribute::<TANGENT>(geometry, &u, &material, c) {
-        return Err(Stopped::Inverted);
-    }
-    totals.smallest_j = totals.smallest_j.min(c.smallest_j);
-    totals.rubber += c.energy;
-    for a in 0..NODES {
-        let k = at.vector[a / 3] + 2 * (a % 3);
-        w.residual[k] += c.fr[a];
-        w.residual[k + 1] += c.fz[a];
-    }
-    w.residual[pressure..pressure + MODES].copy_from_slice(&c.g);
-    if TANGENT {
-        let share = d.augment / geometry.volume;
-        for k in 0..MODES {
-            for a in 0..NODES {
-                let (r, z) = (share * c.br[k][a], share * c.bz[k][a]);
-                for b in 0..PADDED {
-                    c.rr[a][b] += r * c.br[k][b];
-                    c.rz[a][b] += r * c.bz[k][b];
-                    c.zz[a][b] += z * c.bz[k][b];
-                }
-            }
-        }
-        w.coupling[index] = [c.br, c.bz];
-        scatter(d, w, &at, i, geometry.volume, slab);
-    }
-    Ok(())
 }
 
 /// Adds the element's tangent to the slab's matrix (upper triangle).
@@ -273,97 +347,5 @@ pub fn tension(braid: &BraidSpec, strain: f64, multiplier: f64, augment: f64) ->
         },
         None if braid.compression || multiplier + augment * strain >= 0.0 => (multiplier, augment),
         _ => (0.0, 0.0),
-    }
-}
-
-#[inline(always)]
-fn strands<const TANGENT: bool>(
-    d: &Discretisation,
-    s: &State,
-    w: &mut Assembled,
-    slab: usize,
-    totals: &mut Totals,
-) {
-    let Some(braid) = d.problem.braid else { return };
-    let l = d.layout;
-    let outer = 2 * l.through;
-    let at = Places::new(d, slab, outer);
-    let u = l.line(&s.u, slab, outer);
-    let size = w.chain.size();
-    for (g, point) in d.strands[slab].iter().enumerate() {
-        let stretch = point.stretch(&u);
-        let strain = stretch.value - 1.0;
-        let both = 2.0 * point.area;
-        let unknown = l.tension(slab) + g;
-        let multiplier = if l.multipliers { s.u[unknown] } else { 0.0 };
-        let (q, k) = tension(&braid, strain, multiplier, d.augment_strand);
-        for i in 0..6 {
-            w.residual[at.vector[i / 2] + i % 2] += both * q * stretch.first[i];
-        }
-        let taut = k > 0.0;
-        if l.multipliers {
-            // Taut: ∂Π/∂q = 2w c. Slack: q must vanish.
-            w.residual[unknown] = if taut { both * strain } else { -both / d.augment_strand * multiplier };
-        } else {
-            totals.braid += match (&braid.crimp, braid.stiffness) {
-                (Some(crimp), Some(k)) if k > 0.0 && q != 0.0 => both * k * crimp.at(strain)[0],
-                _ => 0.5 * both * q * strain,
-            };
-        }
-        if TANGENT {
-            let index = slab * STRAND_POINTS + g;
-            w.strand[index] = if taut { stretch.first } else { [0.0; 6] };
-            let matrix = w.chain.slab_mut(slab);
-            if taut {
-                let carried = match braid.stiffness {
-                    Some(_) if braid.compression || s.q[index] > 0.0 => s.q[index],
-                    _ => q,
-                };
-                add_line(matrix, size, &at.matrix, |i, j| {
-                    both * (k * stretch.first[i] * stretch.first[j]
-                        + carried * point.curvature(&stretch, i, j))
-                });
-            }
-            if l.multipliers {
-                let row = l.station() + MODES * l.through + g;
-                if taut {
-                    for i in 0..6 {
-                        let column = at.matrix[i / 2] + i % 2;
-                        let (low, high) = (row.min(column), row.max(column));
-                        matrix[low * size + high] += both * stretch.first[i];
-                    }
-                } else {
-                    matrix[row * size + row] = -both / d.augment_strand;
-                }
-            }
-        }
-    }
-}
-
-#[inline(always)]
-fn cavity<const TANGENT: bool>(
-    d: &Discretisation,
-    s: &State,
-    w: &mut Assembled,
-    slab: usize,
-    totals: &mut Totals,
-) {
-    let at = Places::new(d, slab, 0);
-    let mut x = d.layout.line(&s.u, slab, 0);
-    for (k, j) in [2 * slab + 1, 2 * slab, 2 * slab + 2].into_iter().enumerate() {
-        let rest = d.mesh.node(0, j);
-        x[2 * k] += rest[0];
-        x[2 * k + 1] += rest[1];
-    }
-    let v = volume::<TANGENT>(&x);
-    totals.volume += v.value;
-    for i in 0..6 {
-        let k = at.vector[i / 2] + i % 2;
-        w.volume[k] += v.first[i];
-        w.residual[k] -= s.pressure * v.first[i];
-    }
-    if TANGENT {
-        let size = w.chain.size();
-        add_line(w.chain.slab_mut(slab), size, &at.matrix, |i, j| -s.pressure * v.second[i][j]);
     }
 }

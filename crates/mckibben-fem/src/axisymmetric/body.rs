@@ -12,6 +12,7 @@
 use super::assembly::{Assembled, assemble};
 use super::discretisation::{Discretisation, Ends};
 use super::neighbour::Neighbours;
+use crate::FemError;
 use crate::element::q2::{MODES, NODES};
 use crate::element::strand::STRAND_POINTS;
 use crate::solver::body::{Control, State, Totals};
@@ -165,9 +166,12 @@ impl Body {
         Ok(self.totals)
     }
 
-    /// The same; nothing is done where the last tangent is that of the present state.
-    pub fn factorised(&mut self) -> Result<Totals, Stopped> {
-        if self.linearised { Ok(self.totals) } else { self.factorise() }
+    /// The same of an equilibrium; nothing is done where the last tangent is that of the present state.
+    pub(super) fn tangent(&mut self) -> Result<(), FemError> {
+        if !self.linearised {
+            self.factorise().map_err(|reason| FemError::at_force(self.totals.pull, reason))?;
+        }
+        Ok(())
     }
 
     /// Half of ∂V/∂P at fixed length in mm³/MPa, of the last tangent, and ∂F/∂P as [`crate::solver::body::Body::force_per_pressure`] has it.

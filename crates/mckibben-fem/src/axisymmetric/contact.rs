@@ -21,6 +21,7 @@ use super::discretisation::Discretisation;
 use super::results::strand;
 use crate::FemError;
 use crate::element::q2::{GAUSS2, along};
+use crate::simulation::Given;
 use mckibben::model::Workspace;
 use std::f64::consts::PI;
 
@@ -57,7 +58,9 @@ impl Axisymmetric {
         pressure_mpa: f64,
         contraction: f64,
     ) -> Result<Contact, FemError> {
-        Ok(of(&mut self.factorised(workspace, pressure_mpa, contraction)?.body))
+        let c = self.led_to(workspace, Given::at(pressure_mpa, contraction))?;
+        c.body.tangent()?;
+        Ok(of(&mut c.body))
     }
 }
 
@@ -96,7 +99,7 @@ fn place(d: &Discretisation, u: &[f64], by: &[f64], (slab, g): (usize, usize)) -
     let square = stretch.value * stretch.value;
     let turning = (meridian * d_hoop - v_hoop * d_meridian) / square;
     // Curvature of the meridian, positive where it bulges.
-    let nodes = [1, 0, 2].map(|j| d.mesh.node(2 * l.through, 2 * slab + j));
+    let nodes = d.mesh.line(slab, 2 * l.through);
     let (n, slope) = along(GAUSS2[g].0);
     let (mut r, mut r1, mut z1, mut r2, mut z2) = (0.0, 0.0, 0.0, 0.0, 0.0);
     for a in 0..3 {

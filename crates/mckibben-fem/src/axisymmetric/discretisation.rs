@@ -126,15 +126,10 @@ pub struct Discretisation {
     pub memory: Option<Memory>,
 }
 
-/// Nodes of element `i` of slab `e`, in the element's order.
+/// Nodes of an element of a slab, in the element's order.
 pub(crate) fn nodes(mesh: &Mesh, slab: usize, element: usize) -> [[f64; 2]; NODES] {
-    let mut out = [[0.0; 2]; NODES];
-    for (k, j) in [2 * slab + 1, 2 * slab, 2 * slab + 2].into_iter().enumerate() {
-        for i in 0..3 {
-            out[3 * k + i] = mesh.node(2 * element + i, j);
-        }
-    }
-    out
+    let stations = Layout::numbers(slab);
+    std::array::from_fn(|a| mesh.node(2 * element + a % 3, stations[a / 3]))
 }
 
 impl Discretisation {
@@ -149,27 +144,20 @@ impl Discretisation {
         };
         let multipliers = matches!(problem.braid, Some(BraidSpec { stiffness: None, .. }));
         let layout = mesh.layout(multipliers);
-        let mut elements = Vec::with_capacity(mesh.through * mesh.along);
-        for slab in 0..mesh.along {
-            for i in 0..mesh.through {
-                let mut geometry = Geometry::new(&nodes(&mesh, slab, i)).ok_or_else(|| {
-                    FemError::Refused(format!(
-                        "mesh: element {element} is turned inside out at rest",
-                        element = slab * mesh.through + i
-                    ))
-                })?;
-                geometry.points = geometry.points.map(|p| p.prestretched(problem.prestretch));
-                elements.push(geometry);
-            }
-        }
+        let element = |index: usize| {
+            let nodes = nodes(&mesh, index / mesh.through, index % mesh.through);
+            let mut geometry = Geometry::new(&nodes).ok_or_else(|| {
+                FemError::Refused(format!("mesh: element {index} is turned inside out at rest"))
+            })?;
+            geometry.points = geometry.points.map(|p| p.prestretched(problem.prestretch));
+            Ok(geometry)
+        };
+        let elements = (0..mesh.through * mesh.along).map(element).collect::<Result<_, FemError>>()?;
         let outer = 2 * mesh.through;
-        let mut strands = Vec::new();
-        if let Some(braid) = problem.braid {
-            for slab in 0..mesh.along {
-                let nodes = [1, 0, 2].map(|j| mesh.node(outer, 2 * slab + j));
-                strands.push(strand::points(nodes, cylinder.node(outer, 0)[0], &braid.lay));
-            }
-        }
+        let strands = problem.braid.map_or(vec![], |braid| {
+            let radius = cylinder.node(outer, 0)[0];
+            (0..mesh.along).map(|slab| strand::points(mesh.line(slab, outer), radius, &braid.lay)).collect()
+        });
         let (inner, radius) = (cylinder.node(0, 0)[0], cylinder.node(outer, 0)[0]);
         let shear = problem.law.shear_modulus_mpa();
         let (compliance, augment) = match problem.bulk {

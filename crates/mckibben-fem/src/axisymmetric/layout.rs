@@ -1,6 +1,7 @@
 //! Where unknowns stand.
 
-use crate::element::q2::MODES;
+use crate::element::q2::{MODES, NODES};
+use crate::element::solid::Unknowns;
 use crate::element::strand::STRAND_POINTS;
 
 /// A tube of `through` elements through the wall and `along` elements along the half length.
@@ -49,6 +50,24 @@ impl Layout {
     pub fn stations(&self, slab: usize) -> [usize; 3] {
         let start = slab * self.stride();
         [start + self.station(), start, start + self.stride()]
+    }
+
+    /// The three stations of a slab: middle, left, right.
+    pub fn numbers(slab: usize) -> [usize; 3] {
+        [2 * slab + 1, 2 * slab, 2 * slab + 2]
+    }
+
+    /// Displacements and pressure modes of an element.
+    #[inline(always)]
+    pub fn element(&self, u: &[f64], slab: usize, element: usize) -> Unknowns {
+        let (stations, first) = (self.stations(slab), self.pressure(slab, element));
+        let mut out = Unknowns::default();
+        for a in 0..NODES {
+            let k = stations[a / 3] + 2 * (2 * element + a % 3);
+            (out.r[a], out.z[a]) = (u[k], u[k + 1]);
+        }
+        out.p.copy_from_slice(&u[first..first + MODES]);
+        out
     }
 
     /// Offset of station `j` = 0 … 2·along.

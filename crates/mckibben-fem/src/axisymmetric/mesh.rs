@@ -106,6 +106,11 @@ impl Mesh {
         Layout { through: self.through, along: self.along, multipliers }
     }
 
+    /// Nodes `i` of the stations of a slab: middle, left, right.
+    pub fn line(&self, slab: usize, i: usize) -> [[f64; 2]; 3] {
+        Layout::numbers(slab).map(|j| self.node(i, j))
+    }
+
     /// Node `i` of station `j`.
     pub fn node(&self, i: usize, j: usize) -> [f64; 2] {
         self.nodes[j * (2 * self.through + 1) + i]

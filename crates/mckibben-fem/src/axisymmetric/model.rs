@@ -5,7 +5,7 @@ use super::discretisation::{Discretisation, Memory, Problem};
 use super::mesh::{Mesh, MeshSpec};
 use super::sensitivity;
 use crate::FemError;
-use crate::simulation::{Divided, FiniteElements};
+use crate::simulation::{Divided, FiniteElements, Given};
 use crate::solver::continuation::Continuation;
 use mckibben::model::{
     self, Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, Reference, Slopes, ThickWall,
@@ -90,20 +90,6 @@ impl Axisymmetric {
         let own = self.force_n(workspace, pressure_mpa, contraction).unwrap_or(force_n);
         if force_n > 0.0 { (force_n - own).abs() } else { 0.0 }
     }
-
-    /// At a pressure in MPa and a contraction, with the tangent of this very state factorised.
-    pub(super) fn factorised<'w>(
-        &self,
-        workspace: &'w mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<&'w mut Continuation<Body>, FemError> {
-        let c = self.continuation(workspace)?;
-        c.reach(pressure_mpa, contraction)?;
-        let force_n = c.pull();
-        c.body.factorise().map_err(|reason| FemError::at_force(force_n, reason))?;
-        Ok(c)
-    }
 }
 
 impl Divided for MuscleSection {
@@ -145,7 +131,8 @@ impl Slopes for Axisymmetric {
         names: &[String],
     ) -> Option<Result<Vec<f64>, ModelError>> {
         let mut known = || {
-            let c = self.factorised(workspace, pressure_mpa, contraction)?;
+            let c = self.led_to(workspace, Given::at(pressure_mpa, contraction))?;
+            c.body.tangent()?;
             sensitivity::of(&mut c.body, self.muscle(), |name| names.iter().any(|n| n == name))
         };
         let known = match known() {

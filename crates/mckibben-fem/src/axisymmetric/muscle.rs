@@ -51,10 +51,6 @@ impl body::Body for Body {
         self.control = control;
     }
 
-    fn rest(&mut self) {
-        self.state.clear();
-    }
-
     fn half_length(&self) -> f64 {
         self.discretisation.half_length()
     }

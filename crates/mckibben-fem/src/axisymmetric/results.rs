@@ -4,76 +4,88 @@ use super::body::Body;
 use super::discretisation::{Discretisation, nodes};
 use super::sensitivity;
 use crate::FemError;
-use crate::element::q2::{MODES, NODES};
+use crate::element::q2::{NODES, Point};
 use crate::element::solid::{Unknowns, gradient};
 use crate::element::strand::{STRAND_POINTS, Stretch};
 use crate::results::{
-    Energies, ProfilePoint, Sensitivity, Solution, StrandState, StretchAt, StretchOf, largest_of_most,
+    MuscleBody, ProfilePoint, Sensitivity, StrandState, StretchAt, StretchOf, largest_of_most,
 };
-use crate::simulation::MuscleBody;
-use crate::solver::body::{Body as _, State};
-use mckibben::model::Response;
+use crate::solver::body::State;
 use mckibben::muscle::Muscle;
 
 impl MuscleBody for Body {
-    /// Everything the body's present equilibrium tells; factorises its tangent.
-    fn solution(&mut self, muscle: &Muscle) -> Result<Solution, FemError> {
-        let response = self.response(muscle)?;
-        let sensitivities = self.sensitivities(muscle)?;
-        let (d, s) = (&self.discretisation, &self.state);
-        let rest_volume = muscle.rest_volume_mm3();
-        let totals = self.totals;
-        let energies = Energies {
-            rubber_n_mm: 2.0 * totals.rubber,
-            braid_n_mm: 2.0 * totals.braid,
-            ends_n_mm: 0.0,
-            pressure_n_mm: s.pressure * (2.0 * totals.volume - rest_volume),
-        };
-        Ok(Solution {
-            profile: profile(d, s),
-            strands: strands(d, s, muscle),
-            max_stretch: largest_stretch(d, s),
-            energies,
-            unstable_directions: self.unstable_directions(),
-            smallest_j: totals.smallest_j,
-            sensitivities,
-            response,
-        })
+    fn derivatives(&mut self) -> Result<[f64; 3], FemError> {
+        self.tangent()?;
+        let (half_volume_per_pressure, force_per_pressure) = self.by_pressure();
+        Ok([self.end.stiffness(), force_per_pressure, 2.0 * half_volume_per_pressure])
     }
 
-    /// The part that every model tells; factorises the tangent.
-    fn response(&mut self, muscle: &Muscle) -> Result<Response, FemError> {
-        let totals = self.factorised().map_err(|reason| FemError::at_force(self.totals.pull, reason))?;
-        let (half_volume_per_pressure, force_per_pressure) = self.by_pressure();
-        let (d, s) = (&self.discretisation, &self.state);
-        let l = d.layout;
-        let outer = |j: usize| d.mesh.node(2 * l.through, j)[0] + s.u[l.at(j) + 4 * l.through];
-        let bulge =
-            (0..l.along).map(|slab| highest([0, 1, 2].map(|a| outer(2 * slab + a)))).fold(0.0, f64::max);
-        let largest = tensions(d, s).fold(0.0, f64::max);
-        let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
-        let all = 2.0 * std::f64::consts::PI * (2.0 * muscle.strand_lay().radius_mm) * cos * largest;
-        Ok(Response {
-            // Zeros without a sign.
-            pressure_mpa: s.pressure + 0.0,
-            contraction: 0.0 - s.terminal / d.half_length(),
-            force_n: totals.pull,
-            volume_mm3: Some(2.0 * totals.volume),
-            volume_per_pressure_mm3_per_mpa: Some(2.0 * half_volume_per_pressure),
-            volume_per_contraction_mm3: Some(muscle.length_mm() * force_per_pressure),
-            stiffness_n_per_mm: Some(0.5 * self.end.stiffness()),
-            force_per_pressure_mm2: Some(force_per_pressure),
-            braid_tension_n: Some(all),
-            strand_tension_n: count.map(|n| all / f64::from(n)),
-            bulged_diameter_mm: Some(2.0 * bulge),
-            middle_stretch: Some(middle_stretch(d, s)),
-            max_stretch: Some(largest_stretch(d, s).value),
-        })
+    fn rest_volume_mm3(&self, muscle: &Muscle) -> f64 {
+        muscle.rest_volume_mm3()
+    }
+
+    fn profile(&self) -> Vec<ProfilePoint> {
+        let (d, s, l) = (&self.discretisation, &self.state, self.discretisation.layout);
+        let station = |j: usize| {
+            let at = |i: usize| {
+                let ([r, z], k) = (d.mesh.node(i, j), l.at(j) + 2 * i);
+                (z + s.u[k + 1], r + s.u[k])
+            };
+            let ((outer_z_mm, outer_r_mm), (inner_z_mm, inner_r_mm)) = (at(2 * l.through), at(0));
+            let rest_z_mm = d.cylinder.node(0, j)[1];
+            ProfilePoint { rest_z_mm, outer_z_mm, outer_r_mm, inner_z_mm, inner_r_mm }
+        };
+        (0..=2 * l.along).map(station).collect()
+    }
+
+    fn strands(&self, muscle: &Muscle) -> Vec<StrandState> {
+        strands(&self.discretisation, &self.state, muscle)
+    }
+
+    fn bulge_mm(&self) -> f64 {
+        let outer: Vec<f64> = self.profile().iter().map(|p| p.outer_r_mm).collect();
+        let slabs = (0..self.discretisation.layout.along).map(|slab| 2 * slab);
+        slabs.map(|j| highest([outer[j], outer[j + 1], outer[j + 2]])).fold(0.0, f64::max)
+    }
+
+    fn largest_stretch(&self) -> StretchAt {
+        let d = &self.discretisation;
+        let middle = |i: usize, n: usize| (2 * i + 1) as f64 / n as f64 - 1.0;
+        let [through, along] = PARTS;
+        let mut list = Vec::with_capacity(d.layout.along * d.layout.through * through * along);
+        for (rest, u) in elements(d, &self.state) {
+            for i in 0..through {
+                for j in 0..along {
+                    let Some(p) = d.point(&rest, middle(i, through), middle(j, along)) else { continue };
+                    // ψ of a single point still holds 1 + its place.
+                    let at = StretchAt { value: largest(&p, &u), rest_mm: [p.psi[1], p.psi[2]] };
+                    list.push(StretchOf { at, volume: p.volume });
+                }
+            }
+        }
+        largest_of_most(list)
+    }
+
+    fn middle_stretch(&self) -> f64 {
+        let d = &self.discretisation;
+        let of = |(rest, u): &([[f64; 2]; NODES], Unknowns), xi: f64| {
+            d.point(rest, xi, -1.0).map(|p| largest(&p, u))
+        };
+        let first = elements(d, &self.state).take(d.layout.through);
+        first.flat_map(|e| [of(&e, -1.0), of(&e, 1.0)]).flatten().fold(1.0, f64::max)
     }
 
     fn sensitivities(&mut self, muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
-        if self.discretisation.has_slopes() { sensitivity::all(self, muscle) } else { Ok(vec![]) }
+        if self.discretisation.has_slopes() { sensitivity::of(self, muscle, |_| true) } else { Ok(vec![]) }
     }
+}
+
+/// Parts of an element in which its stretch is looked at: through the wall and along.
+const PARTS: [usize; 2] = [4, 6];
+
+/// The largest principal stretch at a point.
+fn largest(p: &Point, u: &Unknowns) -> f64 {
+    gradient(p, u).principal().into_iter().fold(0.0, f64::max)
 }
 
 /// The highest place of the quadratic edge of an element through its three nodes, which may lie between them.
@@ -81,11 +93,6 @@ fn highest([a, b, c]: [f64; 3]) -> f64 {
     let (slope, bend) = (0.5 * (c - a), a - 2.0 * b + c);
     let between = if bend < 0.0 && slope.abs() < -bend { b - 0.5 * slope * slope / bend } else { b };
     between.max(a).max(c)
-}
-
-/// Tension per width at every strand point.
-fn tensions<'a>(d: &'a Discretisation, s: &'a State) -> impl Iterator<Item = f64> + 'a {
-    (0..d.strands.len()).flat_map(move |slab| (0..STRAND_POINTS).map(move |g| strand(d, &s.u, slab, g).1))
 }
 
 /// λf and the tension per width of a strand point.
@@ -117,53 +124,6 @@ pub(super) fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<Str
     out
 }
 
-fn profile(d: &Discretisation, s: &State) -> Vec<ProfilePoint> {
-    let l = d.layout;
-    (0..=2 * l.along)
-        .map(|j| {
-            let at = |i: usize| {
-                let ([r, z], k) = (d.mesh.node(i, j), l.at(j) + 2 * i);
-                (z + s.u[k + 1], r + s.u[k])
-            };
-            let ((outer_z_mm, outer_r_mm), (inner_z_mm, inner_r_mm)) = (at(2 * l.through), at(0));
-            let rest_z_mm = d.cylinder.node(0, j)[1];
-            ProfilePoint { rest_z_mm, outer_z_mm, outer_r_mm, inner_z_mm, inner_r_mm }
-        })
-        .collect()
-}
-
-/// Parts of an element in which its stretch is looked at: through the wall and along.
-const PARTS: [usize; 2] = [4, 6];
-
-/// The stretch below which 99 % of the rubber lies.
-fn largest_stretch(d: &Discretisation, s: &State) -> StretchAt {
-    let middle = |i: usize, n: usize| (2 * i + 1) as f64 / n as f64 - 1.0;
-    let [through, along] = PARTS;
-    let mut list = Vec::with_capacity(d.layout.along * d.layout.through * through * along);
-    for (rest, u) in elements(d, s) {
-        for i in 0..through {
-            for j in 0..along {
-                let Some(p) = d.point(&rest, middle(i, through), middle(j, along)) else { continue };
-                let value = gradient(&p, &u).principal().into_iter().fold(0.0, f64::max);
-                // ψ of a single point still holds 1 + its place.
-                let at = StretchAt { value, rest_mm: [p.psi[1], p.psi[2]] };
-                list.push(StretchOf { at, volume: p.volume });
-            }
-        }
-    }
-    largest_of_most(list)
-}
-
-/// The largest stretch in the middle plane of the muscle.
-fn middle_stretch(d: &Discretisation, s: &State) -> f64 {
-    let of = |(rest, u): ([[f64; 2]; NODES], Unknowns), xi: f64| {
-        let p = d.point(&rest, xi, -1.0)?;
-        Some(gradient(&p, &u).principal().into_iter().fold(0.0, f64::max))
-    };
-    let first = elements(d, s).take(d.layout.through);
-    first.flat_map(|e| [of(e, -1.0), of(e, 1.0)]).flatten().fold(1.0, f64::max)
-}
-
 /// Nodes of every element before it is drawn on plugs, and displacements from there, from the middle to the terminal.
 pub(super) fn elements<'a>(
     d: &'a Discretisation,
@@ -180,24 +140,10 @@ pub(super) fn from_cylinder(
     element: usize,
 ) -> ([[f64; 2]; NODES], Unknowns) {
     let [cylinder, drawn] = [&d.cylinder, &d.mesh].map(|mesh| nodes(mesh, slab, element));
-    let mut u = unknowns(d, s, slab, element);
+    let mut u = d.layout.element(&s.u, slab, element);
     for a in 0..NODES {
         u.r[a] += drawn[a][0] - cylinder[a][0];
         u.z[a] += drawn[a][1] - cylinder[a][1];
     }
     (cylinder, u)
-}
-
-/// Displacements and pressure modes of an element.
-pub(super) fn unknowns(d: &Discretisation, s: &State, slab: usize, element: usize) -> Unknowns {
-    let l = d.layout;
-    let mut u = Unknowns::default();
-    for a in 0..NODES {
-        let j = [2 * slab + 1, 2 * slab, 2 * slab + 2][a / 3];
-        let k = l.at(j) + 2 * (2 * element + a % 3);
-        (u.r[a], u.z[a]) = (s.u[k], s.u[k + 1]);
-    }
-    let first = l.pressure(slab, element);
-    u.p.copy_from_slice(&s.u[first..first + MODES]);
-    u
 }

@@ -5,8 +5,9 @@
 //! meet, both are averaged.
 
 use super::discretisation::{Discretisation, nodes};
+use super::layout::Layout;
 use super::model::Axisymmetric;
-use super::results::{from_cylinder, strands, unknowns};
+use super::results::{from_cylinder, strands};
 use crate::FemError;
 use crate::element::plane::{self, AnyPlaneLaw, Gradient};
 use crate::element::q2::{GAUSS2, GAUSS3, NODES, Point, quadratic};
@@ -121,7 +122,7 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
                 let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
                 let Some(p) = d.point(&rest, x, y) else { continue };
                 let f = gradient(&p, &u);
-                let k = [2 * slab + 1, 2 * slab, 2 * slab + 2][a / 3] * per_station + 2 * e + a % 3;
+                let k = Layout::numbers(slab)[a / 3] * per_station + 2 * e + a % 3;
                 let node = &mut out[k];
                 shares[k] += 1.0;
                 node.rest_mm = rest[a];
@@ -162,7 +163,8 @@ fn between(values: impl Iterator<Item = f64>, xi: f64, eta: f64) -> f64 {
 
 /// Cauchy stress at the 2 × 2 points, ξ running first.
 fn stresses(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State, slab: usize, e: usize) -> [[f64; 4]; 4] {
-    let (index, rest, u) = (slab * d.layout.through + e, nodes(&d.mesh, slab, e), unknowns(d, s, slab, e));
+    let (index, rest, u) =
+        (slab * d.layout.through + e, nodes(&d.mesh, slab, e), d.layout.element(&s.u, slab, e));
     std::array::from_fn(|k| {
         let (xi, eta) = (GAUSS2[k % 2].0, GAUSS2[k / 2].0);
         let Some(at) = d.point(&rest, xi, eta) else { return [0.0; 4] };

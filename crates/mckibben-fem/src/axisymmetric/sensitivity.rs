@@ -14,26 +14,15 @@ use crate::solver::body::State;
 use mckibben::differences::STENCIL;
 use mckibben::muscle::measures::{STIFFNESS, of_section};
 use mckibben::muscle::{Muscle, Parts};
-use mckibben::rubber::Law;
 use std::sync::Arc;
-
-/// A law with `change` added to its constant number `index`.
-fn changed(law: &Law, index: usize, change: f64) -> Law {
-    law.with_constants(|i, value| if i == index { value + change } else { value })
-}
 
 /// Step of the differences, over the value.
 const STEP: f64 = 1e-3;
 
-/// All sensitivities at the body's equilibrium, whose tangent must stand factorised.
+/// Those sensitivities at the body's equilibrium whose name is wanted; its tangent must stand factorised.
 ///
 /// # Errors
 /// [`FemError`] where a neighbouring muscle cannot be assembled.
-pub fn all(body: &mut Body, muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
-    of(body, muscle, |_| true)
-}
-
-/// Those whose name is wanted.
 pub fn of(
     body: &mut Body,
     muscle: &Muscle,
@@ -68,7 +57,7 @@ pub fn of(
         let name = format!("tube.material.{}", c.name);
         let make = |h: f64| {
             let mut to = here.clone();
-            to.tube.rubber.law = changed(&law, index, h);
+            to.tube.rubber.law = law.with_constants(|i, v| if i == index { v + h } else { v });
             to
         };
         add(name, c.value, c.constant.unit(), &make)?;

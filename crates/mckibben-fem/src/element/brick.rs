@@ -11,21 +11,16 @@
 //!
 //! The same code serves one, four or eight elements at a time ([`super::lanes`]).
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::lanes::Real;
 use super::spatial::{AT, PAIRS, SpatialLaw};
 
 /// A shape function's values at an integration point of the parent cube.
-#[derive(Debug, Clone, Copy)]
-pub struct ShapePoint<const NN: usize> {
-    /// Place (ξ, η, ζ).
-    pub at: [f64; 3],
+#[derive(Debug, Clone)]
+pub struct ShapePoint {
     /// N_a
-    pub n: [f64; NN],
+    pub n: Vec<f64>,
     /// ∂N_a/∂(ξ, η, ζ)
-    pub dn: [[f64; 3]; NN],
+    pub dn: Vec<[f64; 3]>,
     /// Weight.
     pub weight: f64,
 }
@@ -130,13 +125,13 @@ pub(crate) fn adjugate<R: Real>(m: &[[R; 3]; 3]) -> [[R; 3]; 3] {
 
 /// ∂x/∂ξ
 #[inline(always)]
-pub(crate) fn jacobian<R: Real, const NN: usize>(x: &[[R; 3]; NN], dn: &[[f64; 3]; NN]) -> [[R; 3]; 3] {
+pub(crate) fn jacobian<R: Real>(x: &[[R; 3]], dn: &[[f64; 3]]) -> [[R; 3]; 3] {
     let mut m = [[R::splat(0.0); 3]; 3];
-    for a in 0..NN {
+    for (x, dn) in x.iter().zip(dn) {
         for j in 0..3 {
-            let d = R::splat(dn[a][j]);
+            let d = R::splat(dn[j]);
             for i in 0..3 {
-                m[i][j] = d.mul_add(x[a][i], m[i][j]);
+                m[i][j] = d.mul_add(x[i], m[i][j]);
             }
         }
     }
@@ -146,7 +141,7 @@ pub(crate) fn jacobian<R: Real, const NN: usize>(x: &[[R; 3]; NN], dn: &[[f64; 3
 /// Fills `out`; the tangent only where `TANGENT`.
 #[inline(always)]
 pub fn run<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
-    points: &[ShapePoint<NN>],
+    points: &[ShapePoint],
     input: &Input<R, NN, NM>,
     law: SpatialLaw<'_>,
     out: &mut Output<R, NN, NM>,
@@ -164,8 +159,8 @@ pub fn run<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
         }
     }
     for point in points {
-        let rest = jacobian(&input.rest, &point.dn);
-        let now = jacobian(&input.now, &point.dn);
+        let Ok(dn) = <&[[f64; 3]; NN]>::try_from(&point.dn[..]) else { continue };
+        let (rest, now) = (jacobian(&input.rest, dn), jacobian(&input.now, dn));
         let (d0, d1) = (determinant(&rest), determinant(&now));
         let dv = d0 * s(point.weight);
         let j = d1 * d0.recip();
@@ -186,7 +181,7 @@ pub fn run<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
         // Spatial gradients.
         let mut g = [[o; 3]; NN];
         for a in 0..NN {
-            let dn = point.dn[a];
+            let dn = dn[a];
             for i in 0..3 {
                 let sum = s(dn[0]).mul_add(adj1[0][i], s(dn[1]).mul_add(adj1[1][i], s(dn[2]) * adj1[2][i]));
                 g[a][i] = sum * r1;
@@ -221,7 +216,7 @@ pub fn run<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
         let tau = &state.tau;
         let jdv = j * dv;
         for k in 0..NM {
-            out.defect[k] += psi[k] * (jdv - dv);
+            out.defect[k] = out.defect[k] + psi[k] * (jdv - dv);
             let weight = psi[k] * jdv;
             for a in 0..NN {
                 for i in 0..3 {
@@ -248,9 +243,9 @@ pub fn run<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
                 }
             }
             for a in 0..3 {
-                whole[a] += pj;
+                whole[a] = whole[a] + pj;
                 for b in 0..3 {
-                    c[a][b] += pj;
+                    c[a][b] = c[a][b] + pj;
                 }
                 c[a][a] = c[a][a] - pj - pj;
                 c[a + 3][a + 3] = c[a + 3][a + 3] - pj;
@@ -288,9 +283,9 @@ fn tangent<R: Real, const NN: usize>(g: &[[R; 3]; NN], c: &[[R; 6]; 6], tau: &[R
                 block[3 * i + 1] = y.mul_add(l[1], x.mul_add(l[3], z.mul_add(l[4], block[3 * i + 1])));
                 block[3 * i + 2] = z.mul_add(l[2], y.mul_add(l[4], x.mul_add(l[5], block[3 * i + 2])));
             }
-            block[0] += straight;
-            block[4] += straight;
-            block[8] += straight;
+            block[0] = block[0] + straight;
+            block[4] = block[4] + straight;
+            block[8] = block[8] + straight;
         }
     }
 }
@@ -330,11 +325,7 @@ fn condense<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
 
 /// The pressure modes of an element at rest, made orthonormal by Gram and Schmidt; `None` where the element is turned
 /// inside out at rest.
-pub fn modes<const NN: usize>(
-    points: &[ShapePoint<NN>],
-    rest: &[[f64; 3]; NN],
-    count: usize,
-) -> Option<Modes> {
+pub fn modes(points: &[ShapePoint], rest: &[[f64; 3]], count: usize) -> Option<Modes> {
     let mut out = Modes { factors: [[0.0; 4]; 4], ..Modes::default() };
     let mut at = Vec::with_capacity(points.len());
     for p in points {
@@ -342,7 +333,7 @@ pub fn modes<const NN: usize>(
         if !(d > 0.0 && d.is_finite()) {
             return None;
         }
-        let place: [f64; 3] = std::array::from_fn(|i| (0..NN).map(|a| p.n[a] * rest[a][i]).sum());
+        let place: [f64; 3] = std::array::from_fn(|i| p.n.iter().zip(rest).map(|(n, x)| n * x[i]).sum());
         out.volume += d * p.weight;
         for i in 0..3 {
             out.centre[i] += d * p.weight * place[i];

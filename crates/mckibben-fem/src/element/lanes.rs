@@ -4,7 +4,7 @@
 //! No sum runs across lanes: an element's answer does not depend on its neighbours in the lanes. [`Real::mul_add`] is
 //! fused where the lanes are wide, so that machines with and without wide lanes differ by rounding.
 
-use std::ops::{Add, AddAssign, Mul, Sub};
+use std::ops::{Add, Mul, Sub};
 use std::sync::atomic::{AtomicU8, Ordering};
 
 /// Lanes of the widest.
@@ -12,7 +12,7 @@ pub const MOST: usize = 8;
 
 /// One number per lane.
 pub trait Real:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + AddAssign + Send + Sync + 'static
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Send + Sync + 'static
 {
     /// Lanes.
     const LANES: usize;
@@ -187,7 +187,7 @@ pub use wide::{Eight, Four};
 mod wide {
     use super::Real;
     use std::arch::x86_64::*;
-    use std::ops::{Add, AddAssign, Mul, Sub};
+    use std::ops::{Add, Mul, Sub};
 
     macro_rules! lanes {
         ($name:ident, $inner:ty, $n:expr, $doc:expr, $add:ident, $sub:ident, $mul:ident, $div:ident, $fma:ident, $set:ident, $min:ident,
@@ -217,12 +217,6 @@ mod wide {
                 #[inline(always)]
                 fn mul(self, o: Self) -> Self {
                     unsafe { Self($mul(self.0, o.0)) }
-                }
-            }
-            impl AddAssign for $name {
-                #[inline(always)]
-                fn add_assign(&mut self, o: Self) {
-                    *self = *self + o;
                 }
             }
             impl Real for $name {

@@ -18,28 +18,13 @@ use super::spatial::inverse_cube_root;
 use super::stretches::ByStretches;
 use mckibben::rubber::{InvariantLaw, Law, LawVisitor, RubberLaw};
 
-/// φ and its derivatives in (s, D, t).
-#[derive(Debug, Clone, Copy, Default)]
-struct Phi {
-    w: f64,
-    s: f64,
-    d: f64,
-    t: f64,
-    ss: f64,
-    sd: f64,
-    st: f64,
-    dd: f64,
-    dt: f64,
-    tt: f64,
-}
-
 /// A law in I1 and I2.
 #[derive(Debug, Clone, Copy)]
 pub struct ByInvariants<'a, L>(pub &'a L);
 
-impl<L: InvariantLaw> ByInvariants<'_, L> {
+impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {
     #[inline(always)]
-    fn phi<const TANGENT: bool>(&self, f: &Gradient, p: f64) -> Phi {
+    fn stress<const TANGENT: bool>(&self, f: &Gradient, p: f64) -> Stress {
         let Gradient { a, b, c, d, t } = *f;
         let s = a * a + b * b + c * c + d * d;
         let area = a * d - b * c;
@@ -53,12 +38,15 @@ impl<L: InvariantLaw> ByInvariants<'_, L> {
         let (x_s, x_d, x_t) = (j, -2.0 * third * x * rd, 2.0 * j * t - 2.0 * third * x * rt);
         let (y_s, y_d, y_t) =
             (j2 * t * t, 2.0 * j2 * area - 4.0 * third * y * rd, 2.0 * j2 * t * s - 4.0 * third * y * rt);
-        let mut phi = Phi {
+        // φ_s, φ_D, φ_t
+        let two = 2.0 * (e.w1 * x_s + e.w2 * y_s);
+        let phi_d = e.w1 * x_d + e.w2 * y_d + p * t;
+        let phi_t = e.w1 * x_t + e.w2 * y_t + p * area;
+        let mut out = Stress {
             w: e.w,
-            s: e.w1 * x_s + e.w2 * y_s,
-            d: e.w1 * x_d + e.w2 * y_d + p * t,
-            t: e.w1 * x_t + e.w2 * y_t + p * area,
-            ..Phi::default()
+            r: [two * a + phi_d * d, two * b - phi_d * c, phi_t],
+            z: [two * c - phi_d * b, two * d + phi_d * a],
+            ..Stress::default()
         };
         if TANGENT {
             let (x_sd, x_st) = (-2.0 * third * j * rd, -2.0 * third * j * rt);
@@ -72,41 +60,23 @@ impl<L: InvariantLaw> ByInvariants<'_, L> {
             let second = |xi: f64, yi: f64, xj: f64, yj: f64| {
                 e.w11 * xi * xj + e.w12 * (xi * yj + yi * xj) + e.w22 * yi * yj
             };
-            phi.ss = second(x_s, y_s, x_s, y_s);
-            phi.sd = second(x_s, y_s, x_d, y_d) + e.w1 * x_sd + e.w2 * y_sd;
-            phi.st = second(x_s, y_s, x_t, y_t) + e.w1 * x_st + e.w2 * y_st;
-            phi.dd = second(x_d, y_d, x_d, y_d) + e.w1 * x_dd + e.w2 * y_dd;
-            phi.dt = second(x_d, y_d, x_t, y_t) + e.w1 * x_dt + e.w2 * y_dt + p;
-            phi.tt = second(x_t, y_t, x_t, y_t) + e.w1 * x_tt + e.w2 * y_tt;
-        }
-        phi
-    }
-}
-
-impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {
-    #[inline(always)]
-    fn stress<const TANGENT: bool>(&self, f: &Gradient, p: f64) -> Stress {
-        let phi = self.phi::<TANGENT>(f, p);
-        let Gradient { a, b, c, d, .. } = *f;
-        let two = 2.0 * phi.s;
-        let mut out = Stress {
-            w: phi.w,
-            r: [two * a + phi.d * d, two * b - phi.d * c, phi.t],
-            z: [two * c - phi.d * b, two * d + phi.d * a],
-            ..Stress::default()
-        };
-        if TANGENT {
-            let (h1, h2, h3) = (4.0 * phi.ss, 2.0 * phi.sd, phi.dd);
+            let ss = second(x_s, y_s, x_s, y_s);
+            let sd = second(x_s, y_s, x_d, y_d) + e.w1 * x_sd + e.w2 * y_sd;
+            let st = second(x_s, y_s, x_t, y_t) + e.w1 * x_st + e.w2 * y_st;
+            let dd = second(x_d, y_d, x_d, y_d) + e.w1 * x_dd + e.w2 * y_dd;
+            let dt = second(x_d, y_d, x_t, y_t) + e.w1 * x_dt + e.w2 * y_dt + p;
+            let tt = second(x_t, y_t, x_t, y_t) + e.w1 * x_tt + e.w2 * y_tt;
+            let (h1, h2, h3) = (4.0 * ss, 2.0 * sd, dd);
             // Pairs (f, g) of a, b, c, d.
             let (fa, fb, fc, fd) = ((a, d), (b, -c), (c, -b), (d, a));
             let outer =
                 |i: (f64, f64), j: (f64, f64)| i.0 * (h1 * j.0 + h2 * j.1) + i.1 * (h2 * j.0 + h3 * j.1);
-            let with_t = |i: (f64, f64)| 2.0 * phi.st * i.0 + phi.dt * i.1;
+            let with_t = |i: (f64, f64)| 2.0 * st * i.0 + dt * i.1;
             let (ab, at, bt) = (outer(fa, fb), with_t(fa), with_t(fb));
-            out.rr = [[two + outer(fa, fa), ab, at], [ab, two + outer(fb, fb), bt], [at, bt, phi.tt]];
+            out.rr = [[two + outer(fa, fa), ab, at], [ab, two + outer(fb, fb), bt], [at, bt, tt]];
             out.rz = [
-                [outer(fa, fc), outer(fa, fd) + phi.d],
-                [outer(fb, fc) - phi.d, outer(fb, fd)],
+                [outer(fa, fc), outer(fa, fd) + phi_d],
+                [outer(fb, fc) - phi_d, outer(fb, fd)],
                 [with_t(fc), with_t(fd)],
             ];
             let cd = outer(fc, fd);

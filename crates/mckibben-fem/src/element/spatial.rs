@@ -8,9 +8,6 @@
 //!
 //! Order of components: xx, yy, zz, xy, yz, zx.
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 pub use super::tensor::{AT, PAIRS, Spatial, Symmetric};
 
 use super::lanes::{MOST, Real};
@@ -171,7 +168,7 @@ fn deviate<R: Real>(out: &mut Spatial<R>, mean: R) {
     let all = (row[0] + row[1] + row[2]) * third;
     let two = s(2.0) * mean;
     for a in 0..6 {
-        row[a] += s(2.0 / 3.0) * out.tau[a];
+        row[a] = row[a] + s(2.0 / 3.0) * out.tau[a];
     }
     let both = all - two * third;
     for a in 0..3 {
@@ -181,8 +178,8 @@ fn deviate<R: Real>(out: &mut Spatial<R>, mean: R) {
         for b in 3..6 {
             c[a][b] = c[a][b] - row[b];
         }
-        c[a][a] += two;
-        c[a + 3][a + 3] += mean;
+        c[a][a] = c[a][a] + two;
+        c[a + 3][a + 3] = c[a + 3][a + 3] + mean;
     }
     for a in 1..6 {
         for b in 0..a {

@@ -5,9 +5,6 @@
 //!   c = Σ (∂τa/∂ln λb − 2 τa δab) na⊗na⊗nb⊗nb + Σ_{a<b} gab S⊗S,   S = na⊗nb + nb⊗na
 //!   gab = (τa λb² − τb λa²)/(λa² − λb²)
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::lanes::Real;
 use super::stretches::logarithmic;
 use super::tensor::{PAIRS, Spatial, Symmetric};

@@ -5,9 +5,6 @@
 //! the nodes, which Gauss points integrate exactly: forces and tangent are its exact derivatives, and the tangent is
 //! symmetric because the cavity is closed (Schweizerhof & Ramm 1984 \[schweizerhof1984\]).
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use crate::element::q2::{GAUSS2, GAUSS3, functions};
 
 /// Values of the shape functions of a face with N nodes at its points: (N, ∂N/∂ξ, ∂N/∂η, weight).

@@ -87,7 +87,7 @@ fn places(section: &Section) -> Vec<Along> {
 
 /// (stretch, angle, tension per width, tension of a strand) at Z between the points where the model has them; before
 /// the first and beyond the last point theirs.
-fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
+pub(crate) fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
     let values = |s: &StrandState| [s.stretch, s.angle_deg, s.tension_n_per_mm, s.tension_n.unwrap_or(0.0)];
     let after = strands.partition_point(|s| s.rest_mm < rest);
     match (after.checked_sub(1).and_then(|k| strands.get(k)), strands.get(after)) {

@@ -5,7 +5,7 @@
 
 mod deck;
 mod eighth;
-mod helices;
+pub(crate) mod helices;
 mod revolve;
 mod series;
 mod stations;

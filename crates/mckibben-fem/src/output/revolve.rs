@@ -3,6 +3,7 @@
 use super::stations::FIELDS;
 use super::vtu::{Grid, PointData};
 use crate::axisymmetric::{Section, SectionNode};
+use crate::three_dimensional::Brick;
 use std::f64::consts::TAU;
 
 /// Divisions around the axis; whole quadrants, so that turning by 90° changes no digit.
@@ -53,17 +54,7 @@ pub fn tube(section: &Section) -> Grid {
     data.extend(FIELDS.iter().map(|(name, value)| scalar(name, &|n, _| value(n))));
     // σrz changes its sign with z.
     data.push(scalar("stress_shear_mpa", &|n, sign| sign * n.stress_mpa[3]));
-    let point = |i: usize, j: usize, k: usize| ((j * across + i) * AROUND + k % AROUND) as i64;
-    let mut connectivity = Vec::with_capacity(8 * (across - 1) * (stations - 1) * AROUND);
-    for j in 0..stations - 1 {
-        for i in 0..across - 1 {
-            for k in 0..AROUND {
-                for above in 0..2 {
-                    let square = [(i, k), (i + 1, k), (i + 1, k + 1), (i, k + 1)];
-                    connectivity.extend(square.map(|(i, k)| point(i, j + above, k)));
-                }
-            }
-        }
-    }
-    Grid::of_hexahedra(placed(&|n| n.now_mm), connectivity, data)
+    let point = |i, k, j| (j * across + i) * AROUND + k % AROUND;
+    let cells = Brick::Linear.bricks([across - 1, AROUND, stations - 1], point);
+    Grid::of_hexahedra(placed(&|n| n.now_mm), &cells, data)
 }

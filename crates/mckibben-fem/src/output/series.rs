@@ -24,53 +24,42 @@ pub struct VtuFile {
 #[derive(Debug)]
 pub struct VtuSeries {
     about: String,
-    /// Parts of every step.
-    parts: Vec<usize>,
+    steps: usize,
+    /// Step, part, name and file.
+    files: Vec<(usize, usize, &'static str, String)>,
 }
 
 impl VtuSeries {
     /// A series; `about` says what the muscle is.
     pub fn new(about: &str) -> Self {
-        Self { about: about.to_owned(), parts: vec![] }
+        Self { about: about.to_owned(), steps: 0, files: vec![] }
     }
 
     /// The files of a step: bodies and what the model says about the equilibrium; then the list of all steps.
     pub fn add(&mut self, shape: Shape, response: &Response) -> Result<Vec<VtuFile>, VtuError> {
-        let step = self.parts.len();
+        let step = self.steps;
         let note = if shape.for_display { "; the number of strands is for display" } else { "" };
         let about = format!("{}; step {step}{note}", self.about);
         let drawn = shape.strands_drawn.map(|n| ("strands_drawn", f64::from(n)));
         let mut grids = vec![(shape.tube, None), (shape.braid, drawn)];
         grids.extend(shape.plug.map(|grid| (grid, None)));
-        let count = grids.len();
-        let mut files = Vec::with_capacity(count + 1);
+        let mut files = Vec::with_capacity(grids.len() + 1);
         for (part, (mut grid, more)) in PARTS.into_iter().zip(grids) {
             fill(&mut grid, response, more);
-            let name = file(part, step);
+            let name = format!("{part}_{step:04}.vtu");
             files.push(VtuFile { text: grid.to_xml(&about, &name)?, name });
         }
-        self.parts.push(count);
+        let parts = PARTS.into_iter().zip(&files).enumerate();
+        self.files.extend(parts.map(|(number, (part, file))| (step, number, part, file.name.clone())));
+        self.steps += 1;
         files.push(self.list());
         Ok(files)
     }
 
     /// The list of all steps, `muscle.pvd`.
     pub fn list(&self) -> VtuFile {
-        let parts = self.parts.iter().enumerate().flat_map(|(step, &count)| {
-            PARTS
-                .into_iter()
-                .take(count)
-                .enumerate()
-                .map(move |(part, name)| (step, part, name, file(name, step)))
-        });
-        VtuFile { name: LIST.into(), text: collection(&self.about, parts) }
+        VtuFile { name: "muscle.pvd".into(), text: collection(&self.about, &self.files) }
     }
-}
-
-const LIST: &str = "muscle.pvd";
-
-fn file(part: &str, step: usize) -> String {
-    format!("{part}_{step:04}.vtu")
 }
 
 fn fill(grid: &mut Grid, r: &Response, more: Option<(&'static str, f64)>) {

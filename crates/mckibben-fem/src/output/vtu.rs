@@ -8,7 +8,6 @@ use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use mckibben::clean;
-use std::fmt::Write as _;
 use std::io::Write as _;
 use thiserror::Error;
 
@@ -75,8 +74,11 @@ impl Grid {
         Self { kind: POLY_LINE, points, connectivity, offsets, data, field: vec![] }
     }
 
-    /// Hexahedra with eight points each in `connectivity`.
-    pub fn of_hexahedra(points: Vec<[f64; 3]>, connectivity: Vec<i64>, data: Vec<PointData>) -> Self {
+    /// Hexahedra with eight points each, the first direction running fastest.
+    pub fn of_hexahedra(points: Vec<[f64; 3]>, cells: &[Vec<u32>], data: Vec<PointData>) -> Self {
+        const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
+        let connectivity: Vec<i64> =
+            cells.iter().flat_map(|cell| ORDER.map(|a| i64::from(cell[a]))).collect();
         let offsets = (1..=connectivity.len() / 8).map(|c| 8 * c as i64).collect();
         Self { kind: HEXAHEDRON, points, connectivity, offsets, data, field: vec![] }
     }
@@ -94,16 +96,14 @@ impl Grid {
         out.push_str("<UnstructuredGrid>\n<FieldData>\n");
         for (name, value) in &self.field {
             finite(name, value.is_finite())?;
-            let _ = writeln!(
-                out,
-                r#"<DataArray type="Float64" Name="{name}" NumberOfTuples="1" format="ascii">{value:?}</DataArray>"#
+            out += &format!(
+                "<DataArray type=\"Float64\" Name=\"{name}\" NumberOfTuples=\"1\" format=\"ascii\">"
             );
+            out += &format!("{value:?}</DataArray>\n");
         }
         let (points, cells) = (self.points.len(), self.offsets.len());
-        let _ = writeln!(
-            out,
-            "</FieldData>\n<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">\n<PointData>"
-        );
+        out += "</FieldData>\n";
+        out += &format!("<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">\n<PointData>\n");
         for PointData { name, components, values } in &self.data {
             if *components > 1 {
                 array(&mut out, "Float64", name, *components, doubles(values.iter()));
@@ -124,15 +124,13 @@ impl Grid {
     }
 }
 
-/// The file that lists the problem (number, name, file) of each step.
-pub fn collection<'a>(about: &str, problem: impl Iterator<Item = (usize, usize, &'a str, String)>) -> String {
+/// The file that lists step, part, name and file of a series.
+pub fn collection(about: &str, files: &[(usize, usize, &str, String)]) -> String {
     let mut out = head("Collection", about);
     out.push_str("<Collection>\n");
-    for (step, part, name, file) in problem {
-        let _ = writeln!(
-            out,
-            r#"<DataSet timestep="{step}" group="" part="{part}" name="{name}" file="{file}"/>"#
-        );
+    for (step, part, name, file) in files {
+        let place = format!("timestep=\"{step}\" group=\"\" part=\"{part}\"");
+        out += &format!("<DataSet {place} name=\"{name}\" file=\"{file}\"/>\n");
     }
     out.push_str("</Collection>\n</VTKFile>\n");
     out
@@ -155,7 +153,7 @@ fn doubles<'a>(values: impl Iterator<Item = &'a f64>) -> Vec<u8> {
 
 fn array(out: &mut String, kind: &str, name: &str, components: usize, bytes: Vec<u8>) {
     let many = if components > 1 { format!(" NumberOfComponents=\"{components}\"") } else { String::new() };
-    let _ = write!(out, r#"<DataArray type="{kind}" Name="{name}"{many} format="binary">"#);
+    *out += &format!("<DataArray type=\"{kind}\" Name=\"{name}\"{many} format=\"binary\">");
     let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
     // Writing to memory cannot fail.
     let packed = encoder.write_all(&bytes).and_then(|()| encoder.finish()).unwrap_or_default();

@@ -152,7 +152,7 @@ pub struct Settings {
     /// Factorisations that a question may cost.
     pub budget: usize,
     /// Whether an equilibrium from a first guess is taken though it is not stable: a wall of bricks buckles between strands that go
-    /// slack. [`super::continuation::Continuation::unstable`] lists such equilibria.
+    /// slack. [`super::continuation::Continuation::unstable`] has the first of them.
     pub take_unstable: bool,
 }
 
@@ -200,7 +200,9 @@ pub trait Body {
     fn smallest_pressure(&self) -> f64;
 
     /// Sets the state to that of the body at rest.
-    fn rest(&mut self);
+    fn rest(&mut self) {
+        self.state_mut().clear();
+    }
 
     /// First iterate number `attempt` at a pressure in MPa and a displacement of the terminal in mm; `None` after the last one, and
     /// `Some(false)` where this one does not apply.
@@ -239,7 +241,10 @@ pub trait Body {
     }
 
     /// Whether every strand is in tension, or the muscle neither pressurised nor shortened.
-    fn taut(&self) -> bool;
+    fn taut(&self) -> bool {
+        let state = self.state();
+        (state.pressure == 0.0 && state.terminal >= 0.0) || state.q.iter().all(|q| *q > 0.0)
+    }
 
     /// Pull in N below which the tube at its present length may have folds.
     fn folds_below(&self) -> f64 {
@@ -257,7 +262,4 @@ pub trait Body {
         let pull = self.totals().pull;
         pull > self.folds_below() || self.taut() && pull >= -PUSH * PI * self.radius().powi(2) * pressure
     }
-
-    /// Forgets what first guesses were made of.
-    fn forget(&mut self) {}
 }

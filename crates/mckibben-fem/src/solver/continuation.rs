@@ -22,8 +22,6 @@ use mckibben::status::Status;
 
 /// Strands are taut at this multiple of the pressure at which the muscle is expected to begin to pull.
 pub(crate) const TAUT: f64 = 1.3;
-/// Equilibria that are not stable and are noted.
-const NOTED: usize = 16;
 /// Contractions lie between ± this.
 pub(super) const LARGEST_CONTRACTION: f64 = 0.95;
 
@@ -49,12 +47,6 @@ pub(super) enum Guessed {
     Nothing,
 }
 
-impl Guessed {
-    pub(super) fn is_answer(self) -> bool {
-        self == Self::Answer
-    }
-}
-
 /// A body that is led from equilibrium to equilibrium, and the equilibria it passed.
 #[derive(Debug, Clone)]
 pub struct Continuation<B: Body> {
@@ -75,7 +67,8 @@ pub struct Continuation<B: Body> {
     pub(super) before: State,
     /// Steps of the present walk from rest.
     pub(super) steps: Option<usize>,
-    unstable: Vec<Unstable>,
+    /// The first equilibrium that was met and is not stable.
+    pub unstable: Option<Unstable>,
     pub(super) descent: Descent,
 }
 
@@ -95,7 +88,7 @@ impl<B: Body> Continuation<B> {
             base: rest.clone(),
             before: rest,
             steps: None,
-            unstable: vec![],
+            unstable: None,
             descent: Descent::default(),
         }
     }
@@ -111,29 +104,13 @@ impl<B: Body> Continuation<B> {
         self.body.totals().pull
     }
 
-    /// Forgets every equilibrium.
-    pub fn forget(&mut self) {
-        self.kept.clear();
-        self.oldest = 0;
-        self.trail.clear();
-        self.unstable.clear();
-        self.descent = Descent::default();
-        self.body.forget();
-    }
-
-    /// Back to the body at rest.
-    /// Equilibria that were met and are not stable, the first ones.
-    pub fn unstable(&self) -> &[Unstable] {
-        &self.unstable
-    }
-
     /// Notes an equilibrium that is not stable.
     pub(super) fn note(&mut self) {
         let directions = self.body.unstable_directions();
-        if directions > 0 && self.unstable.len() < NOTED {
+        if directions > 0 && self.unstable.is_none() {
             let (step, pressure_mpa) = (self.steps.unwrap_or(0), self.body.state().pressure);
             let contraction = self.contraction();
-            self.unstable.push(Unstable { step, pressure_mpa, contraction, directions });
+            self.unstable = Some(Unstable { step, pressure_mpa, contraction, directions });
         }
     }
 
@@ -256,11 +233,8 @@ impl<B: Body> Continuation<B> {
 
     fn question(&self, pressure_mpa: f64, contraction: f64) -> Result<(), FemError> {
         let known = -LARGEST_CONTRACTION < contraction && contraction < LARGEST_CONTRACTION;
-        if pressure_mpa.is_finite() && known {
-            Ok(())
-        } else {
-            Err(FemError::Question { pressure_mpa, contraction })
-        }
+        let question = FemError::Question { pressure_mpa, contraction };
+        (pressure_mpa.is_finite() && known).then_some(()).ok_or(question)
     }
 
     /// Seeks an equilibrium within the factorisations that its question may cost.
@@ -333,16 +307,5 @@ impl<B: Body> Continuation<B> {
     pub(super) fn interrupted(&mut self, reason: Stopped) -> Interrupted {
         self.base.copy_from(self.body.state());
         Interrupted { reason, last: self.last() }
-    }
-
-    /// Solves with the terminal at `w` from the present iterate, as step number `step` of a walk from rest.
-    pub(crate) fn step(&mut self, step: usize, w: f64) -> Result<(), Stopped> {
-        self.steps = Some(step);
-        let found = self.solve(Control::Length(w));
-        if found.is_ok() {
-            self.note();
-        }
-        self.steps = None;
-        found
     }
 }

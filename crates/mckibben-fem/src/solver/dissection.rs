@@ -3,6 +3,8 @@
 //! A box of grid lines is cut by one line across its longer side; the two halves come first, the line last. Only the two
 //! longer directions of a tube's wall are cut: what lies through the wall stays together.
 
+use std::ops::Range;
+
 /// Grid lines around and along, and how far apart lines are that separate (1 for linear, 2 for quadratic elements).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Sheet {
@@ -21,36 +23,32 @@ impl Sheet {
     /// The order of elimination of the sheet's points (around, along).
     pub fn order(&self) -> Vec<(usize, usize)> {
         let mut out = Vec::with_capacity(self.around * self.along);
-        self.cut((0, self.around), (0, self.along), &mut out);
+        self.cut((0..self.around, 0..self.along), &mut out);
         out
     }
 
-    fn cut(&self, j: (usize, usize), k: (usize, usize), out: &mut Vec<(usize, usize)>) {
-        let (nj, nk) = (j.1 - j.0, k.1 - k.0);
-        let line = |(low, high): (usize, usize)| {
-            let middle = (low + (high - low) / 2) / self.stride * self.stride;
-            (middle > low && middle + 1 < high).then_some(middle)
+    fn cut(&self, (mut j, mut k): (Range<usize>, Range<usize>), out: &mut Vec<(usize, usize)>) {
+        let line = |lines: &Range<usize>| {
+            let middle = (lines.start + lines.len() / 2) / self.stride * self.stride;
+            (middle > lines.start && middle + 1 < lines.end).then_some(middle)
         };
-        let leaf = LEAF * self.stride;
-        if nj.max(nk) > leaf {
-            let first_along = nk >= nj;
-            for along in [first_along, !first_along] {
-                if let Some(m) = line(if along { k } else { j }) {
-                    if along {
-                        self.cut(j, (k.0, m), out);
-                        self.cut(j, (m + 1, k.1), out);
-                        out.extend((j.0..j.1).map(|a| (a, m)));
-                    } else {
-                        self.cut((j.0, m), k, out);
-                        self.cut((m + 1, j.1), k, out);
-                        out.extend((k.0..k.1).map(|b| (m, b)));
-                    }
-                    return;
+        if j.len().max(k.len()) > LEAF * self.stride {
+            let across = |j: &Range<usize>| line(j).map(|m| (m, false));
+            let along = |k: &Range<usize>| line(k).map(|m| (m, true));
+            let longer = k.len() >= j.len();
+            let cut =
+                if longer { along(&k).or_else(|| across(&j)) } else { across(&j).or_else(|| along(&k)) };
+            if let Some((m, along)) = cut {
+                let all = if along { &mut k } else { &mut j };
+                let halves = [all.start..m, m + 1..all.end];
+                *all = m..m + 1;
+                for half in halves {
+                    self.cut(if along { (j.clone(), half) } else { (half, k.clone()) }, out);
                 }
             }
         }
-        for b in k.0..k.1 {
-            out.extend((j.0..j.1).map(|a| (a, b)));
+        for b in k {
+            out.extend(j.clone().map(|a| (a, b)));
         }
     }
 }

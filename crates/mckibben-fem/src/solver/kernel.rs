@@ -4,9 +4,6 @@
 //! A, a block of A in the second while strips pass (Goto & van de Geijn 2008 \[goto2008\]). With A and Bᵀ by columns a tile reads both
 //! side by side as they are; a block of A that many strips pass is copied tile by tile. The order of the sums depends on the sizes alone.
 
-// Rows and columns of tiles are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use crate::element::lanes::{Real, Width, on_lanes};
 
 /// Vectors of a tile: with as many columns as `strip` says they just fill the registers.

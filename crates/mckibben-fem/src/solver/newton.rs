@@ -128,8 +128,6 @@ pub struct Effort {
     pub iterations: usize,
     /// Tangents assembled and factorised.
     pub factorisations: usize,
-    /// Residuals assembled without a tangent.
-    pub residuals: usize,
     /// Last relative residual.
     pub residual: f64,
     /// How far the last solve went from where it began: the sum of its corrections' sizes.
@@ -152,7 +150,6 @@ pub fn solve(
     let before = effort.factorisations;
     effort.moved = 0.0;
     if options.neighbour {
-        effort.residuals += 1;
         effort.iterations += 1;
         watch(system.residual()?)?;
         effort.moved += system.correct()?;
@@ -177,23 +174,21 @@ pub fn solve(
         if effort.moved > options.reach {
             return Err(Stopped::Branch);
         }
-        if size < options.small {
-            effort.residuals += 1;
-            if let Ok(next) = system.residual() {
-                watch(next)?;
-                let gain = next / norm;
-                norm = next;
-                // One more turn with the old tangent where that is likely to be the last (modified Newton method).
-                if norm > options.tolerance && gain * norm <= options.tolerance {
-                    effort.iterations += 1;
-                    effort.residuals += 1;
-                    effort.moved += system.correct()?;
-                    norm = system.residual()?;
-                    watch(norm)?;
-                }
-                if norm <= options.tolerance {
-                    continue;
-                }
+        if size < options.small
+            && let Ok(next) = system.residual()
+        {
+            watch(next)?;
+            let gain = next / norm;
+            norm = next;
+            // One more turn with the old tangent where that is likely to be the last (modified Newton method).
+            if norm > options.tolerance && gain * norm <= options.tolerance {
+                effort.iterations += 1;
+                effort.moved += system.correct()?;
+                norm = system.residual()?;
+                watch(norm)?;
+            }
+            if norm <= options.tolerance {
+                continue;
             }
         }
         let mut retreats = 0;

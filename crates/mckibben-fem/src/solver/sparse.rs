@@ -59,19 +59,15 @@ impl SparseCholesky {
     pub fn factorise(&mut self, values: &[f64]) -> Result<(), Stopped> {
         let Analysis { pattern, symbolic } = &*self.analysis;
         (self.negative, self.form) = (0, None);
-        for form in [Form::Positive, Form::Indefinite] {
-            match self.numeric.factorise(form, symbolic, (pattern, values), &mut self.factor) {
-                Ok(()) => {
-                    self.form = Some(form);
-                    if form == Form::Indefinite {
-                        self.negative = negative(symbolic, &self.factor);
-                    }
-                    return Ok(());
-                }
-                Err(Stopped::Singular) if form == Form::Positive => {}
-                Err(stopped) => return Err(stopped),
-            }
-        }
+        let mut run = |form| {
+            let done = self.numeric.factorise(form, symbolic, (pattern, values), &mut self.factor);
+            done.map(|()| form)
+        };
+        let form = match run(Form::Positive) {
+            Err(Stopped::Singular) => run(Form::Indefinite),
+            done => done,
+        }?;
+        (self.negative, self.form) = (negative(symbolic, &self.factor), Some(form));
         Ok(())
     }
 

@@ -1,12 +1,9 @@
 //! Residual and tangent of a body, element by element.
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::discretisation::{Discretisation, Material};
 use super::mesh::Brick;
 use crate::element::brick::{Input, Output, ShapePoint, run};
-use crate::element::hexahedron::{NODES8, NODES27, points};
+use crate::element::hexahedron::points;
 use crate::element::lanes::Real;
 use crate::element::lanes::on_lanes;
 use crate::element::spatial::{AT, SpatialLaw, with};
@@ -20,8 +17,8 @@ use std::sync::LazyLock;
 /// Bricks between two looks at the flag that ends work: some tenths of a second at the most. A multiple of all widths of lanes.
 const PIECE: usize = 1024;
 
-static POINTS8: LazyLock<Vec<ShapePoint<NODES8>>> = LazyLock::new(points);
-static POINTS27: LazyLock<Vec<ShapePoint<NODES27>>> = LazyLock::new(points);
+static POINTS8: LazyLock<Vec<ShapePoint>> = LazyLock::new(|| points(1));
+static POINTS27: LazyLock<Vec<ShapePoint>> = LazyLock::new(|| points(2));
 static FACE4: LazyLock<Vec<FacePoint<4>>> = LazyLock::new(cavity_faces::points);
 static FACE9: LazyLock<Vec<FacePoint<9>>> = LazyLock::new(cavity_faces::points);
 
@@ -118,7 +115,7 @@ fn add<const TANGENT: bool>(of: Piece<'_>, work: &mut Assembled, totals: &mut To
 
 on_lanes! {
     fn wide[NN: usize, NM: usize, TANGENT: bool](
-        points: &[ShapePoint<NN>],
+        points: &[ShapePoint],
         of: Piece<'_>,
         work: &mut Assembled,
         totals: &mut Totals,
@@ -127,7 +124,7 @@ on_lanes! {
 
 #[inline(always)]
 fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
-    points: &[ShapePoint<NN>],
+    points: &[ShapePoint],
     of: Piece<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
@@ -143,7 +140,7 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
             // The last ones are looked at more than once and written once.
             let e = (first + lane).min(count - 1);
             for a in 0..NN {
-                let node = d.connectivity[e * NN + a] as usize;
+                let node = d.problem.bricks[e][a] as usize;
                 let (x, u) = (&d.problem.nodes[node], &s.u[3 * node..3 * node + 3]);
                 let rest = d.problem.rest(e, node as u32);
                 for i in 0..3 {
@@ -173,7 +170,7 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
             }
             totals.rubber += out.energy.lane(lane);
             for a in 0..NN {
-                let node = 3 * d.connectivity[e * NN + a] as usize;
+                let node = 3 * d.problem.bricks[e][a] as usize;
                 for i in 0..3 {
                     work.force[node + i] += out.force[a][i].lane(lane);
                 }

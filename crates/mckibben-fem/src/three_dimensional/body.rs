@@ -173,22 +173,13 @@ impl Body {
         (change, out)
     }
 
-    /// dF/dw of the whole muscle for a displacement of one terminal, in N/mm: twice the stiffness ∂F/∂L.
-    pub fn terminal_stiffness(&mut self) -> f64 {
-        self.terminal_response().0
-    }
-
     /// ∂F/∂P at fixed length in mm², of the last tangent.
     pub fn force_per_pressure(&mut self) -> f64 {
         4.0 * self.respond(Cause::Pressure, TIGHT).0
     }
 
-    /// −∂V/∂L at fixed pressure in mm², of the last tangent: by Maxwell's relation the same as ∂F/∂P.
-    pub fn volume_per_length(&mut self) -> f64 {
-        self.terminal_response().1
-    }
-
-    /// [`Body::terminal_stiffness`] and [`Body::volume_per_length`] by one solution.
+    /// dF/dw of the whole muscle for a displacement of one terminal, in N/mm: twice the stiffness ∂F/∂L; and −∂V/∂L at fixed pressure in mm²,
+    /// by Maxwell's relation the same as ∂F/∂P; of the last tangent.
     pub fn terminal_response(&mut self) -> (f64, f64) {
         let (change, out) = self.respond(Cause::Terminal, TIGHT);
         let volume = dot(&self.assembled.cavity, &out.u) + self.discretisation.problem.cap_mm2 / 3.0;

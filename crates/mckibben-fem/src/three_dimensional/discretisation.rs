@@ -1,15 +1,12 @@
 //! A body divided into bricks and strands: numbers of the unknowns, places in the tangent, everything that does not
 //! change while it deforms.
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
-use super::mesh::Brick;
 use super::problem::{Freedom, Problem};
 use crate::FemError;
 use crate::element::brick::{Modes, modes};
 use crate::element::hexahedron::points;
 use crate::element::lanes::Width;
+use crate::element::spatial::PAIRS;
 use crate::element::truss::{Pull, Truss};
 use crate::solver::body::State;
 use crate::solver::sparse::{Analysis, Pattern};
@@ -35,8 +32,6 @@ pub struct Discretisation {
     pub per_brick: usize,
     /// Pressure modes a brick.
     pub modes: usize,
-    /// Nodes of all bricks, one after the other.
-    pub connectivity: Vec<u32>,
     /// Pressure modes at rest.
     pub rest: Vec<Modes>,
     /// Number of the unknown of each displacement: below `free` an unknown, `free` the terminal, `free` + 1 held.
@@ -59,8 +54,6 @@ pub struct Discretisation {
     pub face_map: Vec<u32>,
     /// Materials, the rubber first.
     pub materials: Vec<Material>,
-    /// Material of every brick.
-    pub material: Vec<u8>,
     /// Rounding of nodal forces in N: of bricks much stiffer than the rubber.
     pub rounding_n: f64,
     /// 1/(E A) in 1/N, and γ of the strands in N.
@@ -99,13 +92,11 @@ impl Material {
     }
 
     fn all(problem: &Problem) -> Vec<Self> {
-        let ends = problem.others.iter().map(|o| o.first).chain([problem.bricks.len()]);
-        let ends: Vec<usize> = ends.collect();
-        let mut out = vec![Self::new(0..ends[0], &problem.law, problem.bulk)];
-        for (other, end) in problem.others.iter().zip(&ends[1..]) {
-            out.push(Self::new(other.first..*end, &other.law, other.bulk));
-        }
-        out
+        let end = problem.bricks.len();
+        let first = problem.other.as_ref().map_or(end, |other| other.first);
+        let rubber = Self::new(0..first, &problem.law, problem.bulk);
+        let other = problem.other.as_ref().map(|other| Self::new(first..end, &other.law, other.bulk));
+        [rubber].into_iter().chain(other).collect()
     }
 }
 
@@ -122,12 +113,7 @@ impl Discretisation {
     /// [`FemError::Refused`] where an element is turned inside out at rest, [`FemError::Refused`] without enough memory,
     /// [`FemError::Cancelled`] where the work is cancelled.
     pub fn new(problem: Problem) -> Result<Self, FemError> {
-        let (per_brick, count) = match problem.brick {
-            Brick::Linear => (8, 1),
-            Brick::Quadratic => (27, 4),
-        };
-        let connectivity: Vec<u32> = problem.bricks.concat();
-        let rest = rest_modes(&problem, count)?;
+        let rest = rest_modes(&problem)?;
         let (unknown, place, terminal) = number(&problem);
         let free = place.len();
         let pattern = pattern(&problem, &unknown, free)?;
@@ -135,10 +121,6 @@ impl Discretisation {
         let analysis = Arc::new(Analysis::new(pattern).ok_or_else(|| FemError::too_large(free))?);
         let shear = problem.law.shear_modulus_mpa();
         let materials = Material::all(&problem);
-        let mut material = vec![0u8; problem.bricks.len()];
-        for (m, one) in materials.iter().enumerate() {
-            material[one.bricks.clone()].fill(m as u8);
-        }
         let greatest = problem.nodes.iter().map(|x| x[2]).fold(0.0, f64::max);
         let half = problem.length_mm.unwrap_or(greatest);
         let rounding_n = rounding(&materials[1..], &rest, greatest);
@@ -150,9 +132,8 @@ impl Discretisation {
             .map(|(_, t)| (1.0 / t.stiffness_n, t.stiffness_n.min(most * t.length_mm)))
             .collect();
         let mut out = Self {
-            per_brick,
-            modes: count,
-            connectivity,
+            per_brick: problem.brick.nodes(),
+            modes: problem.brick.modes(),
             rest,
             unknown,
             free,
@@ -164,7 +145,6 @@ impl Discretisation {
             truss_map: vec![],
             face_map: vec![],
             materials,
-            material,
             rounding_n,
             strand,
             shear,
@@ -195,6 +175,12 @@ impl Discretisation {
         truss.pull(delta, share(compliance, augment) * s.q[t], tension)
     }
 
+    /// The material of a brick.
+    pub fn material(&self, brick: usize) -> &Material {
+        let rubber = &self.materials[0];
+        if brick < rubber.bricks.end { rubber } else { &self.materials[1] }
+    }
+
     /// Where the tangent's entries stand.
     pub fn pattern(&self) -> &Pattern {
         &self.analysis.pattern
@@ -222,67 +208,50 @@ impl Discretisation {
         }
     }
 
+    /// The places of nine numbers: rows of a node, columns of another.
+    fn block(&self, a: u32, b: u32) -> [u32; 9] {
+        let [x, y] = [a, b].map(|node| self.unknown[node as usize]);
+        std::array::from_fn(|k| self.entry(x[k / 3], y[k % 3]))
+    }
+
     fn map(&mut self) -> Result<(), Cancelled> {
-        let nn = self.per_brick;
         let nothing = (self.pattern().entries() + self.free + 1) as u32;
         let mut map = Vec::with_capacity(self.bricks() * self.per_map());
         let mut twice = Vec::new();
         for (e, nodes) in self.problem.bricks.iter().enumerate() {
             look(e)?;
             let start = map.len();
-            for a in 0..nn {
-                let ua = self.unknown[nodes[a] as usize];
-                for b in a..nn {
-                    let ub = self.unknown[nodes[b] as usize];
-                    for (i, &x) in ua.iter().enumerate() {
-                        for (j, &y) in ub.iter().enumerate() {
-                            // Of blocks on the diagonal only one half.
-                            let half = a == b && i > j;
-                            // Nodes that are one (wedges) and displacements that are one (the terminal's).
-                            if a != b && x == y && x as usize <= self.free {
-                                twice.push((e as u32, (map.len() - start) as u32));
-                            }
-                            map.push(if half { nothing } else { self.entry(x, y) });
-                        }
+            for (a, b) in pairs(self.per_brick, 0) {
+                let [x, y] = [a, b].map(|a| self.unknown[nodes[a] as usize]);
+                for (k, entry) in self.block(nodes[a], nodes[b]).into_iter().enumerate() {
+                    let (i, j) = (k / 3, k % 3);
+                    // Nodes that are one (wedges) and displacements that are one (the terminal's).
+                    if a != b && x[i] == y[j] && x[i] as usize <= self.free {
+                        twice.push((e as u32, (map.len() - start) as u32));
                     }
+                    // Of blocks on the diagonal only one half.
+                    map.push(if a == b && i > j { nothing } else { entry });
                 }
             }
         }
-        self.twice = twice;
-        self.brick_map = map;
-        self.truss_map = self
-            .problem
-            .trusses
-            .iter()
-            .map(|(ends, _)| {
-                let [p, q] = ends.map(|n| self.unknown[n as usize]);
-                let mut out = [nothing; 21];
-                for (k, (i, j)) in crate::element::spatial::PAIRS.into_iter().enumerate() {
-                    out[k] = self.entry(p[i], p[j]);
-                    out[6 + k] = self.entry(q[i], q[j]);
-                }
-                for i in 0..3 {
-                    for j in 0..3 {
-                        out[12 + 3 * i + j] = self.entry(p[i], q[j]);
-                    }
-                }
-                out
-            })
-            .collect();
-        let mut faces = Vec::new();
-        for nodes in &self.problem.faces {
-            for a in 0..nodes.len() {
-                for b in a + 1..nodes.len() {
-                    let (ua, ub) = (self.unknown[nodes[a] as usize], self.unknown[nodes[b] as usize]);
-                    for x in ua {
-                        faces.extend(ub.iter().map(|y| self.entry(x, *y)));
-                    }
-                }
-            }
-        }
-        self.face_map = faces;
+        let truss = |&([a, b], _): &([u32; 2], Truss)| {
+            let [own, other] = [a, b].map(|n| self.block(n, n)).map(|all| PAIRS.map(|(i, j)| all[3 * i + j]));
+            let mut entries = own.into_iter().chain(other).chain(self.block(a, b));
+            std::array::from_fn(|_| entries.next().unwrap_or(nothing))
+        };
+        let face = |nodes: &Vec<u32>| {
+            pairs(nodes.len(), 1).flat_map(|(a, b)| self.block(nodes[a], nodes[b])).collect::<Vec<u32>>()
+        };
+        let truss_map = self.problem.trusses.iter().map(truss).collect();
+        let face_map = self.problem.faces.iter().flat_map(face).collect();
+        (self.brick_map, self.twice, self.truss_map, self.face_map) = (map, twice, truss_map, face_map);
         Ok(())
     }
+}
+
+/// Pairs (a, b) of so many nodes with b ≥ a + `apart`.
+fn pairs(count: usize, apart: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..count).flat_map(move |a| (a + apart..count).map(move |b| (a, b)))
 }
 
 /// Looks at the flag now and then.
@@ -300,21 +269,15 @@ fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
     stiff.iter().map(one).fold(0.0, f64::max)
 }
 
-fn rest_modes(problem: &Problem, count: usize) -> Result<Vec<Modes>, FemError> {
-    fn all<const NN: usize>(problem: &Problem, count: usize) -> Result<Vec<Modes>, FemError> {
-        let points = points();
-        let element = |(e, nodes): (usize, &Vec<u32>)| {
-            look(e)?;
-            let places: [[f64; 3]; NN] = std::array::from_fn(|a| problem.rest(e, nodes[a]));
-            modes::<NN>(&points, &places, count)
-                .ok_or_else(|| FemError::Refused(format!("mesh: element {e} is turned inside out at rest")))
-        };
-        problem.bricks.iter().enumerate().map(element).collect()
-    }
-    match problem.brick {
-        Brick::Linear => all::<8>(problem, count),
-        Brick::Quadratic => all::<27>(problem, count),
-    }
+fn rest_modes(problem: &Problem) -> Result<Vec<Modes>, FemError> {
+    let points = points(problem.brick.order());
+    let element = |(e, nodes): (usize, &Vec<u32>)| {
+        look(e)?;
+        let places: Vec<[f64; 3]> = nodes.iter().map(|node| problem.rest(e, *node)).collect();
+        modes(&points, &places, problem.brick.modes())
+            .ok_or_else(|| FemError::Refused(format!("mesh: element {e} is turned inside out at rest")))
+    };
+    problem.bricks.iter().enumerate().map(element).collect()
 }
 
 /// Numbers of the displacements, displacement of each unknown, displacements of the terminal.

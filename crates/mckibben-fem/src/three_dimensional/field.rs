@@ -4,11 +4,12 @@
 //! (Barlow 1976 \[barlow1976\]): in the middle of an eight-node brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the
 //! trilinear function carries it to the nodes. Where bricks meet, they are averaged.
 
+use super::Body;
+use super::discretisation::{Discretisation, Material};
 use super::kinematics::{dot, gradient, largest_principal, left, now};
 use super::mesh::{Brick, BrickMesh};
 use super::model::ThreeDimensional;
 use super::muscle::MuscleInBricks;
-use super::{Body, Discretisation};
 use crate::FemError;
 use crate::element::brick::{ShapePoint, determinant};
 use crate::element::hexahedron::at;
@@ -16,7 +17,6 @@ use crate::element::q2::GAUSS2;
 use crate::element::spatial::{SpatialLaw, with};
 use mckibben::model::Workspace;
 use std::collections::HashMap;
-use std::ops::Range;
 
 /// What is known at a node.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -67,7 +67,7 @@ pub struct PlugField {
     /// Nodes. A rigid terminal has no stress.
     pub nodes: Vec<NodeField>,
     /// Corners of every brick, through (from the axis) first, then around, then along; quadratic ones are eight of these.
-    pub bricks: Vec<[u32; 8]>,
+    pub bricks: Vec<Vec<u32>>,
 }
 
 impl ThreeDimensional {
@@ -96,7 +96,7 @@ fn field(muscle: &mut MuscleInBricks) -> Result<Field, FemError> {
     let force_n = body.totals.pull;
     body.evaluate().map_err(|reason| FemError::Force { force_n, reason })?;
     let body = &*body;
-    let mut nodes = with(&body.discretisation.problem.law, |law| at_nodes(body, law));
+    let mut nodes = averages(body, 0, false);
     nodes.truncate(mesh.grid().iter().product());
     Ok(Field { nodes, pieces: pieces(body), plug: plug(body, mesh), mesh: BrickMesh::clone(mesh) })
 }
@@ -119,7 +119,7 @@ fn pieces(body: &Body) -> Vec<PieceField> {
 /// The plug's bricks with a number of their own for every node.
 fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
     let grid = mesh.plug.as_ref()?;
-    let (order, rows, [_, nj, nk]) = (mesh.brick.order(), grid.first_row, mesh.grid());
+    let (rows, [_, nj, nk]) = (grid.first_row, mesh.grid());
     if nk - rows < 2 {
         return None;
     }
@@ -128,17 +128,10 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
         let node = mesh.plug_node(grid, m, j, k);
         *number.entry(node).or_insert_with(|| {
             which.push(node);
-            which.len() as u32 - 1
+            which.len() - 1
         })
     };
-    let mut bricks = vec![];
-    for k in 0..nk - 1 - rows {
-        for j in 0..nj - 1 {
-            for m in 0..grid.columns() {
-                bricks.push(std::array::from_fn(|a| local(m + a % 2, j + a / 2 % 2, k + a / 4)));
-            }
-        }
-    }
+    let bricks = Brick::Linear.bricks([grid.columns(), nj - 1, nk - 1 - rows], &mut local);
     let at = |&n: &usize| NodeField {
         rest_mm: body.discretisation.problem.nodes[n],
         now_mm: now(body, n),
@@ -148,36 +141,11 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
         stress_mpa: [0.0; 6],
     };
     let mut out = PlugField { nodes: which.iter().map(at).collect(), bricks };
-    if let Some(elastic) = body.discretisation.materials.get(1) {
-        let field = with(&elastic.law, |law| match order {
-            1 => middles::<8>(body, elastic.bricks.clone(), law),
-            _ => middles::<27>(body, elastic.bricks.clone(), law),
-        });
-        for (node, n) in out.nodes.iter_mut().zip(&which) {
-            *node = NodeField { rest_mm: node.rest_mm, now_mm: node.now_mm, ..field[*n] };
-        }
+    if body.discretisation.materials.len() > 1 {
+        let field = averages(body, 1, true);
+        out.nodes = which.iter().map(|n| field[*n]).collect();
     }
     Some(out)
-}
-
-/// Stretches and stress in the middle of the plug's bricks, averaged at nodes.
-fn middles<const NN: usize>(body: &Body, bricks: Range<usize>, law: SpatialLaw<'_>) -> Vec<NodeField> {
-    let p = &at::<NN>([0.0; 3], 1.0);
-    let problem = &body.discretisation.problem;
-    let mut out = vec![NodeField::default(); problem.nodes.len()];
-    let mut shares = vec![0.0; out.len()];
-    for e in bricks {
-        let nodes = &problem.bricks[e];
-        let Some((f, at)) = gradient(body, e, p) else { continue };
-        let stress = stress(body, law, e, p);
-        let one = NodeField { stress_mpa: stress, ..stretches(&f, at) };
-        for node in nodes {
-            out[*node as usize].add(&one);
-            shares[*node as usize] += 1.0;
-        }
-    }
-    out.iter_mut().zip(shares).for_each(|(field, share)| field.divide(share));
-    out
 }
 
 /// Stretches at F; `at` says where around and along are.
@@ -211,39 +179,33 @@ impl NodeField {
     }
 }
 
-fn at_nodes(body: &Body, law: SpatialLaw<'_>) -> Vec<NodeField> {
-    match body.discretisation.problem.brick {
-        Brick::Linear => fill::<8>(body, law, &[[0.0; 3]]),
-        Brick::Quadratic => {
-            let g = [GAUSS2[0].0, GAUSS2[1].0];
-            let points: Vec<[f64; 3]> = (0..8).map(|k| [g[k % 2], g[k / 2 % 2], g[k / 4]]).collect();
-            fill::<27>(body, law, &points)
-        }
-    }
-}
-
-fn fill<const NN: usize>(body: &Body, law: SpatialLaw<'_>, points: &[[f64; 3]]) -> Vec<NodeField> {
-    let d = &body.discretisation;
-    let mut out = vec![NodeField::default(); d.problem.nodes.len()];
-    let corners = if NN == 8 { [-1.0, 1.0].as_slice() } else { &[-1.0, 0.0, 1.0] };
-    let p = corners.len();
-    let places: Vec<[f64; 3]> =
-        (0..NN).map(|a| [corners[a % p], corners[a / p % p], corners[a / (p * p)]]).collect();
-    let at_nodes: Vec<ShapePoint<NN>> = places.iter().map(|x| at(*x, 1.0)).collect();
-    let at_points: Vec<ShapePoint<NN>> = points.iter().map(|x| at(*x, 1.0)).collect();
+/// Stretches and stress at the nodes of the bricks of a material, averaged where bricks meet: at the nodes or, of a plug, in the `middle` of
+/// its bricks.
+fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
+    let (problem, Material { bricks, law, .. }) =
+        (&body.discretisation.problem, &body.discretisation.materials[material]);
+    let order = problem.brick.order();
+    let p = order + 1;
+    let corner = |a: usize| [a % p, a / p % p, a / (p * p)].map(|i| 2.0 * i as f64 / order as f64 - 1.0);
+    let places = |a: usize| if middle { [0.0; 3] } else { corner(a) };
+    let places: Vec<[f64; 3]> = (0..problem.brick.nodes()).map(places).collect();
+    let gauss = |k: usize| [GAUSS2[k % 2].0, GAUSS2[k / 2 % 2].0, GAUSS2[k / 4].0];
+    let points = if order == 1 || middle { vec![[0.0; 3]] } else { (0..8).map(gauss).collect() };
+    let [at_nodes, at_points] =
+        [&places, &points].map(|list| list.iter().map(|x| at(order, *x, 1.0)).collect::<Vec<_>>());
+    let mut out = vec![NodeField::default(); problem.nodes.len()];
     let mut shares = vec![0.0; out.len()];
-    for (e, nodes) in d.problem.bricks[d.materials[0].bricks.clone()].iter().enumerate() {
-        let stress: Vec<[f64; 6]> = at_points.iter().map(|p| stress(body, law, e, p)).collect();
-        for (a, node) in nodes.iter().enumerate() {
+    for e in bricks.clone() {
+        let stress: Vec<[f64; 6]> =
+            at_points.iter().map(|p| with(law, |law| stress(body, law, e, p))).collect();
+        for (a, node) in problem.bricks[e].iter().enumerate() {
             let k = *node as usize;
-            let Some((f, _)) = gradient(body, e, &at_nodes[a]) else { continue };
-            let rest = d.problem.nodes[k];
-            let here = NodeField { stress_mpa: carried(&stress, places[a]), ..stretches(&f, rest) };
+            let Some((f, at)) = gradient(body, e, &at_nodes[a]) else { continue };
             let field = &mut out[k];
             shares[k] += 1.0;
-            field.rest_mm = rest;
+            field.rest_mm = problem.nodes[k];
             field.now_mm = now(body, k);
-            field.add(&here);
+            field.add(&NodeField { stress_mpa: carried(&stress, places[a]), ..stretches(&f, at) });
         }
     }
     out.iter_mut().zip(shares).for_each(|(field, share)| field.divide(share));
@@ -251,7 +213,7 @@ fn fill<const NN: usize>(body: &Body, law: SpatialLaw<'_>, points: &[[f64; 3]]) 
 }
 
 /// Cauchy stress at a point of brick `e`.
-fn stress<const NN: usize>(body: &Body, law: SpatialLaw<'_>, e: usize, p: &ShapePoint<NN>) -> [f64; 6] {
+fn stress(body: &Body, law: SpatialLaw<'_>, e: usize, p: &ShapePoint) -> [f64; 6] {
     let Some((f, at)) = gradient(body, e, p) else { return [0.0; 6] };
     let j = determinant(&f);
     let pressure = pressure(&body.discretisation, body, e, at);
@@ -267,7 +229,7 @@ fn pressure(d: &Discretisation, body: &Body, e: usize, at: [f64; 3]) -> f64 {
         .map(|k| {
             let psi: f64 = (0..4).map(|m| rest.factors[k][m] * monomials[m]).sum();
             let i = e * d.modes + k;
-            let augment = d.materials[d.material[e] as usize].augment;
+            let augment = d.material(e).augment;
             psi * (body.state.p[i] + augment * body.assembled.defect[i] / rest.volume)
         })
         .sum()

@@ -3,12 +3,10 @@
 //! It only says where Newton's method begins. What comes out is an equilibrium of the three-dimensional body by its own
 //! residual; where the guess does not lead to one, [`crate::solver::continuation`] walks from rest.
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::discretisation::Discretisation;
 use super::mesh::BrickMesh;
 use crate::axisymmetric::Section;
+use crate::output::helices;
 use crate::solver::body::State;
 use std::cmp::Ordering;
 
@@ -89,7 +87,7 @@ pub(super) fn carry_over(
         let c = modes.centre;
         let mut mean = 0.0;
         state.p[e * d.modes..(e + 1) * d.modes].fill(0.0);
-        if d.material[e] > 0 {
+        if e >= d.materials[0].bricks.end {
             continue;
         }
         find.at(c[0].hypot(c[1]), c[2].min(mesh.tube.half_mm), |n, w| {
@@ -97,12 +95,9 @@ pub(super) fn carry_over(
         });
         state.p[e * d.modes] = mean;
     }
-    let strands = &section.strands;
     for (q, (ends, _)) in state.q.iter_mut().zip(&d.problem.trusses) {
         let z = 0.5 * (d.problem.nodes[ends[0] as usize][2] + d.problem.nodes[ends[1] as usize][2]);
-        let next = strands.partition_point(|s| s.rest_mm < z).clamp(1, strands.len().max(2) - 1);
-        let (Some(a), Some(b)) = (strands.get(next - 1), strands.get(next)) else { continue };
-        let t = ((z - a.rest_mm) / (b.rest_mm - a.rest_mm)).clamp(0.0, 1.0);
-        *q = width * (a.tension_n_per_mm + t * (b.tension_n_per_mm - a.tension_n_per_mm));
+        let [.., per_width, _] = helices::state(&section.strands, z);
+        *q = width * per_width;
     }
 }

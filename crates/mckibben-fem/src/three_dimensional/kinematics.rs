@@ -26,15 +26,11 @@ pub(super) fn largest_principal(f: &[[f64; 3]; 3]) -> f64 {
 }
 
 /// F at a point of a brick, and its place in the reference configuration.
-pub(super) fn gradient<const NN: usize>(
-    body: &Body,
-    brick: usize,
-    p: &ShapePoint<NN>,
-) -> Option<([[f64; 3]; 3], [f64; 3])> {
+pub(super) fn gradient(body: &Body, brick: usize, p: &ShapePoint) -> Option<([[f64; 3]; 3], [f64; 3])> {
     let problem = &body.discretisation.problem;
     let nodes = &problem.bricks[brick];
-    let rest: [[f64; 3]; NN] = std::array::from_fn(|a| problem.rest(brick, nodes[a]));
-    let here: [[f64; 3]; NN] = std::array::from_fn(|a| now(body, nodes[a] as usize));
+    let rest: Vec<[f64; 3]> = nodes.iter().map(|node| problem.rest(brick, *node)).collect();
+    let here: Vec<[f64; 3]> = nodes.iter().map(|node| now(body, *node as usize)).collect();
     let (before, after) = (jacobian(&rest, &p.dn), jacobian(&here, &p.dn));
     let (volume, inverse) = (determinant(&before), adjugate(&before));
     let f = after.map(|row| [0, 1, 2].map(|j| (0..3).map(|k| row[k] * inverse[k][j]).sum::<f64>() / volume));

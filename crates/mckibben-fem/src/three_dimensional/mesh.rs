@@ -27,11 +27,21 @@ impl Brick {
         if self == Self::Linear { 1 } else { 2 }
     }
 
+    /// Its nodes.
+    pub fn nodes(self) -> usize {
+        (self.order() + 1).pow(3)
+    }
+
+    /// Its pressure modes.
+    pub fn modes(self) -> usize {
+        if self == Self::Linear { 1 } else { 4 }
+    }
+
     /// Nodes of so many bricks each way on a grid of nodes.
     pub fn bricks(
         self,
         [n0, n1, n2]: [usize; 3],
-        node: impl Fn(usize, usize, usize) -> usize,
+        mut node: impl FnMut(usize, usize, usize) -> usize,
     ) -> Vec<Vec<u32>> {
         let p = self.order();
         let one = |e: usize| {

@@ -1,10 +1,10 @@
 //! The three-dimensional muscle as a force model.
 
 use super::mesh::{BrickMesh, BrickSpec};
-use super::muscle::{MuscleInBricks, MuscleMesh};
+use super::muscle::MuscleMesh;
 use crate::FemError;
-use crate::simulation::{Divided, FiniteElements};
-use mckibben::model::{Accuracy, Extensions, Mesh, ModelEntry, ModelError, Reference, Workspace};
+use crate::simulation::FiniteElements;
+use mckibben::model::{Accuracy, Mesh, ModelEntry, ModelError, Reference, Workspace};
 use mckibben::muscle::Muscle;
 
 pub(crate) const ENTRY: ModelEntry = ModelEntry {
@@ -43,19 +43,6 @@ impl ThreeDimensional {
         };
         let notes = notes(&divided, muscle);
         Ok(Self::of(divided, muscle, &ENTRY, accuracy, notes))
-    }
-}
-
-impl Divided for MuscleMesh {
-    type Body = MuscleInBricks;
-
-    fn at_rest(&self) -> Result<MuscleInBricks, FemError> {
-        Self::at_rest(self)
-    }
-
-    fn extensions(model: &ThreeDimensional) -> Extensions<'_> {
-        let companion = Some(&model.divided.limit as _);
-        Extensions { inverse: Some(model), mesh: Some(model), companion, ..Extensions::default() }
     }
 }
 
@@ -110,16 +97,13 @@ impl Mesh for ThreeDimensional {
     }
 
     fn findings(&self, workspace: &Workspace) -> Vec<String> {
-        let unstable = self.known(workspace).and_then(|c| c.unstable().first());
-        let said = unstable.map(|u| {
+        let said = self.known(workspace).and_then(|c| c.unstable).map(|u| {
             let met = match u.step {
                 0 => "an equilibrium".to_owned(),
                 n => format!("step {n} of the walk from rest"),
             };
-            format!(
-                "{met} is not stable ({} directions) at contraction {:.4} and {:.4} MPa",
-                u.directions, u.contraction, u.pressure_mpa
-            )
+            let (directions, contraction, mpa) = (u.directions, u.contraction, u.pressure_mpa);
+            format!("{met} is not stable ({directions} directions) at contraction {contraction:.4} and {mpa:.4} MPa")
         });
         said.into_iter().collect()
     }

@@ -4,6 +4,7 @@ use super::body::Body;
 use super::discretisation::Discretisation;
 use super::guess::carry_over;
 use super::mesh::{BrickMesh, BrickSpec, Quarter};
+use super::model::ThreeDimensional;
 use super::plug::Plug;
 use super::problem::Problem;
 use crate::FemError;
@@ -12,7 +13,7 @@ use crate::simulation::Divided;
 use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{NewtonOptions, NewtonSystem, Stopped};
-use mckibben::model::ForceModel;
+use mckibben::model::{Extensions, ForceModel};
 use mckibben::muscle::{BraidStiffness, Muscle};
 use std::sync::Arc;
 
@@ -67,12 +68,12 @@ impl MuscleMesh {
             insertion_assumed,
         })
     }
+}
 
-    /// The muscle at rest.
-    ///
-    /// # Errors
-    /// [`FemError::Refused`] where there is not enough memory.
-    pub fn at_rest(&self) -> Result<MuscleInBricks, FemError> {
+impl Divided for MuscleMesh {
+    type Body = MuscleInBricks;
+
+    fn at_rest(&self) -> Result<MuscleInBricks, FemError> {
         let section = self.axisymmetric.as_ref().map(|model| {
             let section = model.divided.at_rest().map(Continuation::new);
             section.map(|section| (model.muscle().clone(), section))
@@ -83,6 +84,11 @@ impl MuscleMesh {
             section: section.transpose()?,
             width: self.width,
         })
+    }
+
+    fn extensions(model: &ThreeDimensional) -> Extensions<'_> {
+        let companion = Some(&model.divided.limit as _);
+        Extensions { inverse: Some(model), mesh: Some(model), companion, ..Extensions::default() }
     }
 }
 
@@ -160,10 +166,6 @@ impl body::Body for MuscleInBricks {
         self.bricks.control = control;
     }
 
-    fn rest(&mut self) {
-        self.bricks.state.copy_from(&self.bricks.discretisation.rest());
-    }
-
     fn half_length(&self) -> f64 {
         self.bricks.discretisation.half
     }
@@ -177,7 +179,7 @@ impl body::Body for MuscleInBricks {
     }
 
     fn terminal_stiffness(&mut self) -> f64 {
-        self.bricks.terminal_stiffness()
+        self.bricks.terminal_response().0
     }
 
     fn force_per_pressure(&mut self) -> f64 {
@@ -224,16 +226,5 @@ impl body::Body for MuscleInBricks {
 
     fn radius(&self) -> f64 {
         self.bricks.discretisation.radius
-    }
-
-    fn taut(&self) -> bool {
-        let state = &self.bricks.state;
-        (state.pressure == 0.0 && state.terminal >= 0.0) || state.q.iter().all(|q| *q > 0.0)
-    }
-
-    fn forget(&mut self) {
-        if let Some((_, section)) = &mut self.section {
-            section.forget();
-        }
     }
 }

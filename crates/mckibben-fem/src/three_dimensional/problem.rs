@@ -1,8 +1,5 @@
 //! What a body is made of, before unknowns are numbered.
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::mesh::{Brick, BrickMesh};
 use super::plug::PlugGrid;
 use crate::element::truss::Truss;
@@ -62,8 +59,8 @@ pub struct Problem {
     pub law: Law,
     /// Its bulk modulus.
     pub bulk: Bulk,
-    /// Bricks of other materials, in rising order.
-    pub others: Vec<Other>,
+    /// Another material of the last bricks.
+    pub other: Option<Other>,
     /// Length along z at rest in mm to which contractions refer; where it is `None`, the greatest z.
     pub length_mm: Option<f64>,
     /// λp: by how much the rubber, which is the first material, is stretched along z where nothing is displaced.
@@ -73,7 +70,7 @@ pub struct Problem {
 /// A second material.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Other {
-    /// The first brick of it; it goes on to the next material or to the last brick.
+    /// The first brick of it.
     pub first: usize,
     /// Its law.
     pub law: Law,
@@ -100,7 +97,7 @@ impl Problem {
             order,
             law,
             bulk,
-            others: vec![],
+            other: None,
             length_mm: None,
             prestretch: 1.0,
             nodes,
@@ -111,7 +108,7 @@ impl Problem {
     /// Rubber that was mounted with a stretch is wider there by √λp and shorter by 1/λp.
     pub fn rest(&self, brick: usize, node: u32) -> [f64; 3] {
         let [x, y, z] = self.nodes[node as usize];
-        if self.prestretch == 1.0 || self.others.first().is_some_and(|other| brick >= other.first) {
+        if self.prestretch == 1.0 || self.other.as_ref().is_some_and(|other| brick >= other.first) {
             return [x, y, z];
         }
         let wider = self.prestretch.sqrt();
@@ -142,11 +139,11 @@ impl Problem {
                 order.extend((0..nk - 1 - plug.first_row).map(|k| mesh.plug_node(plug, 0, 0, k) as u32));
             }
         }
-        let (mut bricks, mut faces, mut others) = (mesh.bricks(), mesh.cavity_faces(), vec![]);
+        let (mut bricks, mut faces, mut other) = (mesh.bricks(), mesh.cavity_faces(), None);
         faces.extend(mesh.plug_face());
         if let Some((mu_mpa, k)) = elastic.and_then(|p| p.material.moduli_mpa()) {
             let law = Law::NeoHookean(NeoHookean { mu_mpa });
-            others.push(Other { first: bricks.len(), law, bulk: Bulk::Modulus(k) });
+            other = Some(Other { first: bricks.len(), law, bulk: Bulk::Modulus(k) });
             bricks.extend(mesh.plug_bricks());
         }
         let cap_mm2 = match mesh.plug {
@@ -168,7 +165,7 @@ impl Problem {
             faces,
             cap_mm2,
             freedom,
-            others,
+            other,
             length_mm: Some(mesh.tube.half_mm),
             prestretch: muscle.tube().prestretch,
             ..Self::free(nodes.clone(), (mesh.brick, bricks), order, (rubber.law.clone(), rubber.bulk))

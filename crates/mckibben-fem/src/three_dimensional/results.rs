@@ -1,8 +1,5 @@
 //! What an equilibrium tells, in the words of the axisymmetric model: averages around the circumference.
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::body::Body;
 use super::kinematics::{gradient, largest_principal, now};
 use super::mesh::{Brick, BrickMesh};
@@ -10,113 +7,54 @@ use super::muscle::MuscleInBricks;
 use crate::FemError;
 use crate::element::brick::{ShapePoint, determinant, jacobian};
 use crate::element::hexahedron::at;
-use crate::results::{Energies, ProfilePoint, Solution, StrandState, StretchAt, StretchOf, largest_of_most};
-use crate::simulation::MuscleBody;
+use crate::results::{MuscleBody, ProfilePoint, StrandState, StretchAt, StretchOf, largest_of_most};
 use mckibben::cancel;
-use mckibben::model::Response;
 use mckibben::muscle::Muscle;
 use std::f64::consts::{FRAC_PI_4, PI};
 
 impl MuscleBody for MuscleInBricks {
-    /// Everything the present equilibrium tells; factorises its tangent.
-    fn solution(&mut self, muscle: &Muscle) -> Result<Solution, FemError> {
-        let response = self.response(muscle)?;
-        let (body, mesh) = (&self.bricks, &self.mesh);
-        let totals = body.totals;
-        let rest: f64 = 8.0 * rest_volume(mesh);
-        let strands = strands(body, mesh, muscle);
-        Ok(Solution {
-            profile: profile(body, mesh),
-            strands,
-            max_stretch: largest_stretch(body),
-            energies: Energies {
-                rubber_n_mm: 8.0 * totals.rubber,
-                braid_n_mm: 8.0 * totals.braid,
-                ends_n_mm: 0.0,
-                pressure_n_mm: body.state.pressure * (8.0 * totals.volume - rest),
-            },
-            unstable_directions: body.unstable_directions(),
-            smallest_j: totals.smallest_j,
-            sensitivities: vec![],
-            response,
-        })
-    }
-
-    /// The part that every model tells; factorises the tangent.
-    fn response(&mut self, muscle: &Muscle) -> Result<Response, FemError> {
-        let (body, mesh) = (&mut self.bricks, &self.mesh);
+    fn derivatives(&mut self) -> Result<[f64; 3], FemError> {
+        let body = &mut self.bricks;
         let force_n = body.totals.pull;
-        let totals = body.factorise().map_err(|reason| FemError::at_force(force_n, reason))?;
+        body.factorise().map_err(|reason| FemError::at_force(force_n, reason))?;
         // By Maxwell's relation ∂F/∂P = −∂V/∂L.
         let (stiffness, force_per_pressure) = body.terminal_response();
         let volume_per_pressure = body.volume_per_pressure();
         cancel::check()?;
-        let largest = strands(body, mesh, muscle).iter().map(|s| s.tension_n_per_mm).fold(0.0, f64::max);
-        let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
-        let all = 2.0 * PI * muscle.outer_diameter_mm() * cos * largest;
-        let bulge = profile(body, mesh).iter().map(|p| p.outer_r_mm).fold(0.0, f64::max);
-        Ok(Response {
-            pressure_mpa: body.state.pressure + 0.0,
-            contraction: 0.0 - body.state.terminal / body.discretisation.half,
-            force_n: totals.pull,
-            volume_mm3: Some(8.0 * totals.volume),
-            volume_per_pressure_mm3_per_mpa: Some(volume_per_pressure),
-            volume_per_contraction_mm3: Some(muscle.length_mm() * force_per_pressure),
-            stiffness_n_per_mm: Some(0.5 * stiffness),
-            force_per_pressure_mm2: Some(force_per_pressure),
-            braid_tension_n: Some(all),
-            strand_tension_n: count.map(|n| all / f64::from(n)),
-            bulged_diameter_mm: Some(2.0 * bulge),
-            middle_stretch: Some(middle_stretch(body, mesh)),
-            max_stretch: Some(largest_stretch(body).value),
-        })
+        Ok([stiffness, force_per_pressure, volume_per_pressure])
     }
-}
 
-fn rest_volume(mesh: &BrickMesh) -> f64 {
-    let Some(plug) = &mesh.plug else { return mesh.lid_mm2() * mesh.tube.half_mm };
-    // Less the nose: ∫ (how far it stands out) 2πr dr, a quarter of it.
-    let nose = plug.nose_mm;
-    let flat = mesh.tube.inner_mm - nose;
-    let solid =
-        FRAC_PI_4 * flat * flat * nose + 0.5 * PI * (flat * FRAC_PI_4 * nose.powi(2) + nose.powi(3) / 3.0);
-    mesh.lid_mm2() * mesh.tube.half_mm - solid
-}
-
-/// Mean (z, r) of a ring of nodes; the ends of the quarter count half.
-fn ring(body: &Body, mesh: &BrickMesh, i: usize, k: usize) -> (f64, f64) {
-    let nj = mesh.grid()[1];
-    let (mut z, mut r, mut sum) = (0.0, 0.0, 0.0);
-    for j in 0..nj {
-        let w = if j == 0 || j + 1 == nj { 0.5 } else { 1.0 };
-        let x = now(body, mesh.node(i, j, k));
-        z += w * x[2];
-        r += w * x[0].hypot(x[1]);
-        sum += w;
+    fn rest_volume_mm3(&self, _muscle: &Muscle) -> f64 {
+        let mesh = &self.mesh;
+        // Less the nose: ∫ (how far it stands out) 2πr dr, a quarter of it.
+        let nose = mesh.plug.as_ref().map_or(0.0, |plug| plug.nose_mm);
+        let flat = mesh.tube.inner_mm - nose;
+        let solid = FRAC_PI_4 * flat * flat * nose
+            + 0.5 * PI * (flat * FRAC_PI_4 * nose.powi(2) + nose.powi(3) / 3.0);
+        8.0 * (mesh.lid_mm2() * mesh.tube.half_mm - solid)
     }
-    (z / sum, r / sum)
-}
 
-fn profile(body: &Body, mesh: &BrickMesh) -> Vec<ProfilePoint> {
-    let [ni, ..] = mesh.grid();
-    (0..=mesh.free_rows())
-        .map(|k| {
+    fn profile(&self) -> Vec<ProfilePoint> {
+        let (body, mesh) = (&self.bricks, &self.mesh);
+        let [ni, ..] = mesh.grid();
+        let row = |k: usize| {
             let (outer_z_mm, outer_r_mm) = ring(body, mesh, ni - 1, k);
             let (inner_z_mm, inner_r_mm) = ring(body, mesh, 0, k);
             let rest_z_mm = mesh.nodes[mesh.node(0, 0, k)][2];
             ProfilePoint { rest_z_mm, outer_z_mm, outer_r_mm, inner_z_mm, inner_r_mm }
-        })
-        .collect()
-}
+        };
+        (0..=mesh.free_rows()).map(row).collect()
+    }
 
-/// Means over both families, row of quads by row.
-fn strands(body: &Body, mesh: &BrickMesh, muscle: &Muscle) -> Vec<StrandState> {
-    let [_, nj, nk] = mesh.grid();
-    let (row, family) = (nj - 1, (nj - 1) * (nk - 1));
-    let width = mesh.strand_width_mm(muscle);
-    let spacing = muscle.braid().strands.map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
-    (0..mesh.free_rows())
-        .map(|k| {
+    /// Means over both families, row of quads by row.
+    fn strands(&self, muscle: &Muscle) -> Vec<StrandState> {
+        let (body, mesh) = (&self.bricks, &self.mesh);
+        let [_, nj, nk] = mesh.grid();
+        let (row, family) = (nj - 1, (nj - 1) * (nk - 1));
+        let width = mesh.strand_width_mm(muscle);
+        let spacing =
+            muscle.braid().strands.map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
+        let one = |k: usize| {
             let (mut stretch, mut angle, mut tension) = (0.0, 0.0, 0.0);
             let pieces = (k * row..(k + 1) * row).chain(family + k * row..family + (k + 1) * row);
             for t in pieces {
@@ -135,41 +73,55 @@ fn strands(body: &Body, mesh: &BrickMesh, muscle: &Muscle) -> Vec<StrandState> {
                 tension_n_per_mm: per_width,
                 tension_n: spacing.map(|s| per_width * s),
             }
-        })
-        .collect()
+        };
+        (0..mesh.free_rows()).map(one).collect()
+    }
+
+    fn bulge_mm(&self) -> f64 {
+        self.profile().iter().map(|p| p.outer_r_mm).fold(0.0, f64::max)
+    }
+
+    /// Looked at in three layers of every brick.
+    fn largest_stretch(&self) -> StretchAt {
+        const LAYERS: [f64; 3] = [-2.0 / 3.0, 0.0, 2.0 / 3.0];
+        let along = if self.mesh.brick == Brick::Linear { &LAYERS[1..2] } else { &LAYERS };
+        let places: Vec<[f64; 3]> =
+            LAYERS.iter().flat_map(|x| along.iter().map(move |z| [*x, 0.0, *z])).collect();
+        largest_of_most(look(&self.bricks, &places))
+    }
+
+    /// On the inner and outer face of the row of bricks at the middle plane.
+    fn middle_stretch(&self) -> f64 {
+        let list = look(&self.bricks, &[-1.0, 1.0].map(|x| [x, 0.0, -1.0]));
+        let near = 1e-6 * self.mesh.tube.half_mm;
+        list.iter().filter(|s| s.at.rest_mm[1].abs() < near).map(|s| s.at.value).fold(1.0, f64::max)
+    }
 }
 
-/// The stretch below which 99 % of the rubber lies, looked at in three layers of every brick.
-fn largest_stretch(body: &Body) -> StretchAt {
-    const LAYERS: [f64; 3] = [-2.0 / 3.0, 0.0, 2.0 / 3.0];
-    largest_of_most(match body.discretisation.problem.brick {
-        Brick::Linear => look(body, &LAYERS.map(|x| at::<8>([x, 0.0, 0.0], 1.0))),
-        Brick::Quadratic => {
-            let places = LAYERS.map(|x| LAYERS.map(|z| at::<27>([x, 0.0, z], 1.0)));
-            look(body, places.as_flattened())
-        }
-    })
-}
-
-/// The largest stretch in the row of bricks at the middle plane, on its inner and outer face.
-fn middle_stretch(body: &Body, mesh: &BrickMesh) -> f64 {
-    let list = match body.discretisation.problem.brick {
-        Brick::Linear => look(body, &[-1.0, 1.0].map(|x| at::<8>([x, 0.0, -1.0], 1.0))),
-        Brick::Quadratic => look(body, &[-1.0, 1.0].map(|x| at::<27>([x, 0.0, -1.0], 1.0))),
-    };
-    let near = 1e-6 * mesh.tube.half_mm;
-    list.iter().filter(|s| s.at.rest_mm[1].abs() < near).map(|s| s.at.value).fold(1.0, f64::max)
+/// Mean (z, r) of a ring of nodes; the ends of the quarter count half.
+fn ring(body: &Body, mesh: &BrickMesh, i: usize, k: usize) -> (f64, f64) {
+    let nj = mesh.grid()[1];
+    let (mut z, mut r, mut sum) = (0.0, 0.0, 0.0);
+    for j in 0..nj {
+        let w = if j == 0 || j + 1 == nj { 0.5 } else { 1.0 };
+        let x = now(body, mesh.node(i, j, k));
+        z += w * x[2];
+        r += w * x[0].hypot(x[1]);
+        sum += w;
+    }
+    (z / sum, r / sum)
 }
 
 /// The stretch at places of every brick of rubber.
-fn look<const NN: usize>(body: &Body, points: &[ShapePoint<NN>]) -> Vec<StretchOf> {
+fn look(body: &Body, places: &[[f64; 3]]) -> Vec<StretchOf> {
     let d = &body.discretisation;
+    let points: Vec<ShapePoint> = places.iter().map(|x| at(d.problem.brick.order(), *x, 1.0)).collect();
     let mut list = vec![];
     for (e, nodes) in d.problem.bricks[d.materials[0].bricks.clone()].iter().enumerate() {
-        for p in points {
+        let rest: Vec<[f64; 3]> = nodes.iter().map(|n| d.problem.nodes[*n as usize]).collect();
+        for p in &points {
             let Some((f, _)) = gradient(body, e, p) else { continue };
-            let rest: [[f64; 3]; NN] = std::array::from_fn(|a| d.problem.nodes[nodes[a] as usize]);
-            let at = [0, 1, 2].map(|i| rest.iter().zip(p.n).map(|(x, share)| share * x[i]).sum::<f64>());
+            let at = [0, 1, 2].map(|i| rest.iter().zip(&p.n).map(|(x, share)| share * x[i]).sum::<f64>());
             let at = StretchAt { value: largest_principal(&f), rest_mm: [at[0].hypot(at[1]), at[2]] };
             list.push(StretchOf { at, volume: determinant(&jacobian(&rest, &p.dn)).abs() });
         }

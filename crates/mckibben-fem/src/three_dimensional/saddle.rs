@@ -7,9 +7,6 @@
 //! Where γ = k (β = 0) the multipliers follow from du. The others solve [V/k + β G K⁻¹ Gᵀ] dm = G K⁻¹(…) − d by
 //! conjugate gradients with V/γ for a preconditioner (augmented Lagrangian: Fortin & Glowinski 1983 \[fortin1983\]).
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::assembly::Assembled;
 use super::discretisation::{Discretisation, share};
 use crate::solver::body::State;
@@ -38,8 +35,8 @@ impl Constraints<'_> {
     fn each(&self, mut each: impl FnMut(usize, &[u32], &[f64], f64, f64, f64)) {
         let (d, nn) = (self.d, self.d.per_brick);
         for e in 0..d.bricks() {
-            let nodes = &d.connectivity[e * nn..(e + 1) * nn];
-            let (volume, material) = (d.rest[e].volume, &d.materials[d.material[e] as usize]);
+            let nodes = &d.problem.bricks[e];
+            let (volume, material) = (d.rest[e].volume, d.material(e));
             for k in 0..d.modes {
                 let m = e * d.modes + k;
                 let gradient = &self.assembled.gradient[m * nn * 3..(m + 1) * nn * 3];

@@ -3,11 +3,11 @@
 //!
 //! Loaded and held: pressure inside, the axial stretch given; all z of an end move together, r is free (slice) or bonded (muscles).
 
-use super::{Rows, body, inflated, radius, rubber, stretched};
-use crate::axisymmetric::{Axisymmetric, Body, BraidSpec, Ends, Mesh, MeshSpec};
+use super::{Rows, THROUGH, braid, inflated, radius, rubber, stretched};
+use crate::axisymmetric::{Axisymmetric, Body, MeshSpec};
 use crate::solver::continuation::Continuation;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, StrandLay, Terminals, Tube};
+use mckibben::muscle::{Braid, BraidStiffness, Muscle, StrandLay};
 use mckibben::rubber::RubberLaw;
 use std::f64::consts::PI;
 
@@ -21,21 +21,16 @@ const ROWS: [(f64, f64, f64, f64, f64); 5] = [
     (0.80, 214.347_501, 0.260_459_86, 14.382_492_26, 15.481_233_27),
     (0.75, 124.603_748, 0.257_245_53, 15.389_447_17, 16.487_422_00),
 ];
-const THROUGH: usize = 8;
 
 fn slice(stiffness: Option<f64>) -> Option<Continuation<Body>> {
     let (inner, outer, angle, _) = SECTION;
-    let mesh = Mesh::tube(inner, outer, 5.0, (THROUGH, 1, 1.0));
     let lay = StrandLay::new(angle.to_radians(), 2.0 * outer, 0.0);
-    let braid = BraidSpec { lay, crimp: None, stiffness, compression: false };
-    body(mesh, rubber(), Some(braid), Ends::Sliding)
+    super::slice([inner, outer], rubber(), braid(lay, stiffness))
 }
 
 fn muscle(length_mm: f64, stiffness: BraidStiffness) -> Option<Muscle> {
     let (inner, outer, angle_deg, _) = SECTION;
-    let tube = Tube::new(2.0 * outer, outer - inner, length_mm, Rubber::of(rubber()));
-    let braid = Braid { angle_deg, stiffness, ..Braid::paper() };
-    Muscle::new(tube, braid, Terminals::default(), None).ok()
+    super::muscle([inner, outer], length_mm, rubber(), Braid { angle_deg, stiffness, ..Braid::paper() })
 }
 
 /// The slice: all rows of G, strands that stretch against the closed form, and strands that are shortened, which carry nothing:

@@ -9,29 +9,17 @@
 //!
 //!   P = μ { ln(Ro ri/(Ri ro))/λ + (Ri² − λ ri²)/(2λ²) (1/ro² − 1/ri²) }
 
-use super::{Rows, body, inflated, neo_hookean, radius};
-use crate::axisymmetric::{Body, BraidSpec, Ends, Mesh};
-use crate::solver::continuation::Continuation;
+use super::{Rows, THROUGH, braid, inflated, muscle, neo_hookean, radius, slice};
+use crate::axisymmetric::{Body, BraidSpec};
 use mckibben::model::{ForceModel, ThickWall, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Crimp, Muscle, Rubber, StrandLay, Terminals, Tube};
+use mckibben::muscle::{Braid, BraidStiffness, Crimp, StrandLay};
 use std::f64::consts::PI;
 
 const INNER: f64 = 6.0;
 const OUTER: f64 = 7.0;
+const WALL: [f64; 2] = [INNER, OUTER];
 const ANGLE_DEG: f64 = 20.0;
 const MU: f64 = 0.3;
-const THROUGH: usize = 8;
-
-fn slice(
-    mu: f64,
-    lay: StrandLay,
-    stiffness: Option<f64>,
-    crimp: Option<Crimp>,
-) -> Option<Continuation<Body>> {
-    let mesh = Mesh::tube(INNER, OUTER, 5.0, (THROUGH, 1, 1.0));
-    let braid = BraidSpec { lay, crimp, stiffness, compression: false };
-    body(mesh, neo_hookean(mu), Some(braid), Ends::Sliding)
-}
 
 fn lay(radius_mm: f64, thickness_mm: f64) -> StrandLay {
     StrandLay::new(ANGLE_DEG.to_radians(), 2.0 * radius_mm, thickness_mm)
@@ -53,7 +41,7 @@ fn tension(body: &Body, k: f64, lay: &StrandLay, stretch: f64) -> f64 {
 /// The rows of K.
 pub fn strand_lay(rows: &mut Rows) {
     let thick = |thickness: f64, stretch: f64| {
-        let slice = slice(1e-8, lay(OUTER, thickness), None, None)?;
+        let slice = slice(WALL, neo_hookean(1e-8), braid(lay(OUTER, thickness), None))?;
         Some(inflated(slice, 0.3, stretch)?.totals.pull)
     };
     for (thickness, stretch) in [(0.3, 1.0), (0.3, 0.85), (1.0, 0.7)] {
@@ -77,7 +65,8 @@ pub fn strand_lay(rows: &mut Rows) {
         let spread = (INNER * INNER - stretch * ri * ri) * (1.0 / (ro * ro) - 1.0 / (ri * ri));
         let exact = MU * ((OUTER * ri / (INNER * ro)).ln() / stretch + 0.5 * spread / (stretch * stretch));
         let above = |share: f64| {
-            let body = inflated(slice(MU, lay, Some(k), None)?, share * exact, stretch)?;
+            let slice = slice(WALL, neo_hookean(MU), braid(lay, Some(k)))?;
+            let body = inflated(slice, share * exact, stretch)?;
             Some(tension(&body, k, &lay, stretch))
         };
         let ours = (|| {
@@ -89,13 +78,11 @@ pub fn strand_lay(rows: &mut Rows) {
     }
     rows.source = "K: strands that are longer by what their crimp gives";
     let (k, crimp) = (1e3, Some(Crimp { strain: 0.01, stiffness_ratio: 0.1 }));
-    let ours = slice(MU, lay(OUTER, 0.0), Some(k), crimp).and_then(|c| inflated(c, 0.5, 0.9));
-    let exact = (|| {
-        let tube = Tube::new(2.0 * OUTER, OUTER - INNER, 100.0, Rubber::of(neo_hookean(MU)));
-        let stiffness = BraidStiffness::NewtonPerMm(k);
-        let braid = Braid { angle_deg: ANGLE_DEG, stiffness, crimp, ..Braid::paper() };
-        let muscle = Muscle::new(tube, braid, Terminals::default(), None).ok()?;
-        ThickWall::new(&muscle).force_n(&mut Workspace::new(), 0.5, 0.1).ok()
-    })();
+    let crimped = BraidSpec { crimp, ..braid(lay(OUTER, 0.0), Some(k)) };
+    let ours = slice(WALL, neo_hookean(MU), crimped).and_then(|c| inflated(c, 0.5, 0.9));
+    let stiffness = BraidStiffness::NewtonPerMm(k);
+    let braid = Braid { angle_deg: ANGLE_DEG, stiffness, crimp, ..Braid::paper() };
+    let exact = muscle(WALL, 100.0, neo_hookean(MU), braid)
+        .and_then(|m| ThickWall::new(&m).force_n(&mut Workspace::new(), 0.5, 0.1).ok());
     rows.add("strands with 1 % of crimp, ε 0.1: F (N)", exact, ours.map(|b| b.totals.pull), 1e-8);
 }

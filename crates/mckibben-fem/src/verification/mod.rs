@@ -19,7 +19,7 @@ use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{self, Effort, NewtonOptions, NewtonSystem};
 use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::{Braid, Bulk, Muscle, Tube};
+use mckibben::muscle::{Braid, Bulk, Muscle, Rubber, StrandLay, Terminals, Tube};
 use mckibben::progress::Progress;
 use mckibben::rubber::{Law, MooneyRivlin, NeoHookean};
 
@@ -62,7 +62,7 @@ impl Rows {
 type Case = (&'static str, fn(&mut Rows));
 
 /// Every case of the section.
-const SECTION: [Case; 10] = [
+const SECTION: [Case; 11] = [
     ("A: Rivlin 1948 [rivlin1948]; Treloar 1975 [treloar1975]", homogeneous::homogeneous),
     ("B: Rivlin 1949 [rivlin1949]; Haughton & Ogden 1979 [haughton1979]", tube::thick_tube),
     ("C: Green & Zerna 1954 [green1954], thick sphere", sphere::thick_sphere),
@@ -73,6 +73,7 @@ const SECTION: [Case; 10] = [
     ("I: Maxwell relation", muscle::identities),
     ("independent axisymmetric prototype", muscle::prototype),
     ("J: numerical conduct", numerics::numerics),
+    ("J: sensitivities against finite differences", numerics::sensitivities),
 ];
 
 /// Every case, one after the other.
@@ -134,6 +135,25 @@ fn radius(body: &Body, i: usize, j: usize) -> f64 {
     d.mesh.node(i, j)[0] + body.state.u[d.layout.at(j) + 2 * i]
 }
 
+/// A braid of strands that carry no compression; `stiffness` in N/mm.
+fn braid(lay: StrandLay, stiffness: Option<f64>) -> BraidSpec {
+    BraidSpec { lay, crimp: None, stiffness, compression: false }
+}
+
+/// A slice of an infinitely long muscle of radii `inner` and `outer` in mm.
+fn slice([inner, outer]: [f64; 2], law: Law, braid: BraidSpec) -> Option<Continuation<Body>> {
+    body(Mesh::tube(inner, outer, 5.0, (THROUGH, 1, 1.0)), law, Some(braid), Ends::Sliding)
+}
+
+/// Elements through the wall of a slice.
+const THROUGH: usize = 8;
+
+/// A muscle of radii `inner` and `outer` in mm.
+fn muscle([inner, outer]: [f64; 2], length_mm: f64, law: Law, braid: Braid) -> Option<Muscle> {
+    let tube = Tube::new(2.0 * outer, outer - inner, length_mm, Rubber::of(law));
+    Muscle::new(tube, braid, Terminals::default(), None).ok()
+}
+
 /// The prototype of the paper, changed.
 fn changed(change: impl FnOnce(&mut Tube, &mut Braid)) -> Option<Muscle> {
     let (mut tube, mut braid) = (Muscle::prototype().tube().clone(), Braid::paper());
@@ -144,16 +164,6 @@ fn changed(change: impl FnOnce(&mut Tube, &mut Braid)) -> Option<Muscle> {
 /// Pull in N of a muscle by the section.
 fn pull(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> Option<f64> {
     Axisymmetric::new(muscle).ok()?.force_n(&mut Workspace::new(), pressure_mpa, contraction).ok()
-}
-
-/// Weight of point `i` of `steps` in Simpson's rule, of an integral over 1.
-fn simpson(i: usize, steps: usize) -> f64 {
-    let weight = match i {
-        i if i == 0 || i == steps => 1.0,
-        i if i % 2 == 1 => 4.0,
-        _ => 2.0,
-    };
-    weight / (3.0 * steps as f64)
 }
 
 /// log(r3/r2)/log(r2/r1) of the last residuals of a large step above rounding, at most 2: faster is no fault.

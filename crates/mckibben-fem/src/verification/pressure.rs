@@ -2,7 +2,7 @@
 //!
 //! Loaded and held: a line of the cavity's wall alone; and a bonded muscle along a path of pressures and lengths.
 
-use super::{Rows, simpson};
+use super::Rows;
 use crate::axisymmetric::Axisymmetric;
 use crate::load::cavity::volume;
 use crate::simulation::{Given, Simulation};
@@ -33,26 +33,24 @@ pub fn follower_pressure(rows: &mut Rows) {
     rows.add("∂²V/∂x∂x against differences (mm)", 0.0, curvature, 1e-8);
     rows.add("asymmetry of the pressure's tangent (mm)", 0.0, skew, 1e-12);
     rows.add("sum of the axial forces of the cavity (mm²)", 0.0, together, 1e-11);
-    rows.add("(∫P dV + ∫F dL)/ΔW along a path", 1.0, balance(), 1e-7);
+    let model = Axisymmetric::new(&Muscle::prototype()).ok();
+    rows.add("(∫P dV + ∫F dL)/ΔW along a path", 1.0, model.and_then(|m| balance(&m)), 1e-7);
 }
 
 /// (∫P dV + ∫F dL)/ΔW from (0.10 MPa, ε 0.02) to (0.25 MPa, ε 0.10), by Simpson's rule on ∫P dV = [PV] − ∫V dP.
-fn balance() -> Option<f64> {
+pub(super) fn balance(model: &dyn Simulation) -> Option<f64> {
     const STEPS: usize = 32;
-    let muscle = Muscle::prototype();
-    let model = Axisymmetric::new(&muscle).ok()?;
     let (p, e) = (|t: f64| 0.10 + 0.15 * t, |t: f64| 0.02 + 0.08 * t);
-    let (mut work, mut stored) = (0.0, [0.0; 2]);
+    let (mut work, mut stored) = (0.0, 0.0);
     for i in 0..=STEPS {
         let t = i as f64 / STEPS as f64;
         let s = model.solve(&mut Workspace::new(), Given::at(p(t), e(t))).ok()?;
         let (force, volume) = (s.response.force_n, s.response.volume_mm3?);
-        work += simpson(i, STEPS) * (-volume * 0.15 - force * 0.08 * muscle.length_mm());
-        if i == 0 || i == STEPS {
-            let sign = if i == 0 { -1.0 } else { 1.0 };
-            work += sign * p(t) * volume;
-            stored[usize::from(i == STEPS)] = s.energies.rubber_n_mm + s.energies.braid_n_mm;
-        }
+        let end = [(0, -1.0), (STEPS, 1.0)].into_iter().find(|end| end.0 == i).map(|end| end.1);
+        let weight = end.map_or([2.0, 4.0][i % 2], |_| 1.0) / (3.0 * STEPS as f64);
+        work += weight * (-volume * 0.15 - force * 0.08 * model.muscle().length_mm());
+        work += end.unwrap_or(0.0) * p(t) * volume;
+        stored += end.unwrap_or(0.0) * (s.energies.rubber_n_mm + s.energies.braid_n_mm);
     }
-    Some(work / (stored[1] - stored[0]))
+    Some(work / stored)
 }

@@ -7,7 +7,6 @@ use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
 use mckibben::progress::{Progress, Silent};
 use mckibben_fem::FemError;
-use mckibben_fem::axisymmetric::study::mesh_study;
 use mckibben_fem::axisymmetric::sweep::{Sweep, question};
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
 use mckibben_fem::simulation::{Detail, Given, Simulation, free_contraction};
@@ -57,10 +56,29 @@ fn gold_of_the_prototype() {
     }
 }
 
+/// Meshes against 3 × 48 elements over the paper's range where the muscle pulls (where it would push, strands go slack one after the other and
+/// the force has kinks along the length); `--nocapture` prints the largest errors as shares of the blocked force.
 #[test]
 fn the_chosen_mesh_is_within_a_twentieth_of_a_percent_on_the_papers_range() {
-    let rows = mesh_study(&[(1, 6, 2.0)]).unwrap();
-    assert!(rows[0].largest_error < 5e-4, "{rows:?}");
+    const QUESTIONS: [(f64, f64); 6] =
+        [(0.25, 0.0), (0.25, 0.1), (0.25, 0.2), (0.1, 0.1), (0.15, 0.2), (0.05, 0.05)];
+    let meshes = "1x6:2 1x4:2 1x5:2 1x6:1 1x6:1.5 1x6:2.5 1x8:2 1x8:3 1x16:2 2x8:2 2x12:2.5".split(' ');
+    let mut errors: Vec<(&str, f64)> = meshes.map(|mesh| (mesh, 0.0)).collect();
+    for (d0, s) in [30.0, 40.0, 50.0].into_iter().flat_map(|d0| [1.0, 3.0, 5.0].map(|s| (d0, s))) {
+        let muscle = Muscle::prototype().with_section(d0, s).unwrap();
+        let pulls = |mesh: &str| {
+            let model = Axisymmetric::with_mesh(&muscle, &MeshSpec::parse(mesh).unwrap()).unwrap();
+            let w = &mut Workspace::new();
+            QUESTIONS.map(|(p, e)| model.force_n(w, p, e).unwrap())
+        };
+        let exact = pulls("3x48:2.5");
+        for (mesh, error) in &mut errors {
+            let pulling = pulls(mesh).into_iter().zip(exact).filter(|(_, exact)| *exact > 0.0);
+            *error = pulling.map(|(ours, here)| ((ours - here) / exact[0]).abs()).fold(*error, f64::max);
+        }
+    }
+    println!("{errors:?}");
+    assert!(errors[0].1 < 5e-4, "{errors:?}");
 }
 
 /// A tenth of the full sweep of 2,000 muscles.

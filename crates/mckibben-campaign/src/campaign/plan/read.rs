@@ -4,7 +4,7 @@ use super::sampling::{Design, MOST_MUSCLES, MOST_SOBOL, MOST_STRATA, Sampling};
 use super::{Plan, Testing, vary};
 use mckibben::muscle::file::{FileError, Section, Source, muscle_of, read_text};
 use mckibben::units::Values;
-use mckibben_fem::elements::{Elements, MeshTextError};
+use mckibben_fem::elements::Elements;
 use std::path::Path;
 
 /// The most points of one muscle.
@@ -130,16 +130,9 @@ fn levels(section: &Section<'_>, key: &str) -> Result<Vec<f64>, FileError> {
 }
 
 fn elements(section: &Section<'_>) -> Result<Elements, FileError> {
-    let expected = "a finite-element model: fe or fe3d";
     let word = section.get("model").unwrap_or(Elements::ENTRIES[0].name);
-    let unknown = |expected: &str| format!("is not known; expected {expected}");
-    let elements: Elements = word.parse().map_err(|_| section.error("model", unknown(expected)))?;
+    let unknown = |_| section.error("model", "is not known; expected a finite-element model: fe or fe3d");
+    let elements: Elements = word.parse().map_err(unknown)?;
     let Some(text) = section.get("mesh") else { return Ok(elements) };
-    elements.with_mesh(text).map_err(|error| {
-        let problem = match error {
-            MeshTextError::Syntax(expected) => unknown(expected),
-            MeshTextError::Mesh(error) => error.to_string(),
-        };
-        section.error("mesh", problem)
-    })
+    elements.with_mesh(text).map_err(|error| section.error("mesh", error.to_string()))
 }

@@ -14,6 +14,7 @@ mod torsion;
 mod tube;
 
 use super::{Case, Rows, VerificationRow};
+use crate::simulation::Divided;
 use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{self, Effort, NewtonOptions};
@@ -79,6 +80,12 @@ fn solve(body: &mut Body, w: f64) -> Option<Effort> {
     let mut effort = Effort::default();
     body.control = Control::Length(w);
     newton::solve(body, &tight(), &mut effort, |_| Ok(())).ok().map(|()| effort)
+}
+
+/// (∂F/∂P, −∂V/∂L) in mm² of the tangent.
+fn maxwell(body: &mut Body) -> Option<(f64, f64)> {
+    body.factorise().ok()?;
+    Some((body.force_per_pressure(), body.terminal_response().1))
 }
 
 /// Goes to (pressure, displacement of the terminal) in so many equal steps.

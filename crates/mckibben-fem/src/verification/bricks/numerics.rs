@@ -2,9 +2,6 @@
 //!
 //! Loaded and held: a short muscle shaken at random, its length given.
 
-// Components and nodes are counted: several arrays share an index.
-#![allow(clippy::needless_range_loop)]
-
 use super::{BRICKS, body, prototype, solve, tight};
 use crate::element::spatial::AT;
 use crate::element::truss::Truss;
@@ -16,6 +13,7 @@ use mckibben::differences::{STENCIL, slope};
 use mckibben::muscle::{BraidStiffness, Bulk, Muscle};
 use mckibben::random::Random;
 use mckibben::rubber::Law;
+use nalgebra::{DMatrix, DVector};
 
 fn tube(half_mm: f64) -> Quarter {
     Quarter { inner_mm: 12.0, outer_mm: 15.0, half_mm, angle_rad: 0.5 }
@@ -49,6 +47,20 @@ fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Opti
     Some(body)
 }
 
+/// The tangent of the last assembly with both halves.
+pub(super) fn dense_tangent(body: &Body) -> DMatrix<f64> {
+    let d = &body.discretisation;
+    let mut full = DMatrix::zeros(d.free, d.free);
+    for c in 0..d.free {
+        for k in d.pattern().columns[c] as usize..d.pattern().columns[c + 1] as usize {
+            let r = d.pattern().rows[k] as usize;
+            full[(r, c)] = body.assembled.values[k];
+            full[(c, r)] = full[(r, c)];
+        }
+    }
+    full
+}
+
 /// Largest difference between K v and central differences of the residual, over the largest force.
 ///
 /// With everything condensed (K finite) the residual is r(u, p) and p follows u: p = K (v − V)/V.
@@ -71,19 +83,10 @@ pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
     }
     body.assemble().ok()?;
     let mut random = Random(3);
-    let v: Vec<f64> = d.place.iter().map(|_| random.between(-0.5, 0.5)).collect();
+    let v = DVector::from_fn(d.free, |_, _| random.between(-0.5, 0.5));
     let w = 0.3;
-    let mut product = vec![0.0; d.free];
-    for c in 0..d.free {
-        for k in d.pattern().columns[c] as usize..d.pattern().columns[c + 1] as usize {
-            let r = d.pattern().rows[k] as usize;
-            product[r] += body.assembled.values[k] * v[c];
-            if r != c {
-                product[c] += body.assembled.values[k] * v[r];
-            }
-        }
-        product[c] += body.assembled.values[d.pattern().entries() + c] * w;
-    }
+    let column = &body.assembled.values[d.pattern().entries()..][..d.free];
+    let product = dense_tangent(body) * &v + w * DVector::from_column_slice(column);
     let base = body.state.clone();
     let h = 1e-5;
     let mut change = vec![0.0; d.free];
@@ -102,9 +105,8 @@ pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
         }
     }
     body.state.copy_from(&base);
-    let largest = product.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
     let worst = product.iter().zip(&change).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    Some(worst / largest)
+    Some(worst / product.amax())
 }
 
 /// Change of the energy and of the forces' size when everything is turned.

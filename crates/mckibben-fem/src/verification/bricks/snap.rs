@@ -10,6 +10,7 @@
 
 use crate::element::truss::Truss;
 use crate::verification::Rows;
+use mckibben::analysis::find_root;
 
 /// E·A in N.
 const EA: f64 = 1000.0;
@@ -41,32 +42,21 @@ pub fn snap(rows: &mut Rows) {
     for d in [0.2, 0.7, 1.4, 2.3] {
         rows.add(format!("two strands, apex down by {d} mm: P (N)"), exact(d), apex(d, true).0, 1e-10);
     }
-    // The limit: Newton's method on the tangent, its slope by a central difference.
-    let mut d = 0.3 * H;
-    for _ in 0..40 {
-        let h = 1e-4;
-        let slope = (apex(d + h, true).1 - apex(d - h, true).1) / (2.0 * h);
-        d -= apex(d, true).1 / slope;
-    }
     let l = (W * W * W.hypot(H)).cbrt();
     let limit = H - (l * l - W * W).sqrt();
-    rows.add("two strands, limit point: d (mm)", limit, d, 1e-9);
-    rows.add("two strands, limit load: P (N)", exact(limit), apex(d, true).0, 1e-9);
-    // Where the formula has the limit load again, by bisection.
-    let (mut low, mut high) = (2.0 * H, 4.0 * H);
-    for _ in 0..200 {
-        let middle = 0.5 * (low + high);
-        if exact(middle) < exact(limit) { low = middle } else { high = middle }
-    }
-    // Newton's method on the load.
-    let mut landed = 2.5 * H;
-    for _ in 0..40 {
-        let (p, k) = apex(landed, true);
-        landed += (exact(limit) - p) / k;
-    }
-    rows.add("two strands, snapped through under the limit load: d (mm)", low, landed, 1e-9);
-    let sign = |d: f64| apex(d, true).1.signum();
-    rows.add("two strands, stiffness there is positive", 1.0, sign(landed), 0.0);
+    let root = |f: &dyn Fn(f64) -> f64, low: f64, high: f64| {
+        find_root(|d| Ok::<_, ()>(f(d)), low, high, 1e-14).ok().flatten()
+    };
+    let stiffness = |d: f64| apex(d, true).1;
+    let top = root(&stiffness, 0.1 * H, 0.9 * H);
+    rows.add("two strands, limit point: d (mm)", limit, top, 1e-9);
+    rows.add("two strands, limit load: P (N)", exact(limit), top.map(|d| apex(d, true).0), 1e-9);
+    // Where the load is the limit load again.
+    let again = root(&|d| exact(d) - exact(limit), 2.0 * H, 4.0 * H);
+    let landed = root(&|d| apex(d, true).0 - exact(limit), 2.0 * H, 4.0 * H);
+    rows.add("two strands, snapped through under the limit load: d (mm)", again, landed, 1e-9);
+    let sign = |d: f64| stiffness(d).signum();
+    rows.add("two strands, stiffness there is positive", 1.0, landed.map(sign), 0.0);
     let both = sign(limit - 0.05) + sign(limit + 0.05);
     rows.add("two strands, stiffness before the limit, past it", 0.0, both, 0.0);
     rows.add("two tension-only strands pushed together: P (N)", 0.0, apex(0.5, false).0, 0.0);

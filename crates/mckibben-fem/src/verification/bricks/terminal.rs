@@ -3,7 +3,7 @@
 //! Loaded and held: pressure inside, the length given; the far end of tube, braid and plug is held.
 
 use super::numerics::tangent_error;
-use super::{BRICKS, at_rest, coarse, solve};
+use super::{BRICKS, at_rest, coarse, maxwell, solve};
 use crate::solver::body::Totals;
 use crate::solver::continuation::Continuation;
 use crate::three_dimensional::{Brick, BrickSpec, MuscleInBricks, Plug, PlugMaterial};
@@ -60,9 +60,7 @@ pub fn terminal(rows: &mut Rows) {
                 let body = &mut c.body.bricks;
                 let terminal = body.state.terminal;
                 solve(body, terminal).or(Some(Default::default()))?;
-                body.factorise().ok()?;
-                let maxwell = (body.force_per_pressure(), body.volume_per_length());
-                Some((maxwell, tangent_error(body)?))
+                Some((maxwell(body)?, tangent_error(body)?))
             })();
             let (by_pressure, by_length) = found.map(|f| f.0).unzip();
             row(&format!("{what} plug, Maxwell: ∂F/∂P = −∂V/∂L (mm²)"), by_length, by_pressure, 1e-9);

@@ -5,6 +5,7 @@
 use super::block::Block;
 use super::{BRICKS, body, drive};
 use crate::three_dimensional::{Brick, Freedom};
+use crate::verification::tube::ROWS;
 use crate::verification::{Rows, rubber};
 use mckibben::muscle::Bulk;
 use std::f64::consts::FRAC_PI_2;
@@ -46,12 +47,8 @@ fn ring(
 
 /// The rows of B.
 pub fn thick_tube(rows: &mut Rows) {
-    for (radii, stretch, exact, p, force) in [
-        ((8.0, 9.5), 1.0, 1.25, 0.022_254_974_0, -1.000_745_23),
-        ((8.0, 9.5), 0.8, 1.25, 0.015_417_518_9, -16.130_692_06),
-        ((8.0, 9.5), 1.2, 1.25, 0.024_647_538_8, 8.459_104_99),
-        ((1.0, 2.0), 1.0, 2.0, 0.137_772_857_4, -0.623_300_96),
-    ] {
+    for (inner, outer, stretch, exact, p, _, force) in ROWS {
+        let radii = (inner, outer);
         let (radius, pull) = ring(Brick::Quadratic, radii, stretch, p, (3, 8)).unzip();
         let title = |what| format!("27-node brick, tube {}–{} mm, λz = {stretch}: {what}", radii.0, radii.1);
         rows.add(title("a/A"), exact, radius, 5e-5);
