@@ -12,26 +12,6 @@ use mckibben_app::{
 use mckibben_campaign::campaign::{CampaignStatus, Outcome, ShardState, ShardStatus, Summary};
 use std::time::{Duration, Instant};
 
-pub const TEXT: &str = "campaign: Many finite-element tests from a plan into one Parquet table; an interrupted run continues
-:plan<PLAN.toml>! | Plan file (TOML)
-o/output<FILE.parquet_or_DIR>! | Output table: one file, FILE.parquet, or a folder of parts, DIR/. The same command continues an interrupted run
-shard<i/n> | Compute only share i of n of the plan, as parts in a folder; `campaign merge` joins them
-threads<N:1..1024> | Number of threads [one per core]; the table does not depend on it
-q/quiet | Print neither progress nor summary
-Examples:
-  mckibben campaign plans/paper.toml -o campaign.parquet
-  mckibben campaign plans/paper.toml -o parts/ --shard 1/2
-  mckibben campaign plans/paper.toml -o parts/ --shard 2/2 --threads 1";
-
-pub const MERGE: &str =
-    "campaign merge: Join folders of parts into one file, identical to that of a single run
-:folders<DIR>!+ | Folders of parts
-o/output<FILE.parquet>! | The file
-Example:
-  mckibben campaign plans/paper.toml -o one/ --shard 1/2
-  mckibben campaign plans/paper.toml -o other/ --shard 2/2
-  mckibben campaign merge one/ other/ -o merged.parquet";
-
 fn no_csv(format: Format) -> Result<(), Failure> {
     if format != Format::Csv {
         return Ok(());
@@ -109,14 +89,6 @@ pub fn merge(asked: &Asked) -> Result<u8, Failure> {
     })
 }
 
-pub const SHOW: &str =
-    "campaign show: Summary of a campaign: muscles, points, failures by cause, ranges, origin
-:campaign<FILE.parquet_or_DIR>! | A campaign: one file, or a folder of parts
-@output
-Example:
-  mckibben campaign plans/paper.toml -o campaign.parquet
-  mckibben campaign show campaign.parquet";
-
 pub fn show(asked: &Asked) -> Result<u8, Failure> {
     let summary = campaign_show(&asked.request()?)?;
     asked.show(&summary, "ranges", || summary_text(&summary))
@@ -142,13 +114,6 @@ fn summary_text(s: &Summary) -> String {
     }
     out
 }
-
-pub const STATUS: &str = "campaign status: How far a folder of parts is, shard by shard: done, running, missing; exit code 1 where a shard is missing
-:folder<DIR>! | The folder of parts
-@output
-Example:
-  mckibben campaign plans/paper.toml -o parts/ --shard 1/1
-  mckibben campaign status parts/";
 
 pub fn status(asked: &Asked) -> Result<u8, Failure> {
     let request = CampaignStatusRequest { output: asked.path("folder").unwrap_or_default() };

@@ -9,18 +9,6 @@ use mckibben::curve::{Curve, Test};
 use mckibben::{answer::Answer, muscle::Direction, study::StudyPanel, warning::Warning};
 use mckibben_app::{CurveAnswer, CurveRequest, PointRow, StudyAnswer, breakdown, curve_by_curve, study};
 
-pub const TEXT: &str = "curve: Family of curves: isometric, isotonic or isobaric
-Question: :test!^study
-study<STUDY~thickness>^pressures_mpa,contractions,forces_n,load,both | Compute a study of the paper. thickness: its Figure 4, walls of 1 to 5 mm, isometric and isotonic, with its findings
-p/pressures_mpa=pressure e/contractions=contraction F/forces_n=force @load @both
-@muscle @model @plot @output
-Examples:
-  mckibben curve isobaric -D 50 -s 1 -p 0.05..0.25:0.05 -e 0..0.2:0.01 \\
-    --plot f.svg
-  mckibben curve isometric -p 0..2.5:0.1bar -e 0,10%,20% --format csv
-  mckibben curve isotonic -F 20,80,150N --model thick-wall
-  mckibben curve --study thickness --model thick-wall --plot study.svg";
-
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     if asked.text("study").is_some() {
         return run_study(asked);

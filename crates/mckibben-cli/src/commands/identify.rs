@@ -9,30 +9,6 @@ use mckibben_app::{IdentifyAnswer, IdentifyRequest, with_error_bar};
 use mckibben_fit::identify::Identification;
 use serde_json::json;
 
-pub const TEXT: &str = "identify: Constants of rubber, braid and friction from measured or published curves, with their uncertainty
-Question:
-data<FILE.csv>+ | Points: a table of pressures, contractions (or shortenings, or lengths) and forces, with units; may be repeated
-@columns
-free fix bounds* laws
-formula<NAME_or_FILE.json> | A published formula as data: a model's name or a formula's JSON, at -p and -e (-D and -s may be lists)
-p/pressures_mpa=pressure&formula e/contractions=contraction&formula
-@muscle
-Advanced:
-model | Force model [fe]
-mesh<N_or_MxN:G>* weights* branches* two_sided* loss*
-robust*^loss | The same as --loss huber
-@units @plot
-Output:
-o/output<FILE.toml> | Write the muscle with the identified values as a muscle file
-Examples:
-  mckibben identify examples/bench.toml --data examples/bench.csv
-  mckibben identify examples/tondu2012.toml \\
-    --data data/tondu2012/static_force_20deg.csv --model thick-wall \\
-    --free mu,terminals.end_factor,friction.c,friction.beta \\
-    --plot fit.svg -o found.toml
-  mckibben identify --formula paper -D 50 -s 1 -p 0.05..0.25:0.05 \\
-    -e 0..0.2:0.05 --free c10,braid.stiffness=600:100:5000";
-
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let target = asked.path("output");
     check_ending(target.as_deref(), &["toml"])?;

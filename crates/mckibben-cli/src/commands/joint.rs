@@ -6,20 +6,6 @@ use mckibben_app::{
 };
 use std::path::Path;
 
-pub const TEXT: &str = "joint: Joint with one muscle and a spring, or with two opposed muscles: torque, stiffness, rest position, pressures
-Question:
-:file<JOINT.toml>! | Joint file
-p/pressures_mpa=pressure<PRESSURES>+ | Pressures of the muscles, such as 2bar,1bar; may be repeated for a family
-angles_deg=angle torque_nm stiffness_nm_per_rad<STIFFNESS> max_pressure_mpa map<N:2..65535>
-Advanced: @engine extrapolate*
-@plot @output
-Examples:
-  mckibben joint examples/elbow.toml -p 2bar,1bar --angle -45..45:5deg
-  mckibben joint examples/elbow.toml -p 2bar,1bar -p 3bar,1bar
-  mckibben joint examples/elbow.toml --angle 20deg --torque 2Nm --stiffness 12
-  mckibben joint examples/elbow.toml --map 25 --max-pressure 4bar \\
-    --model universal --plot map.svg";
-
 /// A joint file with its muscle files, which lie relative to it.
 pub fn fields(path: &Path) -> Result<JointFields, Failure> {
     let joint = files::text(path)?;

@@ -12,21 +12,6 @@ use mckibben_fit::validation::case::built_in;
 use serde_json::Value;
 use std::path::Path;
 
-pub const TEXT: &str = "validate: Verification against exact values and validation against measured muscles
-all | Also compute the finest meshes (some seconds more)
-sweep<N:1..1000000>^all | Robustness sweep over N random muscles: the share of random points with an answer
-seed<N>&sweep | Seed of the random muscles [1]
-measured<DIR?>^sweep,all | Validation report of measured muscles and rubbers: known data, fitted constants, errors at fitted points and at predicted points. Cases of DIR, one folder each [the built-in cases]
-only<NAME,…>&measured | Only these cases, by folder name
-model<NAME>&measured | Model of the measured muscles [fe]
-@plot @output
-Examples:
-  mckibben validate
-  mckibben validate --sweep 50
-  mckibben validate --measured --only dmsp-20-300
-  mckibben validate --measured --only dmsp-10-hose --model thick-wall
-  mckibben validate --measured --only rubber-treloar";
-
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let number = |flag: &str| asked.text(flag).and_then(|text| text.trim().parse::<u64>().ok());
     if let Some(count) = number("sweep") {
