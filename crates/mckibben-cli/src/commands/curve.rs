@@ -145,12 +145,8 @@ fn run_study(asked: &Asked) -> Result<u8, Failure> {
 }
 
 fn study_text(study: &StudyAnswer, u: &Units) -> String {
-    let mut out = format!(
-        "Thickness study, model {}: D0 {}, L0 {}\n",
-        study.model,
-        u.length.show(30.0),
-        u.length.show(285.0)
-    );
+    let [diameter, length] = [30.0, 285.0].map(|mm| u.length.show(mm));
+    let mut out = format!("Thickness study, model {}: D0 {diameter}, L0 {length}\n", study.model);
     for test in [Test::Isometric, Test::Isotonic] {
         let panels: Vec<&StudyPanel> = study.panels.iter().filter(|q| q.test == test).collect();
         let isometric = test == Test::Isometric;

@@ -170,18 +170,10 @@ fn report_text(r: &Results) -> String {
     );
     out.push_str(&tabled(&r.findings, FINDINGS, &u));
     let (c, shipped) = (&r.constants, Constants::shipped());
-    out.push_str(&format!(
-        "\nFitted constants: C10 {:.4} MPa, k {:.0} N/mm at D0 40, growing like D0^{:.2} (shipped: {}, {}, {})\n",
-        c.c10_mpa,
-        c.stiffness_at_40_n_per_mm,
-        c.exponent,
-        shipped.c10_mpa,
-        shipped.stiffness_at_40_n_per_mm,
-        shipped.exponent
-    ));
-    out.push_str(&format!("global has {} terms\n", r.global_terms));
-    out.push_str(
-        "\nRandom muscles of any size and material, where they pull, in % of the blocked force at the same pressure\n\n",
-    );
+    out += &format!("\nFitted constants: C10 {:.4} MPa, k {:.0} N/mm", c.c10_mpa, c.stiffness_at_40_n_per_mm);
+    out += &format!(" at D0 40, growing like D0^{:.2} (shipped: ", c.exponent);
+    let (c10, k, exponent) = (shipped.c10_mpa, shipped.stiffness_at_40_n_per_mm, shipped.exponent);
+    out += &format!("{c10}, {k}, {exponent})\nglobal has {} terms\n\n", r.global_terms);
+    out += "Random muscles of any size and material, where they pull, in % of the blocked force at the same pressure\n\n";
     out + &tabled(&r.random_muscles, &format!("model {ERRORS}"), &u)
 }

@@ -4,7 +4,7 @@ use crate::{
     Asked, Bar, Failure, Units, check_ending, listed, pairs, percent, place, save, shown, table, tabled,
     understood, value, values,
 };
-use mckibben::units::Dimension;
+use mckibben::{muscle::Bench, units::Dimension};
 use mckibben_app::{IdentifyAnswer, IdentifyRequest, with_error_bar};
 use mckibben_fit::identify::Identification;
 use serde_json::json;
@@ -70,23 +70,8 @@ fn as_text(answer: &IdentifyAnswer, u: &Units) -> String {
     }
     let largest = answer.points.iter().map(|p| p.point.at.force_n).fold(0.0, f64::max);
     all["largest_n"] = Some(largest).filter(|n| *n > 0.0).into();
-    all["bench"] = found
-        .bench
-        .as_ref()
-        .filter(|_| answer.muscle_file.contains("\n[identified]"))
-        .map(|bench| {
-            let half = bench.fit_n.iter().flatten().map(|fit| fit.hypot(bench.scatter_n));
-            let (least, most) = half.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
-            let [(p, q), (e, f)] = [bench.pressure_mpa, bench.contraction];
-            let [p, q] = [p, q].map(|v| u.pressure.show(v));
-            let [least, most] = [least, most].map(|n| u.force.half_width(n));
-            let beside = if bench.saw_the_loop() { "" } else { ", and the part for friction beside it" };
-            let (e, f, unit) = (percent(e), percent(f), &u.force.name);
-            format!(
-                "{p} to {q}, contractions {e} to {f}: ± of the pull {least} to {most} {unit} (95 %){beside}"
-            )
-        })
-        .into();
+    let bench = found.bench.as_ref().filter(|_| answer.muscle_file.contains("\n[identified]"));
+    all["bench"] = bench.map(|bench| bench_text(bench, u)).into();
     out += &format!("\n{}", pairs(&listed(&all, RESIDUALS, u)));
     out += &tabled(&found.spreads, "of=_ points rms_n:3 max_n=largest:3 mean_n:3", u);
     if !answer.laws.is_empty() {
@@ -97,6 +82,18 @@ fn as_text(answer: &IdentifyAnswer, u: &Units) -> String {
     }
     out.extend(answer.warnings.iter().map(|note| format!("- {note}\n")));
     out
+}
+
+/// Where a bench was, and how far its pulls are known.
+fn bench_text(bench: &Bench, u: &Units) -> String {
+    let half = bench.fit_n.iter().flatten().map(|fit| fit.hypot(bench.scatter_n));
+    let (least, most) = half.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
+    let [(p, q), (e, f)] = [bench.pressure_mpa, bench.contraction];
+    let [p, q] = [p, q].map(|v| u.pressure.show(v));
+    let [least, most] = [least, most].map(|n| u.force.half_width(n));
+    let beside = if bench.saw_the_loop() { "" } else { ", and the part for friction beside it" };
+    let (e, f, unit) = (percent(e), percent(f), &u.force.name);
+    format!("{p} to {q}, contractions {e} to {f}: ± of the pull {least} to {most} {unit} (95 %){beside}")
 }
 
 /// Law by law, the preferred one first.

@@ -48,21 +48,20 @@ fn as_text(answer: &JointAnswer, u: &Units) -> String {
     }
     if let Some(map) = &answer.map {
         let at_rest: Vec<_> = map.points.iter().flatten().filter(|q| !q.at_limit).collect();
-        let range = |of: &dyn Fn(&&mckibben::joint::MapPoint) -> f64| {
-            let all = || at_rest.iter().map(of);
-            (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max))
+        let ends = |all: &mut dyn Iterator<Item = f64>| {
+            let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
+            format!("{} to {}", number(low, 4), number(high, 4))
         };
-        let (angles, stiffnesses) = (range(&|q| q.angle_deg), range(&|q| q.stiffness_nm_per_rad));
-        let most = map.torques.iter().map(|t| t.2).fold(f64::NEG_INFINITY, f64::max);
-        let least = map.torques.iter().map(|t| t.1).fold(f64::INFINITY, f64::min);
-        if at_rest.is_empty() {
-            text += "\nat all of these pressures the joint rests at a limit of its range, or is loose\n";
-        } else {
-            let to = |(low, high): (f64, f64)| format!("{} to {}", number(low, 4), number(high, 4));
-            text += &format!("\nat rest it reaches {} ° and {} N m/rad\n", to(angles), to(stiffnesses));
-        }
-        let (least, most) = (number(least, 4), number(most, 4));
-        text += &format!("its torques reach from {least} to {most} N m over its range\n");
+        let angles = ends(&mut at_rest.iter().map(|q| q.angle_deg));
+        let stiffnesses = ends(&mut at_rest.iter().map(|q| q.stiffness_nm_per_rad));
+        text += &match at_rest.is_empty() {
+            true => {
+                "\nat all of these pressures the joint rests at a limit of its range, or is loose\n".into()
+            }
+            false => format!("\nat rest it reaches {angles} ° and {stiffnesses} N m/rad\n"),
+        };
+        let torques = ends(&mut map.torques.iter().flat_map(|t| [t.1, t.2]));
+        text += &format!("its torques reach from {torques} N m over its range\n");
     }
     text
 }

@@ -122,12 +122,8 @@ fn closing(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
     let mut out = String::new();
     for law in &answer.laws {
         let Some(free) = law.quality.free_r_squared else { continue };
-        let how = law.held();
-        out.push_str(&format!(
-            "{} {how}: R² {:.5} instead of {free:.5}.\n",
-            law.form.name(),
-            law.quality.r_squared
-        ));
+        let (name, how, with) = (law.form.name(), law.held(), law.quality.r_squared);
+        out += &format!("{name} {how}: R² {with:.5} instead of {free:.5}.\n");
     }
     match answer.taken() {
         Some(law) => {

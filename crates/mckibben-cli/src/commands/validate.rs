@@ -1,7 +1,8 @@
 //! `validate`: verification and validation, each with its table.
 
 use crate::{
-    Asked, Bar, Failure, NO_ANSWER, files, listed, number, output::width, pairs, plot, shown, tabled, value,
+    Asked, Bar, Failure, NO_ANSWER, files, listed, number, output::width, pairs, plot, said, shown, tabled,
+    value,
 };
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 use mckibben_app::{
@@ -38,18 +39,11 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
 
 /// Times are for people only: JSON and CSV hold nothing that depends on the machine.
 fn sweep_text(a: &SweepAnswer) -> String {
-    format!(
-        "{} random muscles, one point each (seed {})\n\n  {} of {} answered where the infinitely long muscle pulls and its strands stretch by less than 5 %\n  {} of {} answered elsewhere; the others ended with a reason\n  at most {} factorisations; median {:.2} ms, longest {:.2} ms\n",
-        a.muscles,
-        a.seed,
-        a.required_answered,
-        a.required,
-        a.others_answered,
-        a.others,
-        a.most_factorisations,
-        1e3 * a.sweep.median_seconds(),
-        1e3 * a.sweep.longest_seconds()
-    )
+    let (median, longest) = (1e3 * a.sweep.median_seconds(), 1e3 * a.sweep.longest_seconds());
+    let text = "{muscles} random muscles, one point each (seed {seed})\n\n  \
+        {required_answered} of {required} answered where the infinitely long muscle pulls and its strands stretch by less than 5 %\n  \
+        {others_answered} of {others} answered elsewhere; the others ended with a reason\n  at most {most_factorisations} factorisations; ";
+    said(&value(a), text, &shown::units()) + &format!("median {median:.2} ms, longest {longest:.2} ms\n")
 }
 
 /// The cases of one kind, and what they are.
