@@ -37,7 +37,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
         // What is on the disk is valid, whatever ended the run.
         let out = match asked.format {
             Format::Json => format!("{:#}\n", json(&outcome)?),
-            Format::Text | Format::Csv => as_text(&outcome, from.elapsed()),
+            _ => as_text(&outcome, from.elapsed()),
         };
         emit(clean::lines(&out).as_bytes(), None)?;
     }

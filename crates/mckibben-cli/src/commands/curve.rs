@@ -2,7 +2,7 @@
 
 use crate::output::loaded::loaded as text_of_load;
 use crate::{
-    Asked, Bar, Failure, Format, Units, burst_first, columns, half_width, or_dash, output::is_json,
+    Asked, Bar, Failure, Format, Units, burst_first, columns, half_width, or_dash, output::form,
     output::text::within, percent, percents, shown, streamed, warn,
 };
 use mckibben::curve::{Curve, Test};
@@ -17,7 +17,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let unit = shown::units();
     let bar = Bar::new("curves");
     let target = asked.path("output");
-    if request.figure.is_none() && is_json(target.as_deref(), asked.format)? {
+    if request.figure.is_none() && form(target.as_deref(), asked.format)? == Format::Json {
         let problem = streamed("points", target.as_deref(), |row| {
             let rows = |curve: Curve| curve.points.iter().try_for_each(|p| row(&PointRow::from(p)));
             let mut answer = curve_by_curve(&request, &bar, &mut { rows })?;

@@ -1,6 +1,8 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a joint.
 
-use crate::{Asked, Bar, Failure, Units, burst_first, files, number, output::is_text, shown, tabled, value};
+use crate::{
+    Asked, Bar, Failure, Format, Units, burst_first, files, number, output::form, shown, tabled, value,
+};
 use mckibben_app::{
     JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, joint, rows::limit_rows,
 };
@@ -24,7 +26,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let mut request: JointRequest = asked.request()?;
     request.joint = fields(&asked.path("file").unwrap_or_default())?;
     // Text does not show them.
-    request.without_start_pressures = is_text(asked.path("output").as_deref(), asked.format)?;
+    request.without_start_pressures = form(asked.path("output").as_deref(), asked.format)? == Format::Text;
     let mut answer = joint(&request, &Bar::new("joint"))?;
     if request.figure.is_some() && answer.figure.is_none() {
         let message = "--plot: a figure of a joint has torques over angles, or a map";

@@ -16,7 +16,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let address = format!("http://{address}");
     let line = match asked.format {
         Format::Json => serde_json::json!({ "address": address }).to_string(),
-        Format::Text | Format::Csv => address.clone(),
+        _ => address.clone(),
     };
     emit(&(line + "\n"), None)?;
     if asked.is("open")

@@ -26,11 +26,8 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     }
     if asked.path("plot").is_some() {
         let message = "--plot draws the measured muscles: it requires --measured";
-        return Err(Failure::input(
-            ProblemKind::Usage,
-            message,
-            "mckibben validate --measured --plot FILE.svg",
-        ));
+        let hint = "mckibben validate --measured --plot FILE.svg";
+        return Err(Failure::input(ProblemKind::Usage, message, hint));
     }
     let answer = mckibben_app::validate(&asked.request()?, &Bar::new("groups of cases"))?;
     asked.show(&answer, "cases", || as_text(&answer.cases))?;
@@ -96,49 +93,25 @@ fn run_measured(asked: &Asked) -> Result<u8, Failure> {
     let folder = asked.path("measured").filter(|path| !path.as_os_str().is_empty());
     let only: Vec<String> =
         asked.texts("only").iter().flat_map(|t| t.split(',')).map(str::to_owned).collect();
-    let cases = chosen(cases(folder.as_deref())?, &only)?;
-    let mut answer = mckibben_app::measured(
-        &MeasuredRequest { cases, model: asked.text("model"), figure },
-        &Bar::new("fits"),
-    )?;
+    let cases = chosen(folder.map_or_else(|| Ok(built_in()), |folder| folders(&folder))?, &only)?;
+    let request = MeasuredRequest { cases, model: asked.text("model"), figure };
+    let mut answer = mckibben_app::measured(&request, &Bar::new("fits"))?;
     asked.draw(&mut answer.figure)?;
     let rows = if answer.results.is_empty() { "stresses" } else { "results" };
     asked.show(&answer, rows, || measured_text(&answer))
 }
 
-/// The cases of a folder, or those that are built in.
-fn cases(folder: Option<&Path>) -> Result<Vec<MeasuredFolder>, Failure> {
-    let Some(folder) = folder else {
-        let built_in = built_in().into_iter();
-        return Ok(built_in
-            .map(|f| MeasuredFolder {
-                name: f.name,
-                case: f.case,
-                muscle: f.muscle,
-                points: f.points,
-                identified: String::new(),
-            })
-            .collect());
-    };
-    folders(folder)
-}
-
 /// The measured muscle or rubber of a folder, or those of the folders in it.
 fn folders(folder: &Path) -> Result<Vec<MeasuredFolder>, Failure> {
-    let unread = |e: &dyn std::fmt::Display| {
-        Failure::input(ProblemKind::File, format!("{}: {e}", folder.display()), "")
-    };
+    let unread =
+        |e: std::io::Error| Failure::input(ProblemKind::File, format!("{}: {e}", folder.display()), "");
     if folder.join("case.toml").is_file() {
         return Ok(vec![one(folder)?]);
     }
-    let mut list = vec![];
-    let entries = std::fs::read_dir(folder).map_err(|e| unread(&e))?;
-    for entry in entries {
-        let path = entry.map_err(|e| unread(&e))?.path();
-        if path.join("case.toml").is_file() {
-            list.push(one(&path)?);
-        }
-    }
+    let entries = std::fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
+    let paths = entries.map_err(unread)?.into_iter().map(|entry| entry.path());
+    let list = paths.filter(|path| path.join("case.toml").is_file()).map(|path| one(&path));
+    let mut list = list.collect::<Result<Vec<_>, _>>()?;
     list.sort_by(|a, b| a.name.cmp(&b.name));
     if list.is_empty() {
         let message = format!("{}: no folder in it contains a case.toml", folder.display());
