@@ -177,7 +177,7 @@ const STRETCHES: &str =
 
 /// A point of a muscle. The ± belongs to what was asked.
 pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<Row> {
-    let (a, mut row) = (&answer.point, value(answer));
+    let (a, b, mut row) = (&answer.point, &answer.background, value(answer));
     let (key, digits, half, of) = match asked {
         PointQuantity::Force => ("force_n", ":5", "uncertainty_n", ""),
         PointQuantity::Pressure => ("pressure_mpa", "", "pressure_uncertainty_mpa", "of the pull "),
@@ -186,9 +186,9 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
     if row[half].is_null() {
         row[half] = "unknown".into();
     }
-    row["line"] = answer.muscle.line(u).into();
-    row["model"] = format!("{} ({})", a.model, answer.about.source).into();
-    row["shortening_mm"] = (a.response.contraction * answer.muscle.length_mm).into();
+    row["line"] = b.muscle.line(u).into();
+    row["model"] = format!("{} ({})", a.model, b.about.source).into();
+    row["shortening_mm"] = (a.response.contraction * b.muscle.length_mm).into();
     if a.slack {
         row["force_n"] = format!("{} (slack: the muscle would have to push)", u.force.show(0.0)).into();
     }
@@ -208,9 +208,9 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
         list.extend(listed(&rows, &keys.join(" "), u));
     }
     list.extend(listed(&row, POINT, u));
-    list.extend(limit_rows(&answer.limits, estimated(&answer.muscle), u));
+    list.extend(limit_rows(&b.limits, estimated(&b.muscle), u));
     list.extend(listed(&row, STRETCHES, u));
-    let words = &answer.uncertainty_words;
+    let words = &b.uncertainty_words;
     list.extend(words.text_in(u).map(|text| ("uncertainty".to_owned(), format!("{of}{text}"))));
     list.extend(words.bench_in(u).map(|text| ("suggested test".to_owned(), text)));
     list

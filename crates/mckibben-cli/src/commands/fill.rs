@@ -13,10 +13,11 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
 
 fn text(answer: &FillAnswer) -> String {
     let u = shown::units();
-    let uncertainty = answer.uncertainty_words.text_in(&u).map(|text| format!("of the pull {text}"));
-    let mut rows = vec![("muscle".to_owned(), answer.muscle.line(&u))];
+    let uncertainty =
+        answer.background.uncertainty_words.text_in(&u).map(|text| format!("of the pull {text}"));
+    let mut rows = vec![("muscle".to_owned(), answer.background.muscle.line(&u))];
     rows.extend(listed(&value(answer), KEYS, &u));
-    rows.extend(limit_rows(&answer.limits, estimated(&answer.muscle), &u));
+    rows.extend(limit_rows(&answer.background.limits, estimated(&answer.background.muscle), &u));
     rows.extend(uncertainty.map(|text| ("uncertainty".to_owned(), text)));
     pairs(&rows)
 }
