@@ -3,7 +3,7 @@
 
 use crate::{
     MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question, QuestionFields,
-    UncertaintyWords, Units, finite, muscle_fields::Stated, number, percent, said_of, usual_mpa,
+    UncertaintyWords, Units, finite, muscle_fields::Stated, number, rows::said, said_of, usual_mpa,
 };
 use mckibben::analysis::{Burst, FailurePressure};
 use mckibben::muscle::{BuildSheet, Bulk, Muscle, MuscleKind};
@@ -13,6 +13,7 @@ use mckibben::{muscle::file::to_toml, progress::Progress, uncertainty::Uncertain
 use mckibben_fit::validation::case::{MuscleCase, muscles};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_json::json;
 use std::collections::BTreeMap;
 
 /// A muscle to be checked.
@@ -262,72 +263,60 @@ fn findings_of(
     values: &Characteristics,
     parts: Option<UncertaintyParts>,
 ) -> Result<Vec<MuscleFinding>, Problem> {
-    let mut findings = implausible(muscle, values);
-    findings.extend(unknown(burst));
-    let outside = outside(muscle, values.pressure_mpa)?;
-    findings.extend(outside.into_iter().map(|text| MuscleFinding::new(FindingKind::Outside, text)));
-    findings.extend(parts.iter().flat_map(|parts| measure(parts, values)));
-    Ok(findings)
+    let of = |kind, texts: Vec<String>| {
+        texts.into_iter().map(move |text| MuscleFinding { kind, text, left_n: None })
+    };
+    let findings = of(FindingKind::Implausible, implausible(muscle, values))
+        .chain(of(FindingKind::Unknown, unknown(burst)))
+        .chain(of(FindingKind::Outside, outside(muscle, values.pressure_mpa)?));
+    Ok(findings.chain(parts.iter().flat_map(|parts| measure(parts, values))).collect())
 }
 
-impl MuscleFinding {
-    fn new(kind: FindingKind, text: impl Into<String>) -> Self {
-        Self { kind, text: text.into(), left_n: None }
-    }
-}
-
-fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<MuscleFinding> {
-    let (pull, half) = (values.blocked_force_n, values.blocked_force_uncertainty_n);
-    let (slender, wall) =
-        (muscle.length_mm() / muscle.tube().outer_diameter_mm, muscle.wall_mm() / muscle.inner_diameter_mm());
-    let mut found: Vec<String> = vec![];
-    if pull <= 0.0 {
-        found.push("the muscle does not pull at this pressure and its rest length: the pressure is too low for its wall, or its angle is above 54.7°".into());
-    }
-    if muscle.max_ideal_contraction() < LITTLE {
-        let (angle, most) = (number(muscle.braid().angle_deg, 4), percent(muscle.max_ideal_contraction()));
-        found.push(format!(
-            "with an angle of {angle}° even the ideal muscle contracts by no more than {most}"
-        ));
-    }
-    if slender < SHORT {
-        found.push(format!(
-            "the length is {} outer diameters; below {SHORT} the ends take a large part of stroke and pull",
-            number(slender, 3)
-        ));
-    }
-    if wall < WALLS.0 || wall > WALLS.1 {
-        let (low, high) = (percent(WALLS.0), percent(WALLS.1));
-        found.push(format!(
-            "the wall is {} of the bore; tubes on sale and cast ones have {low} to {high}",
-            percent(wall)
-        ));
-    }
-    if let Some(share) = half.map(|half| half / pull).filter(|share| pull > 0.0 && *share > WIDE) {
-        found.push(format!(
-            "the ± is {} of the blocked force: measure before you rely on the pull",
-            percent((100.0 * share).round() / 100.0)
-        ));
-    }
-    found.into_iter().map(|text| MuscleFinding::new(FindingKind::Implausible, text)).collect()
+fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<String> {
+    let (pull, ideal) = (values.blocked_force_n, muscle.max_ideal_contraction());
+    let slender = muscle.length_mm() / muscle.tube().outer_diameter_mm;
+    let wall = muscle.wall_mm() / muscle.inner_diameter_mm();
+    let share = values.blocked_force_uncertainty_n.map_or(0.0, |half| half / pull);
+    let row = json!({
+        "angle": muscle.braid().angle_deg, "ideal": ideal, "slender": slender, "wall": wall,
+        "low": WALLS.0, "high": WALLS.1, "short": SHORT, "share": (100.0 * share).round() / 100.0,
+    });
+    let found = [
+        (
+            pull <= 0.0,
+            "the muscle does not pull at this pressure and its rest length: the pressure is too low for its wall, or its angle is above 54.7°",
+        ),
+        (
+            ideal < LITTLE,
+            "with an angle of {angle}° even the ideal muscle contracts by no more than {ideal:%}",
+        ),
+        (
+            slender < SHORT,
+            "the length is {slender:3} outer diameters; below {short} the ends take a large part of stroke and pull",
+        ),
+        (
+            wall < WALLS.0 || wall > WALLS.1,
+            "the wall is {wall:%} of the bore; tubes on sale and cast ones have {low:%} to {high:%}",
+        ),
+        (
+            pull > 0.0 && share > WIDE,
+            "the ± is {share:%} of the blocked force: measure before you rely on the pull",
+        ),
+    ];
+    let found = found.into_iter().filter(|(is_odd, _)| *is_odd);
+    found.map(|(_, sentence)| said(&row, sentence, &Units::default())).collect()
 }
 
 /// Failures whose pressure cannot be computed, with what is missing.
-fn unknown(burst: &Burst) -> Vec<MuscleFinding> {
-    let mut found: Vec<String> = vec![];
-    for (mode, pressure) in burst.modes() {
-        if let FailurePressure::Unknown(why) = pressure {
-            found.push(format!("the pressure at which {mode}: {why}"));
-        }
-    }
-    if burst.rated_mpa.is_none() {
-        found.push("the pressure for which plugs and fittings are rated; give `rated_pressure` in [terminals] of the muscle file".into());
-    }
-    found.into_iter().map(|text| MuscleFinding::new(FindingKind::Unknown, text)).collect()
+fn unknown(burst: &Burst) -> Vec<String> {
+    let of_mode = |(mode, pressure)| match pressure {
+        FailurePressure::Unknown(why) => Some(format!("the pressure at which {mode}: {why}")),
+        _ => None,
+    };
+    let rated = "the pressure for which plugs and fittings are rated; give `rated_pressure` in [terminals] of the muscle file";
+    let rated = burst.rated_mpa.is_none().then(|| rated.to_owned());
+    burst.modes().into_iter().filter_map(of_mode).chain(rated).collect()
 }
-
-/// A size: its name, its unit, and how it is taken of a muscle.
-type Sized<'a> = (&'static str, &'static str, &'a dyn Fn(&Muscle) -> f64);
 
 /// The same as one warning, of a muscle that is chosen or built.
 pub(crate) fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> Result<Option<Warning>, Problem> {
@@ -336,6 +325,14 @@ pub(crate) fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> Result<Option<
     Ok((!outside.is_empty()).then(|| Warning::from(said)))
 }
 
+/// Sizes of a muscle, with their units.
+const SIZES: [(&str, &str); 4] = [
+    ("the outer diameter", " mm"),
+    ("the wall over the outer diameter", ""),
+    ("the length over the outer diameter", ""),
+    ("the braid angle", "°"),
+];
+
 /// Where the muscle lies outside of the measured ones, on which the ± is founded.
 fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>, Problem> {
     // The measured muscles are no part of the reduced engine.
@@ -343,27 +340,22 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>, Problem> {
         return Ok(vec![]);
     }
     let cases = muscles().map_err(Problem::from)?;
-    let measured: Vec<Muscle> = cases.iter().flat_map(|case| built(case)).collect();
-    let among = |of: &dyn Fn(&Muscle) -> f64| {
-        let all = measured.iter().map(of);
-        all.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), v| (low.min(v), high.max(v)))
+    let sizes = |m: &Muscle| {
+        let outer_mm = m.tube().outer_diameter_mm;
+        [outer_mm, m.wall_mm() / outer_mm, m.length_mm() / outer_mm, m.braid().angle_deg]
     };
+    let measured: Vec<[f64; 4]> = cases.iter().flat_map(|case| built(case)).map(|m| sizes(&m)).collect();
     let highest_mpa =
         cases.iter().flat_map(|case| &case.points).map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
-    let measures: [Sized<'_>; 4] = [
-        ("the outer diameter", " mm", &|m| m.tube().outer_diameter_mm),
-        ("the wall over the outer diameter", "", &|m| m.wall_mm() / m.tube().outer_diameter_mm),
-        ("the length over the outer diameter", "", &|m| m.length_mm() / m.tube().outer_diameter_mm),
-        ("the braid angle", "°", &|m| m.braid().angle_deg),
-    ];
     let mut found = vec![];
-    for (name, unit, of) in measures {
-        let (own, (low, high)) = (of(muscle), among(of));
+    for (i, (name, unit)) in SIZES.into_iter().enumerate() {
+        let among = measured.iter().map(|sizes| sizes[i]);
+        let (low, high) = among.fold((f64::INFINITY, 0.0), |(low, high), v| (low.min(v), f64::max(high, v)));
+        let own = sizes(muscle)[i];
         // A last digit is no difference.
         if own < low * (1.0 - 1e-9) || own > high * (1.0 + 1e-9) {
-            let shown = [own, low, high].map(|v| number(v, 3));
-            found
-                .push(format!("{name} is {}{unit} (measured: {} to {}{unit})", shown[0], shown[1], shown[2]));
+            let [own, low, high] = [own, low, high].map(|v| number(v, 3));
+            found.push(format!("{name} is {own}{unit} (measured: {low} to {high}{unit})"));
         }
     }
     if pressure_mpa > highest_mpa {
@@ -436,12 +428,8 @@ impl CheckAnswer {
                 words.and_then(|w| w.bench_in(u)).unwrap_or_default()
             }
             Some(left) => {
-                format!(
-                    "{}; the ± would still be at least {} {}",
-                    finding.text,
-                    u.force.half_width(left),
-                    u.force.name
-                )
+                let (text, least, unit) = (&finding.text, u.force.half_width(left), &u.force.name);
+                format!("{text}; the ± would still be at least {least} {unit}")
             }
             None => finding.text.clone(),
         });

@@ -313,16 +313,25 @@ pub enum PointRow {
     Failed(FailedPoint),
 }
 
-/// A point without an answer.
+/// What is asked of a point.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct FailedPoint {
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
+pub struct AskedPoint {
     /// Pressure asked for, MPa.
     pub pressure_mpa: f64,
     /// Contraction asked for.
     pub contraction: Option<f64>,
     /// Pull asked for, N.
-    pub wanted_force_n: Option<f64>,
+    #[serde(rename = "wanted_force_n")]
+    pub force_n: Option<f64>,
+}
+
+/// A point without an answer.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct FailedPoint {
+    /// What was asked.
+    #[serde(flatten)]
+    pub asked: AskedPoint,
     /// How it ended.
     pub status: Status,
     /// Why.
@@ -337,13 +346,12 @@ impl From<&CurvePoint> for PointRow {
     fn from(point: &CurvePoint) -> Self {
         match &point.answer {
             Ok(answer) => Self::Answered { answer: Box::new(answer.clone()), status: Status::Ok },
-            Err(error) => Self::Failed(FailedPoint {
-                pressure_mpa: point.pressure_mpa,
-                contraction: point.contraction,
-                wanted_force_n: point.force_n,
-                status: error.into(),
-                cause: short_numbers(&error.to_string()).into_owned(),
-            }),
+            Err(error) => {
+                let &CurvePoint { pressure_mpa, contraction, force_n, .. } = point;
+                let cause = short_numbers(&error.to_string()).into_owned();
+                let asked = AskedPoint { pressure_mpa, contraction, force_n };
+                Self::Failed(FailedPoint { asked, status: error.into(), cause })
+            }
         }
     }
 }

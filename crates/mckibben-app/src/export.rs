@@ -7,7 +7,7 @@ use crate::{
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::Workspace;
 use mckibben::progress::Progress;
-use mckibben_export::{ExportError, ExportedMuscle, Target, Wanted};
+use mckibben_export::{ExportedMuscle, Target, Wanted};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -112,25 +112,4 @@ pub fn export(request: &ExportRequest, _progress: &dyn Progress) -> Result<Expor
         exported,
         warnings,
     })
-}
-
-impl From<ExportError> for Problem {
-    fn from(error: ExportError) -> Self {
-        let message = error.to_string();
-        match error {
-            ExportError::Model(error) => error.into(),
-            ExportError::Analysis(error) => error.into(),
-            ExportError::Cancelled(cancelled) => cancelled.into(),
-            ExportError::Target { .. } => Self::new(ProblemKind::Usage, message, ""),
-            ExportError::Muscle(error) => error.into(),
-            ExportError::Box { .. } => Self::new(ProblemKind::OutOfRange, message, ""),
-            ExportError::NoVolume { .. } => Self::new(ProblemKind::Model, message, ""),
-            ExportError::NoPull { .. } => {
-                Self::new(ProblemKind::NoAnswer, message, "give a higher `pressure_mpa`")
-            }
-            ExportError::Points { .. } | ExportError::Misses { .. } | ExportError::Host(_) => {
-                Self::new(ProblemKind::Fit, message, "")
-            }
-        }
-    }
 }

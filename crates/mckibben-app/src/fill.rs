@@ -1,12 +1,9 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
-use crate::{
-    LoadFields, ModelAbout, MuscleSummary, PressureLimits, Problem, ProblemKind, QUIET_MPA, QuestionFields,
-    UncertaintyWords, above_zero, given, put_first, ratio, said_of,
-};
+use crate::{Background, LoadFields, Problem, ProblemKind, QuestionFields, above_zero, given, ratio};
 use mckibben::liquid::{Liquid, LiquidError, LiquidSupply};
 use mckibben::load::{Fill, FillError, Filling};
-use mckibben::{analysis::source_of, cancel, progress::Progress, uncertainty::basis_of};
+use mckibben::{cancel, progress::Progress};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -38,28 +35,19 @@ pub struct FillAnswer {
     pub fill: Fill,
     /// The liquid.
     pub liquid: Liquid,
-    /// The ± of the pull in words.
-    pub uncertainty_words: UncertaintyWords,
-    /// The pressures that the muscle bears.
+    /// What stands behind it.
     #[serde(flatten)]
-    pub limits: PressureLimits,
-    /// The muscle.
-    pub muscle: MuscleSummary,
-    /// The model.
-    pub about: ModelAbout,
+    pub background: Background,
 }
 
 impl From<FillError> for Problem {
     fn from(error: FillError) -> Self {
-        let (message, field) = (
-            error.to_string(),
-            match error {
-                FillError::Analysis(error) => return error.into(),
-                FillError::TooLarge { .. } => "volume_mm3",
-                FillError::Refused(refused) => refused.fields[0],
-            },
-        );
-        Self::new(ProblemKind::NoAnswer, message, "").in_field(field)
+        let field = match &error {
+            FillError::Analysis(error) => return error.clone().into(),
+            FillError::TooLarge { .. } => "volume_mm3",
+            FillError::Refused(refused) => refused.fields[0],
+        };
+        Self::new(ProblemKind::NoAnswer, error.to_string(), "").in_field(field)
     }
 }
 
@@ -75,21 +63,9 @@ pub fn fill(request: &FillRequest, _progress: &dyn Progress) -> Result<FillAnswe
     let found = question.evaluation().fill(&asked);
     cancel::check()?;
     let mut fill = found?;
-    let burst = question.burst()?;
     let pressure_mpa = fill.answer.response.pressure_mpa;
-    put_first(&mut fill.answer.warnings, said_of(&burst, pressure_mpa, QUIET_MPA));
-    let parts = fill.answer.uncertainty_parts_n;
-    Ok(FillAnswer {
-        uncertainty_words: UncertaintyWords::of(parts, &mut question.evaluation(), pressure_mpa),
-        limits: (&burst).into(),
-        muscle: (&question.muscle).into(),
-        about: ModelAbout {
-            source: source_of(&*question.model, question.options.direction),
-            uncertainty_basis: basis_of(&question.model.info().accuracy),
-        },
-        fill,
-        liquid,
-    })
+    let background = question.background(&mut fill.answer, pressure_mpa)?;
+    Ok(FillAnswer { fill, liquid, background })
 }
 
 /// What a muscle is filled with.

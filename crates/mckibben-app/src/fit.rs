@@ -203,15 +203,6 @@ pub fn fit_report(_: &FitReportRequest, progress: &dyn Progress) -> Result<Resul
     Ok(results(progress)?)
 }
 
-impl From<FitError> for Problem {
-    fn from(error: FitError) -> Self {
-        match error {
-            FitError::Cancelled(cancelled) => cancelled.into(),
-            error => Self::new(ProblemKind::Fit, error.to_string(), ""),
-        }
-    }
-}
-
 /// Why a table gives no formula.
 fn no_fit(name: &str, error: FitError) -> Problem {
     match error {

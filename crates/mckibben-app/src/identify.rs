@@ -10,10 +10,9 @@ use mckibben::muscle::file::{parse_muscle, to_toml};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::{model::Workspace, progress::Progress, warning::Warning};
 use mckibben_fit::identify::{
-    Identification, Identified, IdentifyError, LawTrial, Parameter, PointFit, Request, Target,
-    identify_default, try_laws,
+    Identification, Identified, LawTrial, Parameter, PointFit, Request, Target, identify_default, try_laws,
 };
-use mckibben_fit::least_squares::{EstimateError, Loss};
+use mckibben_fit::least_squares::Loss;
 use mckibben_fit::measured::{
     DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
 };
@@ -449,32 +448,6 @@ pub fn in_one_line(parameters: &[Identified]) -> String {
         format!("{} {value}{bar}{unit}{doubt}", p.name)
     };
     parameters.iter().map(one).collect::<Vec<_>>().join(", ")
-}
-
-impl From<IdentifyError> for Problem {
-    fn from(error: IdentifyError) -> Self {
-        let message = error.to_string();
-        let (kind, hint) = match error {
-            IdentifyError::Cancelled(cancelled) => return cancelled.into(),
-            IdentifyError::Model(model) => return model.into(),
-            IdentifyError::Estimate(EstimateError::NoMinimum { .. } | EstimateError::Start)
-            | IdentifyError::Start { .. } => (ProblemKind::NotConverged, ""),
-            IdentifyError::Implausible(_) => {
-                (ProblemKind::Data, "if they are right, free what may be wrong: `free` ...,braid.angle")
-            }
-            IdentifyError::Flipped(_) => (
-                ProblemKind::Data,
-                "forces are positive where the muscle pulls, contractions where it is shorter than at rest; a minus before a heading turns the sign: `columns` force=\"-F:N\", or contraction=\"-e:%\"",
-            ),
-            IdentifyError::NoRubber { .. } => {
-                let hint = "check the signs and units of the columns, the diameter, wall and angle of the muscle, and the zero of its contraction";
-                (ProblemKind::NotConverged, hint)
-            }
-            IdentifyError::Data(_) => (ProblemKind::Data, ""),
-            _ => (ProblemKind::Parameter, ""),
-        };
-        Self::new(kind, message, hint)
-    }
 }
 
 /// Where the points stretch the rubber beyond the data of its constants.

@@ -43,21 +43,6 @@ impl LoadFields {
     }
 }
 
-impl From<LoadError> for Problem {
-    fn from(error: LoadError) -> Self {
-        match error {
-            LoadError::Analysis(error) => error.into(),
-            error => {
-                let hint = match error {
-                    LoadError::NotLifted { .. } => "`two_sided` gives the stretch of the muscle",
-                    _ => "",
-                };
-                Self::new(ProblemKind::NoAnswer, error.to_string(), hint)
-            }
-        }
-    }
-}
-
 /// The equilibria at pressures, and the stroke from the first to the last.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct LoadAnswer {

@@ -68,17 +68,25 @@ pub struct PointAnswer {
     /// The point.
     #[serde(flatten)]
     pub point: Answer,
-    /// The ± in words.
-    pub uncertainty_words: UncertaintyWords,
     /// The same while the muscle is shortened and while it is lengthened, where both were asked for.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub branches: Vec<Answer>,
-    /// The pressures that the muscle bears.
-    #[serde(flatten)]
-    pub limits: PressureLimits,
     /// All equilibria with the load, if any; the point is the first stable one, or the first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loaded: Option<LoadAnswer>,
+    /// What stands behind it.
+    #[serde(flatten)]
+    pub background: Background,
+}
+
+/// What stands behind a point: its ±, what the muscle bears, the muscle, and the model.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Background {
+    /// The ± of the pull in words.
+    pub uncertainty_words: UncertaintyWords,
+    /// The pressures that the muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
     /// The muscle.
     pub muscle: MuscleSummary,
     /// The model.
@@ -160,25 +168,10 @@ fn answered(
     let found = all();
     cancel::check()?;
     let (mut point, branches) = found?;
-    let found = question.burst()?;
     let all = std::iter::once(&point).chain(&branches);
     let highest_mpa = all.map(|a| a.response.pressure_mpa).fold(0.0, f64::max);
-    put_first(&mut point.warnings, said_of(&found, highest_mpa, QUIET_MPA));
-    let (parts, pressure_mpa) = (point.uncertainty_parts_n, point.response.pressure_mpa);
-    let uncertainty_words = UncertaintyWords::of(parts, &mut question.evaluation(), pressure_mpa);
-    let about = ModelAbout {
-        source: source_of(&*question.model, options.direction),
-        uncertainty_basis: basis_of(&question.model.info().accuracy),
-    };
-    Ok(PointAnswer {
-        point,
-        uncertainty_words,
-        branches,
-        limits: (&found).into(),
-        loaded: None,
-        muscle: (&question.muscle).into(),
-        about,
-    })
+    let background = question.background(&mut point, highest_mpa)?;
+    Ok(PointAnswer { point, branches, loaded: None, background })
 }
 
 /// A number that must be there.
@@ -283,6 +276,22 @@ impl Question {
     /// The burst pressure of its muscle.
     pub(crate) fn burst(&self) -> Result<Burst, Problem> {
         burst_of(&self.choice, &*self.model)
+    }
+
+    /// What stands behind an answer, which warns of the highest pressure first.
+    pub(crate) fn background(&mut self, of: &mut Answer, highest_mpa: f64) -> Result<Background, Problem> {
+        let burst = self.burst()?;
+        put_first(&mut of.warnings, said_of(&burst, highest_mpa, QUIET_MPA));
+        let (parts, pressure_mpa) = (of.uncertainty_parts_n, of.response.pressure_mpa);
+        Ok(Background {
+            uncertainty_words: UncertaintyWords::of(parts, &mut self.evaluation(), pressure_mpa),
+            limits: (&burst).into(),
+            muscle: (&self.muscle).into(),
+            about: ModelAbout {
+                source: source_of(&*self.model, self.options.direction),
+                uncertainty_basis: basis_of(&self.model.info().accuracy),
+            },
+        })
     }
 }
 

@@ -2,12 +2,18 @@
 
 use mckibben::cancel::Cancel;
 use mckibben::{
-    analysis::AnalysisError, cancel::Cancelled, formula::FormulaError, model::ModelError,
-    muscle::file::FileError, size::TooLarge, study::StudyError, units::short_numbers,
+    analysis::AnalysisError, cancel::Cancelled, formula::FormulaError, load::LoadError, model::ModelError,
+    muscle::file::FileError, rubber::library::LibraryError, size::TooLarge,
+    study::StudyError, units::short_numbers,
 };
-use mckibben_campaign::campaign::CampaignError;
+use mckibben_campaign::{campaign::CampaignError, fit::FitError};
 use mckibben_design::{SpecError, SpreadError, ToleranceError};
+use mckibben_export::ExportError;
 use mckibben_fem::FemError;
+use mckibben_fit::identify::{IdentifyError, ParameterError};
+use mckibben_fit::{
+    least_squares::EstimateError, rubber::TensionFitError, rubber_over_time::OverTimeFitError,
+};
 use mckibben_io::table::TableError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -190,25 +196,67 @@ impl fmt::Display for Problem {
 
 impl std::error::Error for Problem {}
 
-/// Errors of the layers below whose own sentence says all.
-macro_rules! said {
-    ($($error:ty: $kind:ident, $hint:literal;)*) => {$(
+/// Errors of the layers below in their own words: the kind of problem that each is, what to do about it and the field to blame; errors that are told
+/// as what they hold; and what is of another kind.
+macro_rules! problems {
+    ($($error:ident: $kind:ident $($hint:literal)? $(in $field:literal)? $(of $($inner:ident)+)? $({
+        $($of:pat => $own:ident $($advice:literal)? $(in $blamed:literal)?;)+
+    })?;)+) => {$(
         impl From<$error> for Problem {
+            #[allow(unreachable_patterns, clippy::match_single_binding, reason = "some errors are all of one kind")]
             fn from(error: $error) -> Self {
-                Self::new(ProblemKind::$kind, error.to_string(), $hint)
+                let (kind, hint, field) = match error {
+                    $($($error::$inner(inner) => return inner.into(),)+)?
+                    $($($of => (ProblemKind::$own, concat!("", $($advice)?), concat!("", $($blamed)?)),)+)?
+                    _ => (ProblemKind::$kind, concat!("", $($hint)?), concat!("", $($field)?)),
+                };
+                let field = (!field.is_empty()).then(|| field.to_owned());
+                Self { field, ..Self::new(kind, error.to_string(), hint) }
             }
         }
-    )*};
+    )+};
 }
 
-said! {
-    Cancelled: Cancelled, "";
-    TooLarge: Range, "";
-    FileError: File, "";
-    SpreadError: Tolerance, "take smaller tolerances";
-    FormulaError: Formula, "";
-    mckibben::rubber::library::LibraryError: Rubber, "";
-    mckibben_fit::identify::ParameterError: Parameter, "";
+problems! {
+    Cancelled: Cancelled;
+    TooLarge: Range;
+    FileError: File;
+    FormulaError: Formula;
+    LibraryError: Rubber;
+    ParameterError: Parameter;
+    SpreadError: Tolerance "take smaller tolerances";
+    ToleranceError: Quantity in "tolerance";
+    StudyError: NoAnswer of Model Analysis Muscle;
+    FitError: Fit of Cancelled;
+    SpecError: Specification of Cancelled {
+        SpecError::NoLiquid { .. } => Usage in "max_liquid_volume_mm3";
+    };
+    LoadError: NoAnswer of Analysis {
+        LoadError::NotLifted { .. } => NoAnswer "`two_sided` gives the stretch of the muscle";
+    };
+    ExportError: Fit of Model Analysis Muscle Cancelled {
+        ExportError::Target { .. } => Usage;
+        ExportError::Box { .. } => OutOfRange;
+        ExportError::NoVolume { .. } => Model;
+        ExportError::NoPull { .. } => NoAnswer "give a higher `pressure_mpa`";
+    };
+    IdentifyError: Parameter of Cancelled Model {
+        IdentifyError::Estimate(EstimateError::NoMinimum { .. } | EstimateError::Start) | IdentifyError::Start { .. } => NotConverged;
+        IdentifyError::Data(_) => Data;
+        IdentifyError::Implausible(_) => Data "if they are right, free what may be wrong: `free` ...,braid.angle";
+        IdentifyError::Flipped(_) => Data
+            "forces are positive where the muscle pulls, contractions where it is shorter than at rest; a minus before a heading turns the sign: `columns` force=\"-F:N\", or contraction=\"-e:%\"";
+        IdentifyError::NoRubber { .. } => NotConverged
+            "check the signs and units of the columns, the diameter, wall and angle of the muscle, and the zero of its contraction";
+    };
+    TensionFitError: Fit of Cancelled {
+        TensionFitError::NotConverged { .. } => NotConverged;
+        TensionFitError::NoBetter { .. } => NoAnswer "take `terms` with a smaller number";
+        TensionFitError::TooFew { .. } => Fit "take a law with fewer constants, or leave `up_to_stretch` out";
+    };
+    OverTimeFitError: Fit of Law {
+        OverTimeFitError::NotConverged { .. } => NotConverged "take `laws` with fewer constants";
+    };
 }
 
 impl From<ModelError> for Problem {
@@ -275,38 +323,10 @@ impl From<FemError> for Problem {
     }
 }
 
-impl From<SpecError> for Problem {
-    fn from(error: SpecError) -> Self {
-        match error {
-            SpecError::Cancelled(cancelled) => cancelled.into(),
-            error @ SpecError::NoLiquid { .. } => {
-                Self::new(ProblemKind::Usage, error.to_string(), "").in_field("max_liquid_volume_mm3")
-            }
-            error => Self::new(ProblemKind::Specification, error.to_string(), ""),
-        }
-    }
-}
-
-impl From<ToleranceError> for Problem {
-    fn from(error: ToleranceError) -> Self {
-        Self::new(ProblemKind::Quantity, error.to_string(), "").in_field("tolerance")
-    }
-}
-
 impl Problem {
     /// A table that cannot be read.
     pub fn of_table(name: &str, error: &TableError) -> Self {
         Self::new(ProblemKind::Data, format!("{name}: {error}"), "")
-    }
-}
-
-impl From<StudyError> for Problem {
-    fn from(error: StudyError) -> Self {
-        match error {
-            StudyError::Model(error) => error.into(),
-            StudyError::Analysis(error) => error.into(),
-            StudyError::Muscle(error) => error.into(),
-        }
     }
 }
 

@@ -204,7 +204,7 @@ fn limits(shown: &CheckAnswer, point: &PointAnswer) -> Vec<Part> {
     let mut list = vec![
         "The tube is bonded to rigid terminals; the strands move with its outer surface and turn freely at their crossings, with friction only where the muscle file states it.".to_owned(),
         "The braid has no thickness and lies on the tube from the start; the rubber has no relaxation and no softening.".to_owned(),
-        format!("The ±: {}", point.about.uncertainty_basis),
+        format!("The ±: {}", point.background.about.uncertainty_basis),
     ];
     if shown.muscle.terminals().insertion_mm.is_none() {
         let assumed = number(shown.muscle.terminals().insertion_mm(), 4);

@@ -2,7 +2,9 @@
 //!
 //! Keys stand with blanks between them, each as `key+half=label:4%~`, all but the key optional: `half` is the key of its ±, `_` in a label is a
 //! blank, and behind `:` are the digits. Of a column all numbers have as many decimals; with `~` behind the digits each has its own. `%` shows a
-//! ratio in per cent. A dot leads into an object; lists in an object are ranges.
+//! ratio in per cent, and `#` a number without its unit. A dot leads into an object; lists in an object are ranges.
+//!
+//! Sentences have such keys in braces, and in brackets what is left out where one of its keys has no value.
 
 use crate::{Characteristics, CheckAnswer, MuscleSummary, PointAnswer, PointQuantity, PressureLimits, Units};
 use crate::{Scale, words::*};
@@ -28,6 +30,33 @@ pub fn listed(of: &Value, keys: &str, u: &Units) -> Vec<Row> {
     keys.filter_map(|key| Some((key.label.clone(), key.text(of)?))).collect()
 }
 
+/// A sentence with the values of an object.
+pub fn said(of: &Value, sentence: &str, u: &Units) -> String {
+    let (mut out, mut rest) = (String::new(), sentence);
+    while let Some((before, part)) = rest.split_once(['{', '[']) {
+        let is_key = rest[before.len()..].starts_with('{');
+        let (inside, behind) = part.split_once(if is_key { '}' } else { ']' }).unwrap_or((part, ""));
+        out += before;
+        if is_key {
+            out += &Key::of(inside, u).text(of).unwrap_or_else(|| "–".into());
+        } else if keys_of(inside).all(|key| Key::of(key, u).text(of).is_some()) {
+            out += &said(of, inside, u);
+        }
+        rest = behind;
+    }
+    out + rest
+}
+
+/// The keys in the braces of a sentence.
+fn keys_of(sentence: &str) -> impl Iterator<Item = &str> {
+    sentence.split('{').skip(1).filter_map(|part| part.split('}').next())
+}
+
+/// A sentence for each of a list.
+pub fn each(list: &Value, sentence: &str, u: &Units) -> Vec<String> {
+    list.as_array().into_iter().flatten().map(|of| said(of, sentence, u)).collect()
+}
+
 /// A key with how its values are shown.
 pub struct Key<'a> {
     pub path: &'a str,
@@ -38,6 +67,7 @@ pub struct Key<'a> {
     factor: f64,
     pub digits: usize,
     pub is_aligned: bool,
+    is_bare: bool,
 }
 
 fn at<'a>(of: &'a Value, path: &str) -> Option<&'a Value> {
@@ -57,8 +87,9 @@ impl<'a> Key<'a> {
             label: label.unwrap_or_else(|| without_unit(key)).replace('_', " "),
             unit,
             factor,
-            digits: format.trim_end_matches(['%', '~']).parse().unwrap_or(4),
+            digits: format.trim_end_matches(['%', '~', '#']).parse().unwrap_or(4),
             is_aligned: !format.contains('~'),
+            is_bare: format.contains('#'),
         }
     }
 
@@ -81,7 +112,7 @@ impl<'a> Key<'a> {
     }
 
     fn text(&self, of: &Value) -> Option<String> {
-        let is_number = self.number(of, self.path).is_some();
+        let is_number = !self.is_bare && self.number(of, self.path).is_some();
         let text = self.bare(of).filter(|text| !text.is_empty())?;
         Some(if is_number { format!("{text} {}", self.unit).trim_end().to_owned() } else { text })
     }
@@ -146,7 +177,7 @@ const STRETCHES: &str =
 
 /// A point of a muscle. The ± belongs to what was asked.
 pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<Row> {
-    let (a, mut row) = (&answer.point, value(answer));
+    let (a, b, mut row) = (&answer.point, &answer.background, value(answer));
     let (key, digits, half, of) = match asked {
         PointQuantity::Force => ("force_n", ":5", "uncertainty_n", ""),
         PointQuantity::Pressure => ("pressure_mpa", "", "pressure_uncertainty_mpa", "of the pull "),
@@ -155,9 +186,9 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
     if row[half].is_null() {
         row[half] = "unknown".into();
     }
-    row["line"] = answer.muscle.line(u).into();
-    row["model"] = format!("{} ({})", a.model, answer.about.source).into();
-    row["shortening_mm"] = (a.response.contraction * answer.muscle.length_mm).into();
+    row["line"] = b.muscle.line(u).into();
+    row["model"] = format!("{} ({})", a.model, b.about.source).into();
+    row["shortening_mm"] = (a.response.contraction * b.muscle.length_mm).into();
     if a.slack {
         row["force_n"] = format!("{} (slack: the muscle would have to push)", u.force.show(0.0)).into();
     }
@@ -177,9 +208,9 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
         list.extend(listed(&rows, &keys.join(" "), u));
     }
     list.extend(listed(&row, POINT, u));
-    list.extend(limit_rows(&answer.limits, estimated(&answer.muscle), u));
+    list.extend(limit_rows(&b.limits, estimated(&b.muscle), u));
     list.extend(listed(&row, STRETCHES, u));
-    let words = &answer.uncertainty_words;
+    let words = &b.uncertainty_words;
     list.extend(words.text_in(u).map(|text| ("uncertainty".to_owned(), format!("{of}{text}"))));
     list.extend(words.bench_in(u).map(|text| ("suggested test".to_owned(), text)));
     list

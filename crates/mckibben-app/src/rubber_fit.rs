@@ -6,12 +6,10 @@ use crate::{
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::{muscle::file::to_toml, progress::Progress, rubber::over_time::OgdenRoxburgh, size};
 use mckibben_fit::rubber::{
-    FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, ReadOptions, TensionFitError,
-    fit_tension_with, read_tests,
+    FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, ReadOptions, fit_tension_with,
+    read_tests,
 };
-use mckibben_fit::rubber_over_time::{
-    OverTimeFitError, PronyFit, SofteningFit, fit_prony, fit_softening, read_history,
-};
+use mckibben_fit::rubber_over_time::{PronyFit, SofteningFit, fit_prony, fit_softening, read_history};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -310,32 +308,5 @@ impl RubberFitRequest {
             return Err(Problem::new(ProblemKind::Usage, message, hint).in_field("terms"));
         }
         Ok(forms)
-    }
-}
-
-impl From<TensionFitError> for Problem {
-    fn from(error: TensionFitError) -> Self {
-        let (kind, hint) = match error {
-            TensionFitError::Cancelled(cancelled) => return cancelled.into(),
-            TensionFitError::NotConverged { .. } => (ProblemKind::NotConverged, ""),
-            TensionFitError::NoBetter { .. } => (ProblemKind::NoAnswer, "take `terms` with a smaller number"),
-            TensionFitError::TooFew { .. } => {
-                (ProblemKind::Fit, "take a law with fewer constants, or leave `up_to_stretch` out")
-            }
-            _ => (ProblemKind::Fit, ""),
-        };
-        Self::new(kind, error.to_string(), hint)
-    }
-}
-
-impl From<OverTimeFitError> for Problem {
-    fn from(error: OverTimeFitError) -> Self {
-        match error {
-            OverTimeFitError::Law(error) => error.into(),
-            OverTimeFitError::NotConverged { .. } => {
-                Self::new(ProblemKind::NotConverged, error.to_string(), "take `laws` with fewer constants")
-            }
-            _ => Self::new(ProblemKind::Fit, error.to_string(), ""),
-        }
     }
 }

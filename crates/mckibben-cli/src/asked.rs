@@ -202,8 +202,16 @@ impl Flag {
             Ok(json!(list))
         };
         match &*self.field {
-            "points" => return texts.iter().map(|text| at(&flag, text)).collect(),
-            "torques" => return texts.iter().map(|text| torque(&flag, text)).collect(),
+            "points" => {
+                let keys = [("force_n", Dimension::Force), ("contraction", Dimension::Ratio)];
+                let expected = "operating point; expected a pull at a contraction such as 700N@15%";
+                return texts.iter().map(|text| at(&flag, text, keys, expected)).collect();
+            }
+            "torques" => {
+                let keys = [("torque_nm", Dimension::Torque), ("angle_deg", Dimension::Angle)];
+                let expected = "torque at an angle; expected one such as 8Nm@45deg";
+                return texts.iter().map(|text| at(&flag, text, keys, expected)).collect();
+            }
             "tolerance" => return Ok(json!(tolerances(&flag, text)?)),
             // Screws are sold by their diameter.
             "bolt_mm" if text.trim().starts_with(['M', 'm']) => {
@@ -327,27 +335,18 @@ fn weights(flag: &str, text: &str) -> Result<Value, Failure> {
     Ok(out.into())
 }
 
-fn at(flag: &str, text: &str) -> Result<Value, Failure> {
-    let Some((force, contraction)) = text.split_once('@') else {
-        let message = format!(
-            "{flag}: \"{text}\" is not a valid operating point; expected a pull at a contraction such as 700N@15%"
-        );
+/// What is required at a place: a pull at a contraction, a torque at an angle.
+fn at(flag: &str, text: &str, keys: [(&str, Dimension); 2], expected: &str) -> Result<Value, Failure> {
+    let Some((first, second)) = text.split_once('@') else {
+        let message = format!("{flag}: \"{text}\" is not a valid {expected}");
         return Err(Failure::input(ProblemKind::Quantity, message, ""));
     };
-    let e = quantity(flag, contraction, Dimension::Ratio)?;
-    check_contractions(flag, contraction, &[e])?;
-    Ok(json!({ "force_n": quantity(flag, force.trim(), Dimension::Force)?, "contraction": e }))
-}
-
-fn torque(flag: &str, text: &str) -> Result<Value, Failure> {
-    let Some((torque, angle)) = text.split_once('@') else {
-        let message =
-            format!("{flag}: \"{text}\" is not a valid torque at an angle; expected one such as 8Nm@45deg");
-        return Err(Failure::input(ProblemKind::Quantity, message, ""));
-    };
-    // Either side: the joint is symmetric.
-    let angle = quantity(flag, angle.trim().trim_start_matches(['±', '+']), Dimension::Angle)?;
-    Ok(json!({ "torque_nm": quantity(flag, torque.trim(), Dimension::Torque)?, "angle_deg": angle }))
+    // An angle to either side: the joint is symmetric.
+    let place = quantity(flag, second.trim().trim_start_matches(['±', '+']), keys[1].1)?;
+    if keys[1].1 == Dimension::Ratio {
+        check_contractions(flag, second, &[place])?;
+    }
+    Ok(json!({ (keys[0].0): quantity(flag, first.trim(), keys[0].1)?, (keys[1].0): place }))
 }
 
 fn tolerances(flag: &str, text: &str) -> Result<Tolerances, Failure> {

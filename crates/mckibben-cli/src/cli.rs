@@ -1,10 +1,11 @@
-//! The commands: the text of each, with its flags and examples, and what runs it.
+//! The commands: their texts (`commands.txt`), and what runs them.
 
 use crate::{
     Asked, Failure, Format, commands::build, commands::campaign, commands::check, commands::compare,
     commands::curve, commands::design, commands::export, commands::fill, commands::fit, commands::help,
     commands::identify, commands::joint, commands::motion, commands::parts, commands::point,
     commands::rubber, commands::schema, commands::serve, commands::simulate, commands::validate, spec::flags,
+    spec::text_of,
 };
 use clap::{ArgAction, ArgMatches, Command, CommandFactory, Parser};
 use serde_json::Value;
@@ -38,35 +39,36 @@ pub struct Cli {
 /// Runs a command; the exit code where it ends well.
 type Run = fn(&Asked) -> Result<u8, Failure>;
 
+/// Every command, in the order of the help.
 const COMMANDS: [(&str, Run); 28] = [
-    (design::TEXT, design::run),
-    (point::FORCE, point::force),
-    (point::PRESSURE, point::pressure),
-    (point::CONTRACTION, point::contraction),
-    (fill::TEXT, fill::run),
-    (curve::TEXT, curve::run),
-    (joint::TEXT, joint::run),
-    (motion::TEXT, motion::run),
-    (simulate::TEXT, simulate::run),
-    (check::TEXT, check::run),
-    (build::TEXT, build::run),
-    (export::TEXT, export::run),
-    (campaign::TEXT, campaign::run),
-    (campaign::SHOW, campaign::show),
-    (campaign::MERGE, campaign::merge),
-    (campaign::STATUS, campaign::status),
-    (validate::TEXT, validate::run),
-    (compare::TEXT, compare::run),
-    (identify::TEXT, identify::run),
-    (fit::TEXT, fit::run),
-    (parts::LIST, parts::list),
-    (parts::SHOW, parts::show),
-    (rubber::TEXT, rubber::run),
-    (serve::TEXT, serve::run),
-    (schema::TEXT, schema::run),
-    (help::TEXT, help::run),
-    (help::MAN, help::man),
-    (help::COMPLETIONS, help::completions),
+    ("design", design::run),
+    ("force", point::force),
+    ("pressure", point::pressure),
+    ("contraction", point::contraction),
+    ("fill", fill::run),
+    ("curve", curve::run),
+    ("joint", joint::run),
+    ("motion", motion::run),
+    ("simulate", simulate::run),
+    ("check", check::run),
+    ("build", build::run),
+    ("export", export::run),
+    ("campaign", campaign::run),
+    ("campaign show", campaign::show),
+    ("campaign merge", campaign::merge),
+    ("campaign status", campaign::status),
+    ("validate", validate::run),
+    ("compare", compare::run),
+    ("identify", identify::run),
+    ("fit", fit::run),
+    ("parts list", parts::list),
+    ("parts show", parts::show),
+    ("rubber", rubber::run),
+    ("serve", serve::run),
+    ("schema", schema::run),
+    ("help", help::run),
+    ("man", help::man),
+    ("completions", help::completions),
 ];
 
 /// Commands that only hold others.
@@ -76,8 +78,8 @@ const GROUPS: [(&str, &str); 1] =
 /// The command line: `-h` shows the first example and where the other flags are, `--help` all.
 pub fn command() -> Command {
     let mut root = Cli::command().subcommand_required(true).arg_required_else_help(true);
-    for (text, _) in &COMMANDS {
-        let (name, about) = head(text);
+    for (name, _) in COMMANDS {
+        let about = text_of(name).0.strip_prefix(name).unwrap_or_default().trim_start_matches(": ");
         let (group, last) = name.split_once(' ').unwrap_or(("", name));
         let one = Command::new(last).about(about).after_help(name).defer(with_flags);
         root = match GROUPS.iter().find(|g| g.0 == group && root.find_subcommand(group).is_none()) {
@@ -92,16 +94,6 @@ pub fn command() -> Command {
     root
 }
 
-/// The name of a command, and what it does.
-fn head(text: &'static str) -> (&'static str, &'static str) {
-    text.lines().next().and_then(|line| line.split_once(": ")).unwrap_or_default()
-}
-
-/// The text of a command, and what runs it.
-fn find(name: &str) -> Option<&'static (&'static str, Run)> {
-    COMMANDS.iter().find(|(text, _)| head(text).0 == name)
-}
-
 /// The schema of a command's request.
 fn request(name: &str) -> Value {
     let command = mckibben_app::find(&name.replace(' ', "-"));
@@ -111,7 +103,7 @@ fn request(name: &str) -> Value {
 /// Adds the flags and examples of a command, whose name stands where its examples come.
 fn with_flags(command: Command) -> Command {
     let name = command.get_after_help().map(ToString::to_string).unwrap_or_default();
-    let Some((text, _)) = find(&name) else { return command };
+    let text = text_of(&name).1;
     let all = text.find("\nExample").map_or("", |at| &text[at + 1..]);
     let args: Vec<clap::Arg> = flags(text, &request(&name)).iter().map(|flag| flag.arg()).collect();
     let hides = args.iter().any(clap::Arg::is_hide_short_help_set);
@@ -157,9 +149,9 @@ pub fn asked(matches: &ArgMatches, format: Format) -> Option<(String, Asked, Run
         leaf = inner;
     }
     let name = path.join(" ");
-    let (text, run) = find(&name)?;
+    let (_, run) = COMMANDS.iter().find(|(known, _)| *known == name)?;
     let request = request(&name);
-    let mut flags = flags(text, &request);
+    let mut flags = flags(text_of(&name).1, &request);
     let args = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned());
     let name_of = |arg: String| Some(arg.strip_prefix("--")?.split('=').next()?.to_owned());
     let typed: Vec<String> = args.filter_map(name_of).collect();

@@ -157,7 +157,7 @@ mod tests {
     fn fields_become_flags() {
         let fields = serde_json::json!({ "pressures_mpa": {}, "two_sided": {} });
         take_flags(&spec::flags(
-            "\npressures_mpa=pressure two_sided",
+            "pressures_mpa=pressure two_sided",
             &serde_json::json!({ "properties": fields }),
         ));
         let problem =

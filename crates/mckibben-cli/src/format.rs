@@ -12,4 +12,7 @@ pub enum Format {
     Json,
     /// One row per point; columns carry their unit
     Csv,
+    /// The same as Parquet, of a file with that ending
+    #[value(skip)]
+    Parquet,
 }

@@ -26,7 +26,7 @@ use failure::{Failure, NO_ANSWER, NOT_CONVERGED, in_flags};
 use format::Format;
 use mckibben::threads;
 use mckibben_app::{guarded, panics_are_problems};
-use output::keyed::{listed, tabled, value};
+use output::keyed::{each, listed, said, tabled, value};
 use output::text::{
     Units, columns, half_width, number, or_dash, pairs, percent, percents, place, table, understood,
 };

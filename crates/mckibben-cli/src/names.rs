@@ -9,42 +9,30 @@ use mckibben_fit::{rubber::Form, validation::library};
 use std::ffi::OsStr;
 
 /// A text, for which there are names.
-#[derive(Debug, Clone, Copy)]
-pub struct Names(fn() -> Vec<String>);
-
-pub const MODELS: Names = Names(|| Model::all().into_iter().map(|m| m.name.to_string()).collect());
-pub const TARGETS: Names = Names(|| {
-    export_list(&ExportListRequest {})
-        .map(|all| all.targets.into_iter().map(|t| t.name.to_owned()).collect())
-        .unwrap_or_default()
-});
-/// Rubbers of the library.
-pub const RUBBERS: Names =
-    Names(|| rubber::library::entries().unwrap_or_default().iter().map(|e| e.name.clone()).collect());
-/// Sleeves of the library.
-pub const SLEEVES: Names = Names(|| {
-    sleeve::library::entries().unwrap_or_default().iter().map(|e| e.sleeve.shape.name.clone()).collect()
-});
-/// Laws of rubbers.
-pub const LAWS: Names = Names(|| Form::words().into_iter().chain(["all".to_owned()]).collect());
-/// Everything with a name.
-pub const NAMES: Names = Names(|| {
-    let tubes = mckibben_design::tubes::catalogue().unwrap_or_default().iter().map(|t| t.name.clone());
-    let lists = [SLEEVES, RUBBERS, MODELS].into_iter().flat_map(|names| (names.0)());
-    tubes.chain(lists).chain(library::names()).collect()
-});
+#[derive(Debug, Clone)]
+pub struct Names(Vec<String>);
 
 /// The names for a flag.
 pub fn of(flag: &str) -> Option<Names> {
-    Some(match flag {
-        "model" | "models" => MODELS,
-        "target" => TARGETS,
-        "rubber" | "rubbers" => RUBBERS,
-        "braid" | "braids" => SLEEVES,
-        "laws" => LAWS,
-        "any" => NAMES,
+    Some(Names(match flag {
+        "model" | "models" => Model::all().into_iter().map(|m| m.name.to_owned()).collect(),
+        "target" => {
+            let all = export_list(&ExportListRequest {}).ok()?;
+            all.targets.iter().map(|t| t.name.to_owned()).collect()
+        }
+        "rubber" | "rubbers" => rubber::library::entries().ok()?.iter().map(|e| e.name.clone()).collect(),
+        "braid" | "braids" => {
+            sleeve::library::entries().ok()?.iter().map(|e| e.sleeve.shape.name.clone()).collect()
+        }
+        "laws" => Form::words().into_iter().chain(["all".to_owned()]).collect(),
+        // Everything with a name.
+        "any" => {
+            let tubes = mckibben_design::tubes::catalogue().ok()?.iter().map(|t| t.name.clone());
+            let lists = ["braid", "rubber", "model"].into_iter().filter_map(of).flat_map(|names| names.0);
+            tubes.chain(lists).chain(library::names()).collect()
+        }
         _ => return None,
-    })
+    }))
 }
 
 impl TypedValueParser for Names {
@@ -55,7 +43,7 @@ impl TypedValueParser for Names {
     }
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        Some(Box::new((self.0)().into_iter().map(PossibleValue::new)))
+        Some(Box::new(self.0.iter().map(PossibleValue::new)))
     }
 }
 
@@ -65,13 +53,14 @@ mod tests {
 
     #[test]
     fn completion_knows_the_names_and_parsing_takes_more() {
-        for (names, one) in [
-            (MODELS, "thick-wall"),
-            (TARGETS, "opensim"),
-            (RUBBERS, "dragon-skin-30"),
-            (SLEEVES, "s-muscle-20"),
-            (NAMES, "dmsp-20-300"),
+        for (flag, one) in [
+            ("model", "thick-wall"),
+            ("target", "opensim"),
+            ("rubber", "dragon-skin-30"),
+            ("braid", "s-muscle-20"),
+            ("any", "dmsp-20-300"),
         ] {
+            let names = of(flag).unwrap();
             assert!(names.possible_values().unwrap().any(|v| v.get_name() == one), "{one}");
             let parsed = names.parse_ref(&Command::new("mckibben"), None, OsStr::new("formula.json"));
             assert_eq!(parsed.unwrap(), "formula.json");

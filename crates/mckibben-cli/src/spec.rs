@@ -1,10 +1,4 @@
-//! The flags of a command: which fields of its request they fill, and how they are called. All else is in the schema of the request.
-//!
-//! The text of a command begins with its name and what it does; then come lines of tokens, and its examples. A token is
-//! `S/field=long|alias<VALUE>` with marks behind it, all but the field optional: `:` before it makes it an argument, `*` hides it from the short
-//! help, `!` requires it (unless one of those that it excludes is there), `+` lets it be repeated, `&a,b` requires others and `^a,b` excludes them. In `<>`, `N:1..5` is a range, `DIR?x` a value
-//! that may be left out, `WORD~one/two` are all words. `Heading:` begins a group, `@name` stands for flags that commands share, and what
-//! follows ` | ` is the help in place of the field's.
+//! The flags of a command: which fields of its request they fill, and how they are called, as `commands.txt` has it. All else is in the schema of the request.
 
 use crate::names;
 use clap::builder::{PossibleValue, PossibleValuesParser};
@@ -14,53 +8,21 @@ use mckibben::{muscle::Measure, units::Dimension};
 use mckibben_app::{rows::without_unit, units::Units};
 use serde_json::Value;
 
-/// Flags that commands share.
-fn shared(name: &str) -> String {
-    match name {
-        "muscle" => "Muscle:
-:file=muscle<MUSCLE.toml>^muscle | Muscle file; flags override its values. lib:NAME is a muscle of the library (`mckibben parts list muscles`), `paper` that of the paper.
-muscle* | Muscle file, same as [MUSCLE.toml]
-D/outer_diameter_mm s/wall_mm
-tube<BORExOUTER>*^outer_diameter_mm,wall_mm | Tube as it is sold, such as 8x12mm: bore and outer diameter, in place of --outer-diameter and --wall
-L/length_mm angle_deg
-rubber | Rubber (`mckibben parts list rubbers`) [paper]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa), or the rubber of a FILE.toml.
-braid | Sleeve (`mckibben parts list sleeves`) [none]. NAME of the library; it gives the angle and the strands.
-@strands @measures",
-        "strands" => "strand_diameter_mm<DIAMETER>* | Diameter of one strand of a named sleeve, if its source does not state it
-strand_modulus_mpa<MODULUS>* | Young's modulus of a strand of a named sleeve, if its source does not state it
-stiffness<STIFFNESS> | Stiffness of one strand family, in N/mm [paper]. Or `inextensible`, or `paper`.",
-        "model" => "Advanced:
-@engine two_sided* extrapolate* direction=branch|motion*",
-        "engine" => {
-            "model | Force model (`mckibben parts list models`) [fe]. A name, or the JSON file of a fitted formula.
-@mesh"
-        }
-        "mesh" => {
-            "mesh<N_or_MxN:G>* match<WHAT>*
-terminal<WORD:MM:MM>* | Terminal of `fe3d`: none (a rigid plane), rigid or aluminium (a plug), with :insertion and :radius of its nose [none]"
-        }
-        "columns" => {
-            "columns<LIST> | Quantity and unit of columns: QUANTITY=\"HEADING:UNIT\",…. Of columns that the program does not recognise (#2 is the second column), such as pressure=\"P1:kPa\",contraction=\"x:mm\""
-        }
-        "both" => "both | Both branches of the friction hysteresis",
-        "load" => {
-            "load<LOAD> | Load, such as mass:20kg or spring:12N/mm@50N. force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg, table:load.csv; several joined by +"
-        }
-        "units" => "Output:
-units<UNIT,…> | Units that are shown: bar, or psi,lbf,in. Of text and figures: a unit of pressure, force or length, or several. Without it those of your flags, else MPa, N and mm.",
-        "output" => "@units
-o/output<FILE> | Write the result to a file. Instead of standard output. The ending selects the format: .txt, .json, .csv, .parquet.",
-        "plot" => "Output:
-plot<FILE> | Write a figure: FILE.svg, .pdf, .png or .html
-plot_width<LENGTH>*&plot | Width of the figure, such as 88mm for a column of a journal [160mm]
-plot_data<FILE>*&plot | Write the numbers of the figure to FILE.csv: a row for each point that is drawn",
-        _ => {
-            let rare = |m: &Measure| m.flag().is_some() && m.short.is_none() && *m != ANGLE && *m != STRAND_MODULUS;
-            let list = fields().filter(|(_, measure)| rare(measure)).map(|(field, _)| format!(" {field}*"));
-            return list.fold("Advanced:".to_owned(), |all, one| all + &one);
-        }
-    }
-    .to_owned()
+/// What a command or a group of flags is called, behind which its text stands.
+const TEXTS: &str = include_str!("commands.txt");
+
+/// The text of a command, or of flags that commands share: its first line, and the others.
+pub fn text_of(name: &str) -> (&'static str, &'static str) {
+    let is_named = |text: &&str| text.strip_prefix(name).is_some_and(|rest| rest.starts_with([':', '\n']));
+    let text = TEXTS.split("\n# ").find(is_named).and_then(|text| text.split_once('\n'));
+    text.map_or(("", ""), |(first, others)| (first, others.trim_end()))
+}
+
+/// Measures that no other flag of a muscle states.
+fn measures() -> String {
+    let rare = |m: &Measure| m.flag().is_some() && m.short.is_none() && *m != ANGLE && *m != STRAND_MODULUS;
+    let list = fields().filter(|(_, measure)| rare(measure)).map(|(field, _)| format!(" {field}*"));
+    list.fold("Advanced:".to_owned(), |all, one| all + &one)
 }
 
 /// What a flag holds.
@@ -100,11 +62,11 @@ pub struct Flag {
     help: String,
 }
 
-/// The flags of a command, from its text and the schema of its request.
+/// The flags of a command, from the lines of its text and the schema of its request.
 pub fn flags(text: &str, request: &Value) -> Vec<Flag> {
     let text = text.split("\nExample").next().unwrap_or_default();
     let (mut heading, mut out) = (String::new(), vec![]);
-    text.lines().skip(1).for_each(|line| add(line, request, &mut heading, &mut out));
+    text.lines().for_each(|line| add(line, request, &mut heading, &mut out));
     let all = out.clone();
     out.iter_mut().for_each(|flag: &mut Flag| flag.help = in_flags(&flag.help, &all));
     out
@@ -113,8 +75,10 @@ pub fn flags(text: &str, request: &Value) -> Vec<Flag> {
 fn add(line: &str, request: &Value, heading: &mut String, out: &mut Vec<Flag>) {
     let (tokens, help) = line.split_once(" | ").map_or((line, None), |(tokens, help)| (tokens, Some(help)));
     for token in tokens.split_whitespace() {
-        if let Some(name) = token.strip_prefix('@') {
-            shared(name).lines().for_each(|line| add(line, request, heading, out));
+        if token == "@measures" {
+            add(&measures(), request, heading, out);
+        } else if token.starts_with('@') {
+            text_of(token).1.lines().for_each(|line| add(line, request, heading, out));
         } else if let Some(name) = token.strip_suffix(':') {
             *heading = name.replace('_', " ");
         } else {

@@ -63,36 +63,8 @@ pub fn drive_files(name: String, text: String) -> PyResult<(&'static str, String
 #[pyo3(signature = (name, text) -> "dict[str, typing.Any]")]
 pub fn toml<'py>(py: Python<'py>, name: &str, text: &str) -> PyResult<Bound<'py, PyAny>> {
     let wrong =
-        |e: toml_edit::TomlError| Problem::new(ProblemKind::File, format!("{name}: {}", e.message()), "");
-    let document: DocumentMut = text.parse().map_err(|e| Wrong::from(wrong(e)))?;
-    value::answer(py, &of_item(document.as_item()))
-}
-
-fn of_item(item: &Item) -> Value {
-    match item {
-        Item::None => Value::Null,
-        Item::Value(value) => of_value(value),
-        Item::Table(table) => table.iter().map(|(key, item)| (key.to_owned(), of_item(item))).collect(),
-        Item::ArrayOfTables(tables) => {
-            let table = |table: &toml_edit::Table| of_item(&Item::Table(table.clone()));
-            tables.iter().map(table).collect()
-        }
-    }
-}
-
-fn of_value(value: &toml_edit::Value) -> Value {
-    use toml_edit::Value as Toml;
-    match value {
-        Toml::String(text) => text.value().as_str().into(),
-        Toml::Integer(number) => (*number.value()).into(),
-        Toml::Float(number) => (*number.value()).into(),
-        Toml::Boolean(yes) => (*yes.value()).into(),
-        Toml::Datetime(time) => time.value().to_string().into(),
-        Toml::Array(list) => list.iter().map(of_value).collect(),
-        Toml::InlineTable(table) => {
-            table.iter().map(|(key, value)| (key.to_owned(), of_value(value))).collect()
-        }
-    }
+        |e: toml_edit::de::Error| Problem::new(ProblemKind::File, format!("{name}: {}", e.message()), "");
+    value::answer(py, &toml_edit::de::from_str(text).map_err(|e| Wrong::from(wrong(e)))?)
 }
 
 /// Maps and lists as a text in TOML. Tables, and those in them, have a heading each; maps in these are inline.

@@ -124,11 +124,11 @@ fn points<S: Serializer>(simulated: &[Simulated], serializer: S) -> Result<S::Ok
 
 impl From<&Simulated> for SimulatedRow {
     fn from(q: &Simulated) -> Self {
-        let s = match (&q.solution, q.held.contraction(), q.free_contraction) {
+        let s = match (&q.solution, q.asked.contraction, q.free_contraction) {
             (Ok(s), ..) => s,
             (Err(_), Some(contraction), Some(free_contraction)) => {
                 return Self::Slack(SlackPoint {
-                    pressure_mpa: q.pressure_mpa,
+                    pressure_mpa: q.asked.pressure_mpa,
                     contraction,
                     force_n: 0.0,
                     slack: true,
@@ -137,18 +137,13 @@ impl From<&Simulated> for SimulatedRow {
                 });
             }
             (Err(error), ..) => {
-                return Self::Failed(FailedPoint {
-                    pressure_mpa: q.pressure_mpa,
-                    contraction: q.held.contraction(),
-                    wanted_force_n: q.held.force_n(),
-                    status: q.status,
-                    cause: error.to_string(),
-                });
+                let (status, cause) = (q.status, error.to_string());
+                return Self::Failed(FailedPoint { asked: q.asked, status, cause });
             }
         };
         let response = Response {
-            pressure_mpa: q.pressure_mpa,
-            contraction: q.held.contraction().unwrap_or(s.response.contraction),
+            pressure_mpa: q.asked.pressure_mpa,
+            contraction: q.asked.contraction.unwrap_or(s.response.contraction),
             force_n: if q.slack { 0.0 } else { s.response.force_n },
             ..s.response
         };

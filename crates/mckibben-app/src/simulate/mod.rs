@@ -9,8 +9,9 @@ pub use answer::*;
 pub(crate) use vtu::with_files;
 
 use crate::{
-    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, Units, burst_of,
-    check_count, check_test, contractions, figure, forces, list, put_first, reach, said_of, steps, warnings,
+    AskedPoint, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, Units,
+    burst_of, check_count, check_test, contractions, figure, forces, list, put_first, reach, said_of, steps,
+    warnings,
 };
 use mckibben::analysis::Evaluation;
 use mckibben::model::{ModelError, Response, Workspace, notes_of};
@@ -27,45 +28,16 @@ use mckibben_fem::{
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What a point of a test holds: ε or F.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Held {
-    /// A contraction ratio.
-    Contraction(f64),
-    /// A pull in N.
-    Force(f64),
-}
-
 /// One point of the test: what was asked, and what came out.
 #[derive(Debug, Clone)]
 pub struct Simulated {
-    /// Pressure in MPa.
-    pub pressure_mpa: f64,
-    pub held: Held,
+    pub asked: AskedPoint,
     pub solution: Result<Solution, FemError>,
     /// Whether the muscle would have to push, and lies slack instead.
     pub slack: bool,
     /// Where it is slack: the free contraction at this pressure.
     pub free_contraction: Option<f64>,
     pub status: Status,
-}
-
-impl Held {
-    /// The contraction that was asked for.
-    pub fn contraction(self) -> Option<f64> {
-        match self {
-            Held::Contraction(e) => Some(e),
-            Held::Force(_) => None,
-        }
-    }
-
-    /// The pull that was asked for, N.
-    pub fn force_n(self) -> Option<f64> {
-        match self {
-            Held::Contraction(_) => None,
-            Held::Force(f) => Some(f),
-        }
-    }
 }
 
 /// A finite-element test.
@@ -199,16 +171,17 @@ pub fn simulate(
         shapes.begin(&summary)?;
     }
     let mut simulated = Vec::with_capacity(questions.len());
-    for (i, &(pressure_mpa, held)) in questions.iter().enumerate() {
+    for (i, &asked) in questions.iter().enumerate() {
         progress.report(i, questions.len());
         progress.check()?;
-        let given = match held {
-            Held::Contraction(contraction) => Given::at(pressure_mpa, contraction),
-            Held::Force(force_n) => Given::PressureAndPull { pressure_mpa, force_n },
+        let pressure_mpa = asked.pressure_mpa;
+        let given = match (asked.contraction, asked.force_n) {
+            (None, Some(force_n)) => Given::PressureAndPull { pressure_mpa, force_n },
+            (contraction, _) => Given::at(pressure_mpa, contraction.unwrap_or(0.0)),
         };
         let solution = simulation.solve(workspace, given);
         cancel::check()?;
-        let point = judged(&*simulation, workspace, pressure_mpa, held, solution, request.two_sided);
+        let point = judged(&*simulation, workspace, asked, solution, request.two_sided);
         if let (Ok(solution), Some(shapes)) = (&point.solution, &mut shapes) {
             let shape = meshed.shape(workspace, &ends, &solution.response, shapes.extent())?;
             shapes.add(shape, &solution.response)?;
@@ -222,7 +195,7 @@ pub fn simulate(
     let pulling = simulated.iter().filter(|s| !s.slack).filter_map(|s| s.solution.as_ref().ok());
     let mut warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
     let found = burst_of(&model, &*simulation)?;
-    let highest_mpa = questions.iter().map(|q| q.0).fold(0.0, f64::max);
+    let highest_mpa = questions.iter().map(|q| q.pressure_mpa).fold(0.0, f64::max);
     put_first(&mut warnings, said_of(&found, highest_mpa, QUIET_MPA));
     Ok(SimulateAnswer {
         model: name.into(),
@@ -241,12 +214,12 @@ pub fn simulate(
 }
 
 impl SimulateRequest {
-    /// (pressure in MPa, ε or F) of each point, curve by curve.
+    /// What is asked of each point, curve by curve.
     fn questions(
         &self,
         model: &dyn Simulation,
         workspace: &mut Workspace,
-    ) -> Result<Vec<(f64, Held)>, Problem> {
+    ) -> Result<Vec<AskedPoint>, Problem> {
         let pressures = list("pressures_mpa", &self.pressures_mpa, || steps(5, 0.05, 0.25))?;
         let mut contractions = contractions(&self.contractions, || {
             if self.test == Test::Isobaric && !self.of_largest {
@@ -262,20 +235,19 @@ impl SimulateRequest {
             let largest = free_contraction(model, workspace, highest).map_err(Problem::from)?;
             contractions.iter_mut().for_each(|e| *e *= largest);
         }
-        let held: Vec<Held> = if self.test == Test::Isotonic {
-            forces.into_iter().map(Held::Force).collect()
-        } else {
-            contractions.into_iter().map(Held::Contraction).collect()
+        let held: Vec<(Option<f64>, Option<f64>)> = match self.test {
+            Test::Isotonic => forces.into_iter().map(|force_n| (None, Some(force_n))).collect(),
+            _ => contractions.into_iter().map(|contraction| (Some(contraction), None)).collect(),
         };
         check_count(&[pressures.len(), held.len()], MOST_POINTS)?;
         if let Some(low) = pressures.iter().copied().find(|p| *p < 0.0) {
             let message = format!("{low} MPa is below zero");
             return Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressures_mpa"));
         }
-        Ok(if self.test == Test::Isobaric {
-            pressures.iter().flat_map(|&p| held.iter().map(move |&h| (p, h))).collect()
-        } else {
-            held.iter().flat_map(|&h| pressures.iter().map(move |&p| (p, h))).collect()
+        let at = |pressure_mpa, (contraction, force_n)| AskedPoint { pressure_mpa, contraction, force_n };
+        Ok(match self.test {
+            Test::Isobaric => pressures.iter().flat_map(|&p| held.iter().map(move |&h| at(p, h))).collect(),
+            _ => held.iter().flat_map(|&h| pressures.iter().map(move |&p| at(p, h))).collect(),
         })
     }
 }
@@ -284,13 +256,13 @@ impl SimulateRequest {
 fn judged(
     model: &dyn Simulation,
     workspace: &mut Workspace,
-    pressure_mpa: f64,
-    held: Held,
+    asked: AskedPoint,
     solution: Result<Solution, FemError>,
     two_sided: bool,
 ) -> Simulated {
-    let asked = held.contraction().filter(|e| *e > 0.0 && !two_sided && !model.muscle().is_extensile());
-    let (free_contraction, slack) = match (asked, &solution) {
+    let pressure_mpa = asked.pressure_mpa;
+    let shortened = asked.contraction.filter(|e| *e > 0.0 && !two_sided && !model.muscle().is_extensile());
+    let (free_contraction, slack) = match (shortened, &solution) {
         (Some(_), Ok(s)) if s.response.force_n < 0.0 => {
             (free_contraction(model, workspace, pressure_mpa).ok(), true)
         }
@@ -315,7 +287,7 @@ fn judged(
         }
         s
     });
-    Simulated { pressure_mpa, held, solution, slack, free_contraction, status }
+    Simulated { asked, solution, slack, free_contraction, status }
 }
 
 /// Where every point fails: the first reason.
@@ -332,7 +304,7 @@ fn written_deck(
     meshed: &Meshed,
     ends: &Ends,
     test: Test,
-    questions: &[(f64, Held)],
+    questions: &[AskedPoint],
 ) -> Result<String, Problem> {
     let wrong = |message: String| {
         let hint =
@@ -347,13 +319,13 @@ fn written_deck(
             "an input deck cannot describe seating, slip or grip of the terminals: leave them out".into(),
         ));
     }
-    let contractions: Vec<f64> = questions.iter().filter_map(|q| q.1.contraction()).collect();
+    let contractions: Vec<f64> = questions.iter().filter_map(|q| q.contraction).collect();
     let (Test::Isometric, Some(&contraction)) = (test, contractions.first()) else {
         return Err(wrong("an input deck needs an isometric test".into()));
     };
     if contractions.iter().any(|e| *e != contraction) {
         return Err(wrong("an input deck needs a test at one contraction".into()));
     }
-    let pressures: Vec<f64> = questions.iter().map(|q| q.0).collect();
+    let pressures: Vec<f64> = questions.iter().map(|q| q.pressure_mpa).collect();
     deck(model, contraction, &pressures).map_err(|e| wrong(e.to_string()))
 }

@@ -8,21 +8,6 @@ use crate::{
 };
 use mckibben_app::{BuildAnswer, BuildRequest, REPORT, build};
 
-pub const TEXT: &str = "build: Build a muscle: report, drawing, plugs, cut list, bill of materials, steps, test sheet
-Question: p/pressure_mpa overpressure
-fitting<FITTING> | Fitting of the air: m5, g1/8, g1/4 (push-in fittings have these threads), or barb:4 for a hose with a bore of 4 mm [m5; g1/8 from 15 mm]
-bolt_mm<DIAMETER> sleeve_diameter_mm<DIAMETER> e/contraction
-Title_block_of_the_report: name<TEXT> project<TEXT> number<TEXT> revision<TEXT> date<TEXT>
-@muscle @units
-Output:
-o/output<DIR> | Folder for the files; without it only the numbers are printed
-alone=report<FILE> | Write the report alone: FILE.html, or FILE.pdf, which needs an installed Chromium
-Examples:
-  mckibben build examples/prototype.toml -o build
-  mckibben build --rubber latex --braid flexo-overexpanded-0.25in \\
-    -D 0.375in -s 0.0625in -L 200mm -p 2bar --fitting barb:4 -o build
-  mckibben build examples/prototype.toml -e 15% --report muscle.html";
-
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let (folder, target) = (asked.path("output"), asked.path("alone"));
     check_ending(target.as_deref(), &["html", "htm", "pdf"])?;

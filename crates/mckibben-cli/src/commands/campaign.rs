@@ -1,8 +1,8 @@
 //! `campaign`, `campaign run|show|merge|status`.
 
 use crate::{
-    Asked, Bar, Failure, Format, NO_ANSWER, NOT_CONVERGED, clean, emit, listed, number, output::json,
-    overwrite, pairs, place, progress::INTERRUPTED, shown, tabled, value, warn,
+    Asked, Bar, Failure, Format, NO_ANSWER, NOT_CONVERGED, clean, emit, listed, output::json, overwrite,
+    pairs, place, progress::INTERRUPTED, said, shown, tabled, value, warn,
 };
 use mckibben::progress::Progress;
 use mckibben_app::{
@@ -11,26 +11,6 @@ use mckibben_app::{
 };
 use mckibben_campaign::campaign::{CampaignStatus, Outcome, ShardState, ShardStatus, Summary};
 use std::time::{Duration, Instant};
-
-pub const TEXT: &str = "campaign: Many finite-element tests from a plan into one Parquet table; an interrupted run continues
-:plan<PLAN.toml>! | Plan file (TOML)
-o/output<FILE.parquet_or_DIR>! | Output table: one file, FILE.parquet, or a folder of parts, DIR/. The same command continues an interrupted run
-shard<i/n> | Compute only share i of n of the plan, as parts in a folder; `campaign merge` joins them
-threads<N:1..1024> | Number of threads [one per core]; the table does not depend on it
-q/quiet | Print neither progress nor summary
-Examples:
-  mckibben campaign plans/paper.toml -o campaign.parquet
-  mckibben campaign plans/paper.toml -o parts/ --shard 1/2
-  mckibben campaign plans/paper.toml -o parts/ --shard 2/2 --threads 1";
-
-pub const MERGE: &str =
-    "campaign merge: Join folders of parts into one file, identical to that of a single run
-:folders<DIR>!+ | Folders of parts
-o/output<FILE.parquet>! | The file
-Example:
-  mckibben campaign plans/paper.toml -o one/ --shard 1/2
-  mckibben campaign plans/paper.toml -o other/ --shard 2/2
-  mckibben campaign merge one/ other/ -o merged.parquet";
 
 fn no_csv(format: Format) -> Result<(), Failure> {
     if format != Format::Csv {
@@ -57,7 +37,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
         // What is on the disk is valid, whatever ended the run.
         let out = match asked.format {
             Format::Json => format!("{:#}\n", json(&outcome)?),
-            Format::Text | Format::Csv => as_text(&outcome, from.elapsed()),
+            _ => as_text(&outcome, from.elapsed()),
         };
         emit(clean::lines(&out).as_bytes(), None)?;
     }
@@ -72,31 +52,17 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
 }
 
 fn as_text(outcome: &Outcome, time: Duration) -> String {
-    let p = outcome.counts;
-    let seconds = time.as_secs_f64();
-    let mut text = format!("{} of {} muscles are in {}", p.muscles, p.of, place(&outcome.store));
-    if outcome.complete {
-        text = format!("{} muscles are in {}", p.muscles, place(&outcome.output));
-    }
-    if p.resumed > 0 {
-        text.push_str(&format!(", {} of them from before", p.resumed));
-    }
-    text.push('\n');
-    if p.points > 0 {
-        let rate = number(p.points as f64 / seconds, 3);
-        text.push_str(&format!("{} points in {} s ({rate} a second)", p.points, number(seconds, 3)));
-        if p.failed > 0 {
-            text.push_str(&format!(
-                ", {} without an answer: `mckibben campaign show` gives the reasons",
-                p.failed
-            ));
-        }
-        text.push('\n');
-    }
-    if !outcome.complete {
-        text.push_str("Interrupted: the same command continues from here.\n");
-    }
-    text
+    let (p, seconds, mut row) = (outcome.counts, time.as_secs_f64(), value(outcome));
+    row["of"] = (!outcome.complete).then_some(p.of).into();
+    row["place"] = place(if outcome.complete { &outcome.output } else { &outcome.store }).into();
+    row["resumed"] = Some(p.resumed).filter(|n| *n > 0).into();
+    row["points"] = Some(p.points).filter(|n| *n > 0).into();
+    (row["seconds"], row["rate"]) = (seconds.into(), (p.points as f64 / seconds).into());
+    row["failed"] = Some(p.failed).filter(|n| *n > 0).into();
+    let text = "{muscles}[ of {of}] muscles are in {place}[, {resumed} of them from before]\n\
+        [{points} points in {seconds:3} s ({rate:3} a second)][, {failed} without an answer: `mckibben campaign show` gives the reasons]";
+    let out = said(&row, text, &shown::units()) + if p.points > 0 { "\n" } else { "" };
+    out + if outcome.complete { "" } else { "Interrupted: the same command continues from here.\n" }
 }
 
 pub fn merge(asked: &Asked) -> Result<u8, Failure> {
@@ -109,14 +75,6 @@ pub fn merge(asked: &Asked) -> Result<u8, Failure> {
     })
 }
 
-pub const SHOW: &str =
-    "campaign show: Summary of a campaign: muscles, points, failures by cause, ranges, origin
-:campaign<FILE.parquet_or_DIR>! | A campaign: one file, or a folder of parts
-@output
-Example:
-  mckibben campaign plans/paper.toml -o campaign.parquet
-  mckibben campaign show campaign.parquet";
-
 pub fn show(asked: &Asked) -> Result<u8, Failure> {
     let summary = campaign_show(&asked.request()?)?;
     asked.show(&summary, "ranges", || summary_text(&summary))
@@ -128,27 +86,18 @@ fn summary_text(s: &Summary) -> String {
     let mut out = pairs(&listed(&value(s), keys, &u)) + "\n";
     out += &tabled(&s.ranges, "name=_ smallest:6~ largest:6~", &u);
     for (status, f) in &s.failed {
-        out.push_str(&format!("\nThe first {status} is of muscle {}: {}\n", f.first_muscle, f.first_cause));
+        out += &format!("\nThe first {status} is of muscle {}: {}\n", f.first_muscle, f.first_cause);
     }
     if s.missing_parts > 0 {
-        let all = s.provenance.parts();
-        out.push_str(&format!(
-            "\nIncomplete: {} of {all} parts are present; run the campaign again to continue.\n",
-            all - s.missing_parts
-        ));
+        let (all, missing) = (s.provenance.parts(), s.missing_parts);
+        let present = all - missing;
+        out += &format!(
+            "\nIncomplete: {present} of {all} parts are present; run the campaign again to continue.\n"
+        );
     }
-    for damaged in &s.damaged {
-        out.push_str(&format!("Damaged: {damaged}\n"));
-    }
+    out.extend(s.damaged.iter().map(|damaged| format!("Damaged: {damaged}\n")));
     out
 }
-
-pub const STATUS: &str = "campaign status: How far a folder of parts is, shard by shard: done, running, missing; exit code 1 where a shard is missing
-:folder<DIR>! | The folder of parts
-@output
-Example:
-  mckibben campaign plans/paper.toml -o parts/ --shard 1/1
-  mckibben campaign status parts/";
 
 pub fn status(asked: &Asked) -> Result<u8, Failure> {
     let request = CampaignStatusRequest { output: asked.path("folder").unwrap_or_default() };
@@ -165,11 +114,9 @@ fn status_text(s: &CampaignStatus) -> String {
     if !open.is_empty() {
         out += &format!("\n{}", tabled(&open, "shard state parts parts_wanted=of", &shown::units()));
     }
-    for part in &s.damaged {
-        out.push_str(&format!("Cut off: {}\n", place(part)));
-    }
+    out.extend(s.damaged.iter().map(|part| format!("Cut off: {}\n", place(part))));
     if s.shards_missing > 0 {
-        out.push_str("\nSomething is missing that nothing computes: run the shards again.\n");
+        out += "\nSomething is missing that nothing computes: run the shards again.\n";
     }
     out
 }

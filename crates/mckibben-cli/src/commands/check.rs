@@ -8,16 +8,6 @@ use mckibben_app::rows::{characteristic_rows, muscle_sheets};
 use mckibben_app::{CheckAnswer, CheckFormulaRequest, FindingKind, Model, ProblemKind, check, check_formula};
 use std::path::Path;
 
-pub const TEXT: &str = "check: What is known of a muscle, whether it is plausible, what it bears, and what to measure first; or a formula's file
-Question:
-p/pressure_mpa | Working pressure [2.5bar, or the allowed pressure where that is lower]
-latex | Of a formula (FILE.json, universal, universal-small): print its equation with its numbers as LaTeX
-@muscle @model @output
-Examples:
-  mckibben check examples/prototype.toml -p 2bar
-  mckibben check -D 40 -s 2 --rubber dragon-skin-30
-  mckibben check universal --latex";
-
 /// Whether a word is a formula in place of a muscle.
 fn is_formula(word: &str) -> bool {
     ["universal", "universal-small"].contains(&word)

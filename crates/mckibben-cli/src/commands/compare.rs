@@ -4,21 +4,6 @@ use crate::{Asked, Bar, Failure, Units, place, shown, tabled, understood, value,
 use mckibben_app::{CompareAnswer, CompareRequest, ComparedModel, Direction};
 use serde_json::Value;
 
-pub const TEXT: &str = "compare: Compare models with each other or with measured points: errors and figure
-Question:
-models=models|model | Models, by name [fe,paper,thick-wall,ideal]
-data<FILE.csv>
-@columns
-fit&data | Constants to fit to the points, for each model: modulus, end-factor, stiffness
-p/pressures_mpa=pressure^data e/contractions=contraction^data
-@muscle
-Advanced: extrapolate* two_sided* @mesh branch*
-@plot @output
-Examples:
-  mckibben compare --models ideal,paper,thick-wall -p 1,2bar
-  mckibben compare --models ideal,thick-wall --muscle examples/tondu2012.toml \\
-    --data data/tondu2012/static_force_20deg.csv --fit modulus,end-factor";
-
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let request: CompareRequest = asked.request()?;
     let mut answer = mckibben_app::compare(&request, &Bar::new("models"))?;

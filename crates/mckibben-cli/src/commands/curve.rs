@@ -2,24 +2,12 @@
 
 use crate::output::loaded::loaded as text_of_load;
 use crate::{
-    Asked, Bar, Failure, Format, Units, burst_first, columns, half_width, or_dash, output::is_json,
+    Asked, Bar, Failure, Format, Units, burst_first, columns, half_width, or_dash, output::form,
     output::text::within, percent, percents, shown, streamed, warn,
 };
 use mckibben::curve::{Curve, Test};
 use mckibben::{answer::Answer, muscle::Direction, study::StudyPanel, warning::Warning};
 use mckibben_app::{CurveAnswer, CurveRequest, PointRow, StudyAnswer, breakdown, curve_by_curve, study};
-
-pub const TEXT: &str = "curve: Family of curves: isometric, isotonic or isobaric
-Question: :test!^study
-study<STUDY~thickness>^pressures_mpa,contractions,forces_n,load,both | Compute a study of the paper. thickness: its Figure 4, walls of 1 to 5 mm, isometric and isotonic, with its findings
-p/pressures_mpa=pressure e/contractions=contraction F/forces_n=force @load @both
-@muscle @model @plot @output
-Examples:
-  mckibben curve isobaric -D 50 -s 1 -p 0.05..0.25:0.05 -e 0..0.2:0.01 \\
-    --plot f.svg
-  mckibben curve isometric -p 0..2.5:0.1bar -e 0,10%,20% --format csv
-  mckibben curve isotonic -F 20,80,150N --model thick-wall
-  mckibben curve --study thickness --model thick-wall --plot study.svg";
 
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     if asked.text("study").is_some() {
@@ -29,7 +17,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let unit = shown::units();
     let bar = Bar::new("curves");
     let target = asked.path("output");
-    if request.figure.is_none() && is_json(target.as_deref(), asked.format)? {
+    if request.figure.is_none() && form(target.as_deref(), asked.format)? == Format::Json {
         let problem = streamed("points", target.as_deref(), |row| {
             let rows = |curve: Curve| curve.points.iter().try_for_each(|p| row(&PointRow::from(p)));
             let mut answer = curve_by_curve(&request, &bar, &mut { rows })?;
@@ -157,12 +145,8 @@ fn run_study(asked: &Asked) -> Result<u8, Failure> {
 }
 
 fn study_text(study: &StudyAnswer, u: &Units) -> String {
-    let mut out = format!(
-        "Thickness study, model {}: D0 {}, L0 {}\n",
-        study.model,
-        u.length.show(30.0),
-        u.length.show(285.0)
-    );
+    let [diameter, length] = [30.0, 285.0].map(|mm| u.length.show(mm));
+    let mut out = format!("Thickness study, model {}: D0 {diameter}, L0 {length}\n", study.model);
     for test in [Test::Isometric, Test::Isotonic] {
         let panels: Vec<&StudyPanel> = study.panels.iter().filter(|q| q.test == test).collect();
         let isometric = test == Test::Isometric;

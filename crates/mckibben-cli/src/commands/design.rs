@@ -1,74 +1,14 @@
 //! `design`: the main job.
 
 use crate::{
-    Asked, Bar, Failure, Format, NO_ANSWER, Units, burst_first, check_ending, emit, in_flags, listed, number,
-    pairs, percent, place, save, shown, tabled, value,
+    Asked, Bar, Failure, Format, NO_ANSWER, Units, burst_first, check_ending, each, emit, in_flags, listed,
+    number, pairs, place, said, save, shown, tabled, value,
 };
-use mckibben::{analysis::FailureMode, liquid::Liquid};
-use mckibben_app::{
-    CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, OperatingPoint, RejectedAnswer,
-    SearchedAnswer, TorqueWanted,
-};
-use mckibben_design::{CandidatePoint, Limit, Relaxation, Spread};
+use mckibben::analysis::FailureMode;
+use mckibben_app::{CandidateAnswer, ClosestAnswer, DesignAnswer, RejectedAnswer};
+use mckibben_design::{CandidatePoint, Limit, Spread};
 use serde_json::Value;
 use std::path::Path;
-
-pub const TEXT: &str = "design: Find muscles that meet a specification, ranked (the main command)
-Question:
-F/force_n | Required pull; below zero: the push of a muscle that extends
-e/contraction | Contraction ratio ΔL/L0 with that pull; below zero: an extension
-points=at<F@E,…>^force_n,contraction | Several operating points: 700N@15%,1200N@5%
-@load
-torques=joint<T@ANGLE,…>^force_n,contraction,points,load,stroke_mm | Required torques of a joint: 8Nm@45deg,3Nm@60deg. At angles to either side. Two equal opposed muscles on a pulley, one of them without pressure.
-largest_angle_deg*&torques
-stroke_mm | Stroke. With --contraction it sets the length, with --length the contraction.
-p/max_pressure_mpa=max-pressure|pressure | Supply pressure
-liquid gas_share=gas<SHARE> dead_volume_mm3 liquid_bulk_modulus_mpa=bulk-modulus<MODULUS>*
-guaranteed<SHARE?95%> | The lower end of the ± meets it [95%]. The muscle whose pull less its ± meets the requirement; another share, such as --guaranteed 99%, widens the ± accordingly.
-bundle | Equal muscles side by side that share the requirement [1]. The candidates are one of them; the bundle of the best one is shown below.
-objective
-Limits: max_bulged_diameter_mm max_envelope_mm pitch_mm*&bundle
-max_liquid_volume_mm3=max-liquid | Largest liquid volume up to the operating points: what the syringe or pump gives. Of a bundle to all its muscles together. It needs --liquid.
-min_burst_margin=safety|min-burst-margin | Least pressure at which strands break or clamps let go, over the supply pressure [4]. The tube, which leaks, has half of it. 0 for none. The strength of the strands must be known.
-max_stretch<STRETCH>* max_strand_strain* guided*
-Muscle:
-:file=muscle<MUSCLE.toml>^muscle | Muscle file, for what is not searched. Flags override it. `paper` is the muscle of the paper, lib:NAME one of the library.
-muscle* | Muscle file, same as [MUSCLE.toml]
-tubes=tube | Tubes as sold or cast (`mckibben parts list`) [all]
-parts<FILE.toml>* | Tubes of your own: a file of the catalogue's form
-continuous^tubes,parts | Free sizes instead of parts as sold. Diameters and walls are free, with the paper's rubber and braid, or those that are given. So they are with -D, -s, --angle, --stiffness or a muscle file.
-D/outer_diameter_mm | Outer diameters: a value, list or range [parts]. At rest; also a stepped range, 20..40:5.
-s/wall_mm | Wall thicknesses at rest [parts]
-L/length_mm | Lengths between the terminals at rest [285mm]
-angle_deg | Braid angles to the axis at rest [those of the sleeves]
-rubbers=rubber | Rubbers, by name [those of the tubes]
-braids=braid^angle_deg,strand_length_per_turn_mm | Sleeves, by name (`mckibben parts list sleeves`) [all]. The diameter of the tube then sets angle and stiffness.
-@strands
-strand_length_per_turn_mm*^angle_deg radius_mm*&torques
-Advanced:
-model | Force model [fe; the search uses universal within its range]
-mesh<N_or_MxN:G>* extrapolate* verify*
-tolerance<LIST>* | Spread of the pull of the best muscle for ± tolerances of pressure, modulus, stiffness and dimensions (named as their flags): wall=0.1mm,angle=1deg,modulus=10%
-Output:
-top<N:1..1000> | Number of candidates to show [5]
-@units @plot
-o/output<FILE.toml> | Write the best muscle as a muscle file
-Examples:
-  mckibben design --force 700N --contraction 15% --max-pressure 2.5bar
-  mckibben design --at 700N@15%,1200N@5% --max-pressure 2.5bar \\
-    --max-bulged-diameter 80mm --plot muscle.svg
-  mckibben design -F 300N --stroke 40mm --length 285 --max-pressure 3bar \\
-    -D 20..40:5 -s 1,1.5,2 --rubber dragon-skin-30
-  mckibben design --force 700N --contraction 15% --max-pressure 2.5bar \\
-    --tolerance wall=0.1mm,pressure=0.1bar -o winner.toml
-  mckibben design --load mass:20kg --stroke 40mm --length 285 \\
-    --max-pressure 3bar
-  mckibben design --force 700N --contraction 15% --max-pressure 2.5bar \\
-    --bundle 7 --max-envelope 80mm
-  mckibben design -F 50N -e 15% --max-pressure 2.5bar --length 200 \\
-    --liquid water --max-liquid 20mL
-  mckibben design --joint 8Nm@45deg,3Nm@60deg --max-pressure 6bar \\
-    --length 250 --max-bulged-diameter 40mm --rubber dragon-skin-30";
 
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let target = asked.path("output");
@@ -87,35 +27,31 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     Ok(if answer.candidates.is_empty() { NO_ANSWER } else { 0 })
 }
 
+const HEAD: &str =
+    "Required[ of each of {each} muscles]: {what} with at most {max_pressure_mpa}[ of {liquid.name}][ with {gas:%} of gas][, guaranteed: the lower end of the ± ({searched.guaranteed:%}) meets it]
+Model {model}[, searched with {other}]; {looked_at} muscles examined, {fitting} fit; [L0 {searched.length_mm:5}, ]{searched.rubber}, {searched.braid}
+Safety: [strands stretched by at most {searched.max_strand_strain:%}; ][strands and clamps fail at {checked} times the maximum pressure or more, the tube at {tube}][burst not checked (required: {unchecked} times the maximum pressure), because the strength of the strands is not stated]{unlimited}
+";
+
 /// The design for people.
 fn as_text(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
-    let searched = &answer.searched;
-    let wanted = wanted(answer, u);
-    let level = searched.guaranteed.map_or_else(String::new, |level| {
-        format!(", guaranteed: the lower end of the ± ({}) meets it", percent(level))
-    });
-    let supply = u.pressure.show(answer.max_pressure_mpa);
-    let each = searched.bundle.filter(|n| *n > 1);
-    let each = each.map_or_else(String::new, |n| format!(" of each of {n} muscles"));
-    let filled = answer.liquid.as_ref().map_or_else(String::new, |l| format!(" of {}", liquid(l)));
-    let mut out = format!("Required{each}: {wanted} with at most {supply}{filled}{level}\n");
-    let other = Some(&answer.searched_with).filter(|with| **with != answer.model);
-    let with = other.map_or_else(String::new, |with| format!(", searched with {with}"));
-    let length = searched.length_mm.map_or_else(String::new, |mm| format!("L0 {}, ", u.length.show(mm)));
-    let (looked_at, fit, model) = (answer.looked_at, answer.fitting, &answer.model);
-    let (rubber, braid, safety) = (&searched.rubber, &searched.braid, safety(searched));
-    out += &format!(
-        "Model {model}{with}; {looked_at} muscles examined, {fit} fit; {length}{rubber}, {braid}\n{safety}"
-    );
+    let (searched, mut row) = (&answer.searched, value(answer));
+    row["what"] = wanted(&row, u).into();
+    row["each"] = searched.bundle.filter(|n| *n > 1).into();
+    row["gas"] = answer.liquid.as_ref().map(|l| l.gas_share).filter(|share| *share > 0.0).into();
+    row["other"] = Some(&*answer.searched_with).filter(|with| **with != *answer.model).into();
+    let margin = searched.min_burst_margin;
+    row["checked"] = margin.filter(|_| searched.burst_checked).into();
+    row["tube"] = margin.map(|margin| FailureMode::Mesh.share() * margin).into();
+    row["unchecked"] = margin.filter(|_| !searched.burst_checked).into();
+    row["unlimited"] = if margin.is_none() { "no limit on burst" } else { "" }.into();
+    let mut out = said(&row, HEAD, u);
     let assumed = answer.assumptions.iter().map(|sentence| format!("Assumed: {}.\n", in_flags(sentence)));
     out.extend(assumed);
     out.push('\n');
     if let Some(closest) = &answer.closest {
-        out.push_str(&nothing_fits(closest, u));
-        out.push_str(&too_weak(answer));
-        if let Some(hint) = &closest.hint {
-            out.push_str(&format!("{}\n", in_flags(hint)));
-        }
+        out += &(nothing_fits(closest, u) + &too_weak(answer, &row, u));
+        out.extend(closest.hint.as_ref().map(|hint| in_flags(hint) + "\n"));
     } else {
         out += &candidates(&answer.candidates, searched.length_mm.is_none(), u);
         let words = answer.uncertainty_words.as_ref();
@@ -125,26 +61,14 @@ fn as_text(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
         let parts = [bundle(answer, u), joint(answer, file, u), verified(answer, u)];
         out.extend(parts.into_iter().chain([spread_text(&answer.tolerance, u)]));
     }
-    out.push_str(&bought(answer, u));
-    if !answer.rejected.is_empty() && answer.closest.is_none() {
-        out.push_str("\nNear misses\n");
-    } else if answer.rejected.len() > 1 {
-        out.push_str("\nNext closest\n");
-    }
+    out.push_str(&bought(answer, &row, u));
     let skip = usize::from(answer.closest.is_some());
-    for r in answer.rejected.iter().skip(skip) {
-        let by = r.misses_by.filter(|share| *share < 1.0);
-        let by = by.map_or_else(String::new, |share| format!(" (misses by {})", percent(thousandth(share))));
-        out.push_str(&format!("  {}: {}{by}\n", measures_of(r, u), u.sentence(&r.reason)));
+    let others = answer.rejected.iter().skip(skip).map(|r| format!("  {}\n", missed(r, u)));
+    let others: String = others.collect();
+    if !others.is_empty() {
+        out += if skip == 0 { "\nNear misses\n" } else { "\nNext closest\n" };
     }
-    out
-}
-
-/// `water`, `water with 1 % of gas`.
-fn liquid(liquid: &Liquid) -> String {
-    let gas = Some(liquid.gas_share).filter(|share| *share > 0.0);
-    let gas = gas.map_or_else(String::new, |share| format!(" with {} of gas", percent(share)));
-    format!("{}{gas}", liquid.name)
+    out + &others
 }
 
 /// What the muscles of a bundle do together.
@@ -163,33 +87,20 @@ fn bundle(answer: &DesignAnswer, u: &Units) -> String {
 }
 
 /// The muscles as sold that would do.
-fn bought(answer: &DesignAnswer, u: &Units) -> String {
+fn bought(answer: &DesignAnswer, row: &Value, u: &Units) -> String {
     if answer.bought.is_empty() {
         return String::new();
     }
-    let count =
-        answer.searched.bundle.filter(|n| *n > 1).map_or_else(String::new, |n| format!(", {n} of one"));
     let keys = "product name outer_diameter_mm=D0 length_mm=L0 force_n+uncertainty_n=F wanted.contraction=at:% pressure_mpa=P wanted.force_n=required";
-    format!("\nAs sold these would do{count}\n{}", tabled(&answer.bought, keys, u))
+    said(row, "\nAs sold these would do[, {each} of one]\n", u) + &tabled(&answer.bought, keys, u)
 }
 
 /// What the muscle must do.
-fn wanted(answer: &DesignAnswer, u: &Units) -> String {
-    let load = answer.load.as_deref().unwrap_or_default();
-    match &answer.wanted {
-        DemandAnswer::Points { points } => {
-            let one =
-                |q: &OperatingPoint| format!("{} at {}", u.force.show(q.force_n), percent(q.contraction));
-            points.iter().map(one).collect::<Vec<_>>().join(", ")
-        }
-        DemandAnswer::Stroke { stroke_mm } => format!("{load} lifted by {}", u.length.show(*stroke_mm)),
-        DemandAnswer::Contraction { contraction } => format!("{load} lifted to {}", percent(*contraction)),
-        DemandAnswer::Joint { torques, .. } => {
-            let one =
-                |t: &TorqueWanted| format!("{} N m at ±{}°", number(t.torque_nm, 4), number(t.angle_deg, 4));
-            torques.iter().map(one).collect::<Vec<_>>().join(", ")
-        }
-    }
+fn wanted(row: &Value, u: &Units) -> String {
+    let pulls = each(&row["wanted"]["points"], "{force_n:5} at {contraction:%}", u);
+    let torques = each(&row["wanted"]["torques"], "{torque_nm} at ±{angle_deg:#}°", u);
+    let lifted = "[{load} lifted by {wanted.stroke_mm:5}][{load} lifted to {wanted.contraction:%}]";
+    said(row, lifted, u) + &pulls.join(", ") + &torques.join(", ")
 }
 
 /// The pulley between the muscles, and the joint file that goes with them.
@@ -215,31 +126,6 @@ fn joint(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     )
 }
 
-/// What keeps the muscles from breaking.
-fn safety(searched: &SearchedAnswer) -> String {
-    let strain = searched.max_strand_strain;
-    let strain = strain.map(|v| format!("strands stretched by at most {}", percent(v)));
-    let burst = match searched.min_burst_margin {
-        Some(margin) if searched.burst_checked => {
-            format!(
-                "strands and clamps fail at {} times the maximum pressure or more, the tube at {}",
-                number(margin, 4),
-                number(FailureMode::Mesh.share() * margin, 4)
-            )
-        }
-        Some(margin) => format!(
-            "burst not checked (required: {} times the maximum pressure), because the strength of the strands is not stated",
-            number(margin, 4)
-        ),
-        None => "no limit on burst".into(),
-    };
-    format!("Safety: {}\n", strain.into_iter().chain([burst]).collect::<Vec<_>>().join("; "))
-}
-
-fn thousandth(share: f64) -> f64 {
-    (1e3 * share).ceil() / 1e3
-}
-
 /// What keeps the best from being better.
 fn binds(best: &CandidateAnswer) -> String {
     let Some(limit) = best.candidate.binds else { return String::new() };
@@ -255,13 +141,15 @@ fn binds(best: &CandidateAnswer) -> String {
     format!("Limited by: {what}.\n")
 }
 
-fn measures(outer_diameter_mm: f64, wall_mm: f64, sleeve: Option<&String>, u: &Units) -> String {
-    let sleeve = sleeve.map_or_else(String::new, |name| format!(" in {name}"));
-    format!("D0 {}, s {}{sleeve}", u.length.to(outer_diameter_mm, 4), u.length.to(wall_mm, 3))
-}
+const MEASURES: &str = "D0 {outer_diameter_mm:4#}, s {wall_mm:3#}[ in {sleeve}]";
 
-fn measures_of(RejectedAnswer { muscle: r, .. }: &RejectedAnswer, u: &Units) -> String {
-    measures(r.outer_diameter_mm, r.wall_mm, r.sleeve.as_ref(), u)
+/// A muscle with the limit that it misses.
+fn missed(rejected: &RejectedAnswer, u: &Units) -> String {
+    let mut row = value(rejected);
+    row["reason"] = u.sentence(&rejected.reason).into();
+    let thousandths = rejected.misses_by.filter(|share| *share < 1.0).map(|share| (1e3 * share).ceil());
+    row["by"] = thousandths.map(|by| by / 1e3).into();
+    said(&row, &format!("{MEASURES}: {{reason}}[ (misses by {{by:%}})]"), u)
 }
 
 fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
@@ -313,17 +201,18 @@ fn doubt(answer: &DesignAnswer, u: &Units) -> String {
         (q.force_at_max_pressure_n - q.response.force_n < half).then_some(half)
     });
     let Some(half) = tight else { return String::new() };
-    let half = format!("{} {}", u.force.half_width(half), u.force.name);
+    let sure = format!("To be sure (--guaranteed): {MEASURES} with {{max_pressure_mpa}}.");
     let sure = match &answer.to_be_sure {
-        Some(sure) => format!(
-            "To be sure (--guaranteed): {} with {}.",
-            measures(sure.muscle.outer_diameter_mm, sure.muscle.wall_mm, sure.muscle.sleeve.as_ref(), u),
-            u.pressure.show(answer.max_pressure_mpa)
-        ),
+        Some(muscle) => {
+            let mut row = value(muscle);
+            row["max_pressure_mpa"] = answer.max_pressure_mpa.into();
+            said(&row, &sure, u)
+        }
         None => "No muscle of this search meets the requirement with the lower end of its ± (--guaranteed)."
             .into(),
     };
-    format!("The margin of the first muscle is smaller than its ± of {half}. {sure}\n")
+    let (half, unit) = (u.force.half_width(half), &u.force.name);
+    format!("The margin of the first muscle is smaller than its ± of {half} {unit}. {sure}\n")
 }
 
 /// What finite elements say of the first candidate.
@@ -353,70 +242,75 @@ fn spread_text(spreads: &[Spread], u: &Units) -> String {
 }
 
 /// What burst has to do with it that nothing fits.
-fn too_weak(answer: &DesignAnswer) -> String {
+fn too_weak(answer: &DesignAnswer, row: &Value, u: &Units) -> String {
     let (count, alone) = (answer.excluded_by_burst, answer.excluded_by_burst_alone);
-    let Some(margin) = answer.searched.min_burst_margin.filter(|_| count > 0) else { return String::new() };
+    if count == 0 || answer.searched.min_burst_margin.is_none() {
+        return String::new();
+    }
     let rest = match alone {
         0 => "each of them also misses another limit".to_owned(),
         all if all == count => "they meet every other limit".to_owned(),
         some => format!("{some} of them meet every other limit"),
     };
-    let (all, margin) = (answer.looked_at, number(margin, 4));
-    format!("Of {all} muscles {count} miss the safety factor of {margin}; {rest}.\n")
+    let of_all =
+        "Of {looked_at} muscles {excluded_by_burst} miss the safety factor of {searched.min_burst_margin}; ";
+    format!("{}{rest}.\n", said(row, of_all, u))
+}
+
+/// What may be relaxed, and how that is said.
+const RELAXED: [(&str, &str); 10] = [
+    ("max_pressure", "raise the maximum pressure to {pressure_mpa}[ ({extrapolated})]"),
+    ("force", "reduce the pull to {pulls}"),
+    ("contraction", "reduce the contraction to {contractions}"),
+    (
+        "outer_diameter",
+        "take an outer diameter of {outer_diameter_mm:5} (by the {model} model[, scaled to {scaled_to} here])",
+    ),
+    ("max_bulged_diameter", "allow a bulged diameter of {bulged_diameter_mm:5}"),
+    ("max_stretch", "allow a stretch of {max_stretch:3}"),
+    ("max_strand_strain", "allow a strand strain of {strand_strain:%}"),
+    ("max_liquid_volume", "provide {millilitres} mL of liquid for each muscle"),
+    ("guided", "guide the muscle, so that it cannot buckle (--guided)"),
+    ("min_burst_margin", "reduce the safety factor to {burst_margin:3}"),
+];
+/// So many parts of one are shown of a limit that rises.
+const UP: [(&str, f64); 4] = [
+    ("bulged_diameter_mm", 10.0),
+    ("max_stretch", 100.0),
+    ("strand_strain", 1e4),
+    ("liquid_volume_mm3", 0.1),
+];
+/// And of one that falls.
+const DOWN: [(&str, f64); 3] = [("burst_margin", 100.0), ("force_n", 1.0), ("contraction", 1e4)];
+
+/// A limit that is relaxed, to digits with which the muscle still fits.
+fn rounded(mut of: Value) -> Value {
+    let up = UP.map(|(key, parts)| (key, parts, f64::ceil as fn(f64) -> f64));
+    let down = DOWN.map(|(key, parts)| (key, parts, f64::trunc as fn(f64) -> f64));
+    for (key, parts, round) in up.into_iter().chain(down) {
+        if let Some(number) = of[key].as_f64() {
+            of[key] = (round(number * parts) / parts).into();
+        }
+    }
+    of
 }
 
 fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
-    let (muscle, reason) = (measures_of(&closest.rejected, u), u.sentence(&closest.rejected.reason));
-    let mut out = format!("Nothing fits. Closest: {muscle}: {reason}\n");
+    let mut out = format!("Nothing fits. Closest: {}\n", missed(&closest.rejected, u));
     if closest.relaxations.is_empty() {
-        out.push_str("None of the limits, relaxed alone, makes one of these muscles fit.\n");
-        return out;
+        return out + "None of the limits, relaxed alone, makes one of these muscles fit.\n";
     }
-    out.push_str("Relax one of these:\n");
+    out += "Relax one of these:\n";
     for relaxation in &closest.relaxations {
-        let line = match relaxation {
-            Relaxation::MaxPressure { pressure_mpa, extrapolated } => {
-                let far = if *extrapolated { " (extrapolated: outside of the model's range)" } else { "" };
-                format!("raise the maximum pressure to {}{far}", u.pressure.show(*pressure_mpa))
-            }
-            Relaxation::Force { points } => {
-                let each = |q: &OperatingPoint| {
-                    format!("{} at {}", u.force.show(q.force_n.trunc()), percent(q.contraction))
-                };
-                format!("reduce the pull to {}", points.iter().map(each).collect::<Vec<_>>().join(" and "))
-            }
-            Relaxation::Contraction { points } => {
-                let floor = |v: f64| percent((v * 1e4).trunc() / 1e4);
-                let each =
-                    |q: &OperatingPoint| format!("{} for {}", floor(q.contraction), u.force.show(q.force_n));
-                let each = points.iter().map(each).collect::<Vec<_>>().join(" and ");
-                format!("reduce the contraction to {each}")
-            }
-            Relaxation::OuterDiameter { outer_diameter_mm, model, scaled_to } => {
-                let scaled = scaled_to.as_ref().map_or_else(String::new, |m| format!(", scaled to {m} here"));
-                let diameter = u.length.show(*outer_diameter_mm);
-                format!("take an outer diameter of {diameter} (by the {model} model{scaled})")
-            }
-            Relaxation::MaxBulgedDiameter { bulged_diameter_mm } => {
-                let diameter = (bulged_diameter_mm * 10.0).ceil() / 10.0;
-                format!("allow a bulged diameter of {}", u.length.show(diameter))
-            }
-            Relaxation::MaxStretch { max_stretch } => {
-                format!("allow a stretch of {}", number((max_stretch * 100.0).ceil() / 100.0, 3))
-            }
-            Relaxation::MaxStrandStrain { strand_strain } => {
-                format!("allow a strand strain of {}", percent((strand_strain * 1e4).ceil() / 1e4))
-            }
-            Relaxation::MaxLiquidVolume { liquid_volume_mm3 } => {
-                let volume = number((liquid_volume_mm3 * 0.1).ceil() / 100.0, 4);
-                format!("provide {volume} mL of liquid for each muscle")
-            }
-            Relaxation::Guided {} => "guide the muscle, so that it cannot buckle (--guided)".into(),
-            Relaxation::MinBurstMargin { burst_margin } => {
-                format!("reduce the safety factor to {}", number((burst_margin * 100.0).floor() / 100.0, 3))
-            }
-        };
-        out.push_str(&format!("  - {line}\n"));
+        let mut row = rounded(value(relaxation));
+        let points = row["points"].as_array().into_iter().flatten().cloned().map(rounded).collect();
+        row["pulls"] = each(&points, "{force_n:5} at {contraction:%}", u).join(" and ").into();
+        row["contractions"] = each(&points, "{contraction:%} for {force_n:5}", u).join(" and ").into();
+        let far = row["extrapolated"] == true;
+        row["extrapolated"] = far.then_some("extrapolated: outside of the model's range").into();
+        row["millilitres"] = row["liquid_volume_mm3"].as_f64().map(|volume| 1e-3 * volume).into();
+        let text = RELAXED.iter().find(|(name, _)| row["relax"] == *name).map_or("", |(_, text)| *text);
+        out += &format!("  - {}\n", said(&row, text, u));
     }
     out
 }

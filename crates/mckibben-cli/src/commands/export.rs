@@ -4,19 +4,6 @@ use crate::{Asked, Bar, FLAT, Failure, listed, pairs, place, save_all, shown, ta
 use mckibben_app::{ExportAnswer, ExportListRequest, export, export_list};
 use std::path::Path;
 
-pub const TEXT: &str = "export: The muscle for a controller or simulator: C, Python, MuJoCo, FMI, OpenSim
-Question:
-target=as<TARGET>!^list | Target
-list | List the targets: what each is, needs and loses
-p/pressure_mpa overpressure contraction_low<CONTRACTION> contraction_high<CONTRACTION> name
-@muscle Advanced: @engine
-@units
-o/output<DIR> | Folder for the files; without it only their names are printed
-Examples:
-  mckibben export --list
-  mckibben export examples/prototype.toml --as c -o muscle_model
-  mckibben export -D 20 -s 2 --as mjcf -p 4bar -o scene";
-
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     if asked.is("list") {
         let answer = export_list(&ExportListRequest {})?;

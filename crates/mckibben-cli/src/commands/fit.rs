@@ -14,25 +14,6 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 use std::path::Path;
 
-pub const TEXT: &str = "fit: Fit a formula to a table of finite-element points, with its errors and its range
-Question:
-:file<FILE>!^report | Table of points (CSV with columns outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa, contraction, force_n, status)
-report^method,hold_out_mm,thin_rule,slack_rule,name,rubber,stiffness,muscle,folder,plots | Compute the paper's campaign again and print all comparisons, without a table
-method hold_out_mm name
-Muscle: rubber stiffness<STIFFNESS> muscle
-Advanced: thin_rule* slack_rule*
-Output:
-folder=tables<DIR> | Write the intermediate tables of the paper's method (CSV and JSON) into a folder
-plots<DIR> | Write figures into a folder: figures 5 to 12 of the paper, or with `global` figure 12
-o/output<FILE.json> | Write the formula
-Examples:
-  mckibben fit data/campaign/paper.csv --method paper --hold-out 35 \\
-    -o formula.json --tables tables --plots plots
-  mckibben fit data/campaign/paper.csv --method global --hold-out 35 \\
-    -o global.json
-  mckibben force -D 35 -s 2 -p 2bar -e 10% --model global.json
-  mckibben fit --report";
-
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let target = asked.path("output");
     let Some(path) = asked.path("file") else { return report(asked) };
@@ -189,18 +170,10 @@ fn report_text(r: &Results) -> String {
     );
     out.push_str(&tabled(&r.findings, FINDINGS, &u));
     let (c, shipped) = (&r.constants, Constants::shipped());
-    out.push_str(&format!(
-        "\nFitted constants: C10 {:.4} MPa, k {:.0} N/mm at D0 40, growing like D0^{:.2} (shipped: {}, {}, {})\n",
-        c.c10_mpa,
-        c.stiffness_at_40_n_per_mm,
-        c.exponent,
-        shipped.c10_mpa,
-        shipped.stiffness_at_40_n_per_mm,
-        shipped.exponent
-    ));
-    out.push_str(&format!("global has {} terms\n", r.global_terms));
-    out.push_str(
-        "\nRandom muscles of any size and material, where they pull, in % of the blocked force at the same pressure\n\n",
-    );
+    out += &format!("\nFitted constants: C10 {:.4} MPa, k {:.0} N/mm", c.c10_mpa, c.stiffness_at_40_n_per_mm);
+    out += &format!(" at D0 40, growing like D0^{:.2} (shipped: ", c.exponent);
+    let (c10, k, exponent) = (shipped.c10_mpa, shipped.stiffness_at_40_n_per_mm, shipped.exponent);
+    out += &format!("{c10}, {k}, {exponent})\nglobal has {} terms\n\n", r.global_terms);
+    out += "Random muscles of any size and material, where they pull, in % of the blocked force at the same pressure\n\n";
     out + &tabled(&r.random_muscles, &format!("model {ERRORS}"), &u)
 }

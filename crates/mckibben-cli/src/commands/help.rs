@@ -6,28 +6,6 @@ use clap_complete::Shell;
 use clap_mangen::Man;
 use mckibben_app::ProblemKind;
 
-pub const TEXT: &str = "help: Help of a command, as its flag --help prints it
-:command<COMMAND>+ | Command, such as `force` or `parts show` [mckibben]
-Examples:
-  mckibben help force
-  mckibben help parts show";
-
-pub const MAN: &str = "man: Manual pages for `man`
-:command<COMMAND>+^output | Command whose page is printed [mckibben]
-Output:
-o/output<DIR> | Write the pages of all commands into a folder
-Examples:
-  mckibben man -o man/man1
-  mckibben man force
-
-Read the pages of a folder with: man -M man mckibben-force
-Where `man` finds them by itself: mckibben man -o ~/.local/share/man/man1";
-
-pub const COMPLETIONS: &str = "completions: Shell completions, written to standard output
-:shell<SHELL~bash/elvish/fish/powershell/zsh>! | The shell
-Example:
-  mckibben completions bash";
-
 /// Prints the help of a command.
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let (mut root, words) = (built(), asked.texts("command"));

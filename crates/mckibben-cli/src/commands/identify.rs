@@ -4,34 +4,10 @@ use crate::{
     Asked, Bar, Failure, Units, check_ending, listed, pairs, percent, place, save, shown, table, tabled,
     understood, value, values,
 };
-use mckibben::units::Dimension;
+use mckibben::{muscle::Bench, units::Dimension};
 use mckibben_app::{IdentifyAnswer, IdentifyRequest, with_error_bar};
 use mckibben_fit::identify::Identification;
 use serde_json::json;
-
-pub const TEXT: &str = "identify: Constants of rubber, braid and friction from measured or published curves, with their uncertainty
-Question:
-data<FILE.csv>+ | Points: a table of pressures, contractions (or shortenings, or lengths) and forces, with units; may be repeated
-@columns
-free fix bounds* laws
-formula<NAME_or_FILE.json> | A published formula as data: a model's name or a formula's JSON, at -p and -e (-D and -s may be lists)
-p/pressures_mpa=pressure&formula e/contractions=contraction&formula
-@muscle
-Advanced:
-model | Force model [fe]
-mesh<N_or_MxN:G>* weights* branches* two_sided* loss*
-robust*^loss | The same as --loss huber
-@units @plot
-Output:
-o/output<FILE.toml> | Write the muscle with the identified values as a muscle file
-Examples:
-  mckibben identify examples/bench.toml --data examples/bench.csv
-  mckibben identify examples/tondu2012.toml \\
-    --data data/tondu2012/static_force_20deg.csv --model thick-wall \\
-    --free mu,terminals.end_factor,friction.c,friction.beta \\
-    --plot fit.svg -o found.toml
-  mckibben identify --formula paper -D 50 -s 1 -p 0.05..0.25:0.05 \\
-    -e 0..0.2:0.05 --free c10,braid.stiffness=600:100:5000";
 
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let target = asked.path("output");
@@ -94,23 +70,8 @@ fn as_text(answer: &IdentifyAnswer, u: &Units) -> String {
     }
     let largest = answer.points.iter().map(|p| p.point.at.force_n).fold(0.0, f64::max);
     all["largest_n"] = Some(largest).filter(|n| *n > 0.0).into();
-    all["bench"] = found
-        .bench
-        .as_ref()
-        .filter(|_| answer.muscle_file.contains("\n[identified]"))
-        .map(|bench| {
-            let half = bench.fit_n.iter().flatten().map(|fit| fit.hypot(bench.scatter_n));
-            let (least, most) = half.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
-            let [(p, q), (e, f)] = [bench.pressure_mpa, bench.contraction];
-            let [p, q] = [p, q].map(|v| u.pressure.show(v));
-            let [least, most] = [least, most].map(|n| u.force.half_width(n));
-            let beside = if bench.saw_the_loop() { "" } else { ", and the part for friction beside it" };
-            let (e, f, unit) = (percent(e), percent(f), &u.force.name);
-            format!(
-                "{p} to {q}, contractions {e} to {f}: ± of the pull {least} to {most} {unit} (95 %){beside}"
-            )
-        })
-        .into();
+    let bench = found.bench.as_ref().filter(|_| answer.muscle_file.contains("\n[identified]"));
+    all["bench"] = bench.map(|bench| bench_text(bench, u)).into();
     out += &format!("\n{}", pairs(&listed(&all, RESIDUALS, u)));
     out += &tabled(&found.spreads, "of=_ points rms_n:3 max_n=largest:3 mean_n:3", u);
     if !answer.laws.is_empty() {
@@ -121,6 +82,18 @@ fn as_text(answer: &IdentifyAnswer, u: &Units) -> String {
     }
     out.extend(answer.warnings.iter().map(|note| format!("- {note}\n")));
     out
+}
+
+/// Where a bench was, and how far its pulls are known.
+fn bench_text(bench: &Bench, u: &Units) -> String {
+    let half = bench.fit_n.iter().flatten().map(|fit| fit.hypot(bench.scatter_n));
+    let (least, most) = half.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
+    let [(p, q), (e, f)] = [bench.pressure_mpa, bench.contraction];
+    let [p, q] = [p, q].map(|v| u.pressure.show(v));
+    let [least, most] = [least, most].map(|n| u.force.half_width(n));
+    let beside = if bench.saw_the_loop() { "" } else { ", and the part for friction beside it" };
+    let (e, f, unit) = (percent(e), percent(f), &u.force.name);
+    format!("{p} to {q}, contractions {e} to {f}: ± of the pull {least} to {most} {unit} (95 %){beside}")
 }
 
 /// Law by law, the preferred one first.

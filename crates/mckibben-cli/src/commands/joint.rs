@@ -1,24 +1,12 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a joint.
 
-use crate::{Asked, Bar, Failure, Units, burst_first, files, number, output::is_text, shown, tabled, value};
+use crate::{
+    Asked, Bar, Failure, Format, Units, burst_first, files, number, output::form, shown, tabled, value,
+};
 use mckibben_app::{
     JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, joint, rows::limit_rows,
 };
 use std::path::Path;
-
-pub const TEXT: &str = "joint: Joint with one muscle and a spring, or with two opposed muscles: torque, stiffness, rest position, pressures
-Question:
-:file<JOINT.toml>! | Joint file
-p/pressures_mpa=pressure<PRESSURES>+ | Pressures of the muscles, such as 2bar,1bar; may be repeated for a family
-angles_deg=angle torque_nm stiffness_nm_per_rad<STIFFNESS> max_pressure_mpa map<N:2..65535>
-Advanced: @engine extrapolate*
-@plot @output
-Examples:
-  mckibben joint examples/elbow.toml -p 2bar,1bar --angle -45..45:5deg
-  mckibben joint examples/elbow.toml -p 2bar,1bar -p 3bar,1bar
-  mckibben joint examples/elbow.toml --angle 20deg --torque 2Nm --stiffness 12
-  mckibben joint examples/elbow.toml --map 25 --max-pressure 4bar \\
-    --model universal --plot map.svg";
 
 /// A joint file with its muscle files, which lie relative to it.
 pub fn fields(path: &Path) -> Result<JointFields, Failure> {
@@ -38,7 +26,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let mut request: JointRequest = asked.request()?;
     request.joint = fields(&asked.path("file").unwrap_or_default())?;
     // Text does not show them.
-    request.without_start_pressures = is_text(asked.path("output").as_deref(), asked.format)?;
+    request.without_start_pressures = form(asked.path("output").as_deref(), asked.format)? == Format::Text;
     let mut answer = joint(&request, &Bar::new("joint"))?;
     if request.figure.is_some() && answer.figure.is_none() {
         let message = "--plot: a figure of a joint has torques over angles, or a map";
@@ -62,21 +50,20 @@ fn as_text(answer: &JointAnswer, u: &Units) -> String {
     }
     if let Some(map) = &answer.map {
         let at_rest: Vec<_> = map.points.iter().flatten().filter(|q| !q.at_limit).collect();
-        let range = |of: &dyn Fn(&&mckibben::joint::MapPoint) -> f64| {
-            let all = || at_rest.iter().map(of);
-            (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max))
+        let ends = |all: &mut dyn Iterator<Item = f64>| {
+            let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
+            format!("{} to {}", number(low, 4), number(high, 4))
         };
-        let (angles, stiffnesses) = (range(&|q| q.angle_deg), range(&|q| q.stiffness_nm_per_rad));
-        let most = map.torques.iter().map(|t| t.2).fold(f64::NEG_INFINITY, f64::max);
-        let least = map.torques.iter().map(|t| t.1).fold(f64::INFINITY, f64::min);
-        if at_rest.is_empty() {
-            text += "\nat all of these pressures the joint rests at a limit of its range, or is loose\n";
-        } else {
-            let to = |(low, high): (f64, f64)| format!("{} to {}", number(low, 4), number(high, 4));
-            text += &format!("\nat rest it reaches {} ° and {} N m/rad\n", to(angles), to(stiffnesses));
-        }
-        let (least, most) = (number(least, 4), number(most, 4));
-        text += &format!("its torques reach from {least} to {most} N m over its range\n");
+        let angles = ends(&mut at_rest.iter().map(|q| q.angle_deg));
+        let stiffnesses = ends(&mut at_rest.iter().map(|q| q.stiffness_nm_per_rad));
+        text += &match at_rest.is_empty() {
+            true => {
+                "\nat all of these pressures the joint rests at a limit of its range, or is loose\n".into()
+            }
+            false => format!("\nat rest it reaches {angles} ° and {stiffnesses} N m/rad\n"),
+        };
+        let torques = ends(&mut map.torques.iter().flat_map(|t| [t.1, t.2]));
+        text += &format!("its torques reach from {torques} N m over its range\n");
     }
     text
 }

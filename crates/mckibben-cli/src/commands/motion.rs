@@ -11,29 +11,6 @@ use mckibben_app::{
 use serde_json::json;
 use std::path::Path;
 
-pub const TEXT: &str = "motion: Motion over time of a muscle or a joint with valves
-Question:
-:file<DRIVE.toml>!^muscle | Drive file; or give a muscle, a load, a valve and a pressure by the flags below
-change=sweep<KEY=VALUE,…> | Run once for each value of a key of the drive file
-size<WHAT~valve>&rise_time_s | Part to size
-rise_time_s&size | Required rise time (10 to 90 %) with the smallest valve
-Instead_of_a_drive_file:
-muscle^file&step.pressure_mpa,step.valve,step.load | Muscle file
-p/step.pressure_mpa=pressure&muscle step.load<LOAD>&muscle step.valve<VALVE>&muscle step.supply_mpa&muscle step.damping_n_s_per_m<DAMPING>&muscle
-step.until_s&muscle | End time of the run [2s]
-Advanced: @engine
-@plot @output
-Examples:
-  mckibben motion examples/drive.toml --plot step.svg
-  mckibben motion examples/drive.toml --model universal -o step.csv
-  mckibben motion examples/drive.toml --model universal \\
-    --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'
-  mckibben motion examples/drive.toml --model universal --size valve \\
-    --rise-time 0.5s
-  mckibben motion examples/elbow-drive.toml --model universal
-  mckibben motion --muscle examples/prototype.toml --load mass:10kg -p 3bar \\
-    --valve '0.5 L/(s bar)' --damping '200 N s/m'";
-
 /// The files that a drive file names, in its request.
 fn add_files(request: &mut MotionRequest, path: &Path) -> Result<(), Failure> {
     let drive = files::text(path)?;

@@ -4,21 +4,6 @@ use crate::{Asked, Failure, listed, output::text::law_text, pairs, shown, tabled
 use mckibben_app::{PartShowAnswer, PartsListAnswer, RubberDetails, part_show, parts_list};
 use serde_json::Value;
 
-pub const LIST: &str = "parts list: All of them, or those of one kind
-:kind<KIND> | Only one kind: tubes, sleeves, rubbers, muscles or models
-parts<FILE.toml> | Tubes of your own: a file of the catalogue's form
-@output
-Example:
-  mckibben parts list tubes";
-
-pub const SHOW: &str = "parts show: What has a name: its data, source and terms
-:any=name<NAME>! | Name; of a rubber also NAME:LAW
-@output
-Examples:
-  mckibben parts show latex-1/4x3/8in
-  mckibben parts show dragon-skin-30
-  mckibben design -F 60N -e 15% -p 4bar --tube latex-1/4x3/8in";
-
 /// The lists, their columns, and what these are.
 const LISTS: [(&str, &str, &str); 5] = [
     ("tubes", "name=tube inner_diameter_mm=bore outer_diameter_mm=D0 wall_mm=wall rubber is_cast=cast", ""),

@@ -12,24 +12,6 @@ use serde::Serialize;
 use serde_json::Value;
 use std::path::Path;
 
-pub const TEXT: &str =
-    "rubber: Rubber laws from tension tests: constants with their errors, range of stability
-Question: :data<FILE>!
-@columns
-laws=law mode area_mm2 gauge_length_mm
-up_to_stretch=up-to<STRETCH> | Leave out points beyond this stretch (3) or strain (200%)
-relaxation<N:1..8> softening
-Muscle: muscle name
-Advanced: terms<N:1..3>* fit_modes=fit-mode* relative* balance* weights<LIST>* stable* hoop_stretch*
-@plot
-Output:
-o/output<FILE> | Write a muscle file with the recommended law
-Examples:
-  mckibben rubber data/treloar/tension.csv --law yeoh --relative
-  mckibben rubber data/silicones/dragon_skin_30.csv --up-to 200% \\
-    --plot rubber.svg -o silicone.toml
-  mckibben force --muscle silicone.toml -p 2bar -e 10%";
-
 /// The constants of all laws, as a table.
 #[derive(Serialize, JsonSchema)]
 struct Constants {
@@ -140,12 +122,8 @@ fn closing(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
     let mut out = String::new();
     for law in &answer.laws {
         let Some(free) = law.quality.free_r_squared else { continue };
-        let how = law.held();
-        out.push_str(&format!(
-            "{} {how}: R² {:.5} instead of {free:.5}.\n",
-            law.form.name(),
-            law.quality.r_squared
-        ));
+        let (name, how, with) = (law.form.name(), law.held(), law.quality.r_squared);
+        out += &format!("{name} {how}: R² {with:.5} instead of {free:.5}.\n");
     }
     match answer.taken() {
         Some(law) => {

@@ -3,15 +3,6 @@
 use crate::{Asked, Failure, check_ending, emit, overwrite, save_inside};
 use mckibben_app::{COMMANDS, bundle, file_schema, schema};
 
-pub const TEXT: &str = "schema: JSON Schema of requests, answers and files
-:command<COMMAND> | Command, its words joined by a hyphen (force, parts-list) [all commands in one document with shared `$defs`]
-file<KIND>^command | Schema of a file that people write: muscle, joint, drive or plan. For TOML editors, which complete and check with it. Files that this program writes name it in the line `#:schema`.
-Output:
-o/output<FILE> | Write to a file instead of standard output; without COMMAND: into a folder, one file per command
-Examples:
-  mckibben schema force
-  mckibben schema --file muscle -o muscle.schema.json";
-
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let target = asked.path("output");
     let one = match (asked.text("file"), asked.text("command")) {

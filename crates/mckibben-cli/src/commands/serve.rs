@@ -6,14 +6,6 @@ use mckibben_server::Config;
 use std::io::ErrorKind;
 use std::net::{Ipv4Addr, TcpListener};
 
-pub const TEXT: &str = "serve: Local web server: the workbench in a browser, and every command over HTTP
-port<PORT:0..65535> | Port; 0 selects a free port [8080]
-open | Open the page in the browser
-Example:
-  mckibben serve --port 0
-
-Open the address that it prints in a browser; Ctrl-C ends it.";
-
 /// Serves until a signal ends it.
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     // Signals are taken over before anybody can know that the server is there.
@@ -24,7 +16,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let address = format!("http://{address}");
     let line = match asked.format {
         Format::Json => serde_json::json!({ "address": address }).to_string(),
-        Format::Text | Format::Csv => address.clone(),
+        _ => address.clone(),
     };
     emit(&(line + "\n"), None)?;
     if asked.is("open")

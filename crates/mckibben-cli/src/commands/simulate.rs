@@ -10,29 +10,6 @@ use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
-pub const TEXT: &str = "simulate: One finite-element test with all results: curves, shape, strands, stretches, sensitivities
-Question: test p/pressures_mpa=pressure e/contractions=contraction
-of_largest | Give contractions as shares of the free contraction at the highest pressure
-F/forces_n=force
-@muscle
-Advanced:
-model | Model: fe (axisymmetric) or fe3d (three-dimensional) [fe]
-@mesh two_sided*
-Output:
-folder=vtu<DIR> | Write the deformed muscle, point by point, into a folder that ParaView opens (muscle.pvd)
-whole*&folder | Write the whole muscle, not only the eighth that fe3d computes; fe always writes the whole muscle
-export_inp<FILE> | Write mesh, material, loads and steps of an isometric test with fe3d as an input deck for CalculiX and Abaqus
-@plot @output
-Examples:
-  mckibben simulate examples/prototype.toml -e 10% -p 0..0.25:0.05 --vtu out/
-  mckibben simulate -D 40 -s 2 --test isotonic -F 150N -p 0.5..2.5:0.5bar \\
-    --plot shape.svg
-  mckibben simulate --model fe3d --match angle -e 10% -p 0.01..0.25:0.01 \\
-    --export-inp muscle.inp
-  mckibben simulate --model fe3d --terminal aluminium:20mm:3mm -e 10% \\
-    -p 0.25 --vtu out/
-  mckibben simulate --of-largest -e 0,45%,90% -p 0.25 --format csv";
-
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let deck = asked.path("export_inp");
     check_ending(deck.as_deref(), &["inp"])?;

@@ -1,7 +1,8 @@
 //! `validate`: verification and validation, each with its table.
 
 use crate::{
-    Asked, Bar, Failure, NO_ANSWER, files, listed, number, output::width, pairs, plot, shown, tabled, value,
+    Asked, Bar, Failure, NO_ANSWER, files, listed, number, output::width, pairs, plot, said, shown, tabled,
+    value,
 };
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 use mckibben_app::{
@@ -11,21 +12,6 @@ use mckibben_app::{
 use mckibben_fit::validation::case::built_in;
 use serde_json::Value;
 use std::path::Path;
-
-pub const TEXT: &str = "validate: Verification against exact values and validation against measured muscles
-all | Also compute the finest meshes (some seconds more)
-sweep<N:1..1000000>^all | Robustness sweep over N random muscles: the share of random points with an answer
-seed<N>&sweep | Seed of the random muscles [1]
-measured<DIR?>^sweep,all | Validation report of measured muscles and rubbers: known data, fitted constants, errors at fitted points and at predicted points. Cases of DIR, one folder each [the built-in cases]
-only<NAME,…>&measured | Only these cases, by folder name
-model<NAME>&measured | Model of the measured muscles [fe]
-@plot @output
-Examples:
-  mckibben validate
-  mckibben validate --sweep 50
-  mckibben validate --measured --only dmsp-20-300
-  mckibben validate --measured --only dmsp-10-hose --model thick-wall
-  mckibben validate --measured --only rubber-treloar";
 
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let number = |flag: &str| asked.text(flag).and_then(|text| text.trim().parse::<u64>().ok());
@@ -40,11 +26,8 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     }
     if asked.path("plot").is_some() {
         let message = "--plot draws the measured muscles: it requires --measured";
-        return Err(Failure::input(
-            ProblemKind::Usage,
-            message,
-            "mckibben validate --measured --plot FILE.svg",
-        ));
+        let hint = "mckibben validate --measured --plot FILE.svg";
+        return Err(Failure::input(ProblemKind::Usage, message, hint));
     }
     let answer = mckibben_app::validate(&asked.request()?, &Bar::new("groups of cases"))?;
     asked.show(&answer, "cases", || as_text(&answer.cases))?;
@@ -53,18 +36,11 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
 
 /// Times are for people only: JSON and CSV hold nothing that depends on the machine.
 fn sweep_text(a: &SweepAnswer) -> String {
-    format!(
-        "{} random muscles, one point each (seed {})\n\n  {} of {} answered where the infinitely long muscle pulls and its strands stretch by less than 5 %\n  {} of {} answered elsewhere; the others ended with a reason\n  at most {} factorisations; median {:.2} ms, longest {:.2} ms\n",
-        a.muscles,
-        a.seed,
-        a.required_answered,
-        a.required,
-        a.others_answered,
-        a.others,
-        a.most_factorisations,
-        1e3 * a.sweep.median_seconds(),
-        1e3 * a.sweep.longest_seconds()
-    )
+    let (median, longest) = (1e3 * a.sweep.median_seconds(), 1e3 * a.sweep.longest_seconds());
+    let text = "{muscles} random muscles, one point each (seed {seed})\n\n  \
+        {required_answered} of {required} answered where the infinitely long muscle pulls and its strands stretch by less than 5 %\n  \
+        {others_answered} of {others} answered elsewhere; the others ended with a reason\n  at most {most_factorisations} factorisations; ";
+    said(&value(a), text, &shown::units()) + &format!("median {median:.2} ms, longest {longest:.2} ms\n")
 }
 
 /// The cases of one kind, and what they are.
@@ -117,49 +93,25 @@ fn run_measured(asked: &Asked) -> Result<u8, Failure> {
     let folder = asked.path("measured").filter(|path| !path.as_os_str().is_empty());
     let only: Vec<String> =
         asked.texts("only").iter().flat_map(|t| t.split(',')).map(str::to_owned).collect();
-    let cases = chosen(cases(folder.as_deref())?, &only)?;
-    let mut answer = mckibben_app::measured(
-        &MeasuredRequest { cases, model: asked.text("model"), figure },
-        &Bar::new("fits"),
-    )?;
+    let cases = chosen(folder.map_or_else(|| Ok(built_in()), |folder| folders(&folder))?, &only)?;
+    let request = MeasuredRequest { cases, model: asked.text("model"), figure };
+    let mut answer = mckibben_app::measured(&request, &Bar::new("fits"))?;
     asked.draw(&mut answer.figure)?;
     let rows = if answer.results.is_empty() { "stresses" } else { "results" };
     asked.show(&answer, rows, || measured_text(&answer))
 }
 
-/// The cases of a folder, or those that are built in.
-fn cases(folder: Option<&Path>) -> Result<Vec<MeasuredFolder>, Failure> {
-    let Some(folder) = folder else {
-        let built_in = built_in().into_iter();
-        return Ok(built_in
-            .map(|f| MeasuredFolder {
-                name: f.name,
-                case: f.case,
-                muscle: f.muscle,
-                points: f.points,
-                identified: String::new(),
-            })
-            .collect());
-    };
-    folders(folder)
-}
-
 /// The measured muscle or rubber of a folder, or those of the folders in it.
 fn folders(folder: &Path) -> Result<Vec<MeasuredFolder>, Failure> {
-    let unread = |e: &dyn std::fmt::Display| {
-        Failure::input(ProblemKind::File, format!("{}: {e}", folder.display()), "")
-    };
+    let unread =
+        |e: std::io::Error| Failure::input(ProblemKind::File, format!("{}: {e}", folder.display()), "");
     if folder.join("case.toml").is_file() {
         return Ok(vec![one(folder)?]);
     }
-    let mut list = vec![];
-    let entries = std::fs::read_dir(folder).map_err(|e| unread(&e))?;
-    for entry in entries {
-        let path = entry.map_err(|e| unread(&e))?.path();
-        if path.join("case.toml").is_file() {
-            list.push(one(&path)?);
-        }
-    }
+    let entries = std::fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
+    let paths = entries.map_err(unread)?.into_iter().map(|entry| entry.path());
+    let list = paths.filter(|path| path.join("case.toml").is_file()).map(|path| one(&path));
+    let mut list = list.collect::<Result<Vec<_>, _>>()?;
     list.sort_by(|a, b| a.name.cmp(&b.name));
     if list.is_empty() {
         let message = format!("{}: no folder in it contains a case.toml", folder.display());

@@ -32,15 +32,6 @@ pub fn json<T: Serialize>(answer: &T) -> Result<Value, Failure> {
 /// The file that a result goes to; else standard output.
 pub type Target<'a> = Option<&'a Path>;
 
-/// The forms in which an answer is written.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Form {
-    Text,
-    Json,
-    Csv,
-    Parquet,
-}
-
 /// Prints an answer in the form that was asked for: as text for people, as JSON, or as a table with a row for each element of
 /// the list named `rows` (for the answer itself where the name is empty or [`FLAT`]).
 pub fn show<T: Serialize + JsonSchema>(
@@ -84,18 +75,18 @@ impl Answer<'_> {
     ) -> Result<(), Failure> {
         let form = form(target, format)?;
         let out = match form {
-            Form::Text => {
+            Format::Text => {
                 unit_hint().into_iter().for_each(warn);
                 if target.is_some() {
                     width::in_file();
                 }
                 width::broken(&clean::lines(&text())).into_bytes()
             }
-            Form::Json => format!("{:#}\n", (self.json)()?).into_bytes(),
-            Form::Csv => table::csv(&self.table()?)?,
-            Form::Parquet => parquet::rows(&self.table()?)?,
+            Format::Json => format!("{:#}\n", (self.json)()?).into_bytes(),
+            Format::Csv => table::csv(&self.table()?)?,
+            Format::Parquet => parquet::rows(&self.table()?)?,
         };
-        if matches!(form, Form::Csv | Form::Parquet) {
+        if matches!(form, Format::Csv | Format::Parquet) {
             // A table has no place for it.
             let value = (self.json)()?;
             let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
@@ -107,42 +98,23 @@ impl Answer<'_> {
     }
 }
 
-/// Whether an answer is wanted as JSON.
-pub fn is_json(target: Target<'_>, format: Format) -> Result<bool, Failure> {
-    Ok(form(target, format)? == Form::Json)
-}
-
-/// Whether an answer is wanted as text.
-pub fn is_text(target: Target<'_>, format: Format) -> Result<bool, Failure> {
-    Ok(form(target, format)? == Form::Text)
-}
-
-/// The form of a file by its ending; without one, or for standard output, that of `--format`.
-fn form(path: Option<&Path>, format: Format) -> Result<Form, Failure> {
-    let asked = match format {
-        Format::Text => Form::Text,
-        Format::Json => Form::Json,
-        Format::Csv => Form::Csv,
-    };
-    let Some(ending) = path.and_then(ending) else { return Ok(asked) };
+/// The format of a file by its ending; without one, or for standard output, that of `--format`.
+pub fn form(path: Option<&Path>, format: Format) -> Result<Format, Failure> {
+    let Some(ending) = path.and_then(ending) else { return Ok(format) };
     let by_ending = match ending.as_str() {
-        "txt" | "md" => Form::Text,
-        "json" => Form::Json,
-        "csv" => Form::Csv,
-        "parquet" => Form::Parquet,
+        "txt" | "md" => Format::Text,
+        "json" => Format::Json,
+        "csv" => Format::Csv,
+        "parquet" => Format::Parquet,
         other => {
             let message = format!("--output: .{other} is not a supported file ending");
             let hint = "the endings are .txt, .json, .csv and .parquet";
             return Err(Failure::input(ProblemKind::Output, message, hint));
         }
     };
-    if format == Format::Text || asked == by_ending {
+    if format == Format::Text || format == by_ending {
         return Ok(by_ending);
     }
-    let message = "--output and --format name two formats";
-    Err(Failure::input(
-        ProblemKind::Output,
-        message,
-        "leave out --format: the file ending selects the format",
-    ))
+    let hint = "leave out --format: the file ending selects the format";
+    Err(Failure::input(ProblemKind::Output, "--output and --format name two formats", hint))
 }
