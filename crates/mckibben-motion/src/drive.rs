@@ -114,7 +114,7 @@ impl<'a> Actuated<'a> {
             Actuator::Syringe(syringe) => (1.0 - opening.unwrap_or(0.0)) * syringe.volume_mm3,
             _ => 0.0,
         };
-        self.fluid.dead_volume_mm3() + self.actuator.hose().map_or(0.0, |h| h.volume_mm3()) + syringe
+        self.fluid.medium().dead_volume_mm3() + self.actuator.hose().map_or(0.0, |h| h.volume_mm3()) + syringe
     }
 }
 
@@ -181,6 +181,8 @@ pub struct Drive<'a> {
     pub tolerance: Tolerance,
     /// The coordinate at the start in mm or rad, at rest; without it, the equilibrium at the first command.
     pub initial_coordinate: Option<f64>,
+    /// A generalised force from outside that opposes growing q: in N (q in mm) or N mm (q in rad).
+    pub outside_force: f64,
 }
 
 impl<'a> Drive<'a> {
@@ -200,7 +202,18 @@ impl<'a> Drive<'a> {
             output_step_s: until_s / 1000.0,
             tolerance: Tolerance::default(),
             initial_coordinate: None,
+            outside_force: 0.0,
         }
+    }
+
+    /// What opposes growing q.
+    pub(crate) fn load(&self, q: f64) -> f64 {
+        self.mechanism.load(q) + self.outside_force
+    }
+
+    /// Its energy in mJ.
+    pub(crate) fn load_energy_mj(&self, q: f64) -> f64 {
+        self.mechanism.load_energy_mj(q) + self.outside_force * q
     }
 
     /// Whether it can be run.
@@ -213,6 +226,7 @@ impl<'a> Drive<'a> {
         };
         count(self.muscles.len(), "muscles with an actuator")?;
         self.mechanism.check()?;
+        MotionError::within("the force or torque from outside", self.outside_force, -1e12, 1e12)?;
         self.muscles.iter().try_for_each(|m| m.model.muscle().check_contracts())?;
         MotionError::within("the supply's temperature in K", self.supply.temperature_k, 50.0, 2000.0)?;
         MotionError::within("the supply's gauge pressure in MPa", self.supply.pressure_mpa, 0.0, 100.0)?;
@@ -295,9 +309,14 @@ impl<'a> Drive<'a> {
 
 impl Actuated<'_> {
     fn check(&self) -> Result<(), MotionError> {
-        MotionError::within("the wall's temperature in K", self.fluid.wall_temperature_k(), 50.0, 2000.0)?;
+        MotionError::within(
+            "the wall's temperature in K",
+            self.fluid.medium().wall_temperature_k(),
+            50.0,
+            2000.0,
+        )?;
         // Up to 1000 m³.
-        MotionError::within("the dead volume in mm³", self.fluid.dead_volume_mm3(), 0.0, 1e12)?;
+        MotionError::within("the dead volume in mm³", self.fluid.medium().dead_volume_mm3(), 0.0, 1e12)?;
         if let Fluid::Air(air) = &self.fluid {
             match air.heat {
                 Heat::Polytropic(n) => MotionError::within("the polytropic index", n, 1.0, 1.4)?,

@@ -145,8 +145,10 @@ impl System<'_> {
     /// to some 1e-9 of the blocked force; a smaller push than that would have a muscle slack by the one and taut by the other.
     pub fn slack_n(&self, muscle: usize) -> f64 {
         const PRESSURE_MPA: f64 = 3e-8;
-        let area =
-            self.members.get(muscle).map_or(1.0, |m| m.model.muscle().tube().outer_radius_mm().powi(2));
+        let area = self
+            .members
+            .get(muscle)
+            .map_or(1.0, |m| m.muscle.model.muscle().tube().outer_radius_mm().powi(2));
         PRESSURE_MPA * std::f64::consts::PI * area
     }
 

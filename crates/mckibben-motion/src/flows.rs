@@ -1,8 +1,9 @@
 //! What is commanded at a time, and the air or liquid that it lets into a muscle and out of it.
 
+use crate::air::Cavity;
 use crate::state::{ControllerState, MuscleState, State};
 use crate::system::{Mode, Switch, System};
-use crate::{ATMOSPHERE_MPA, Actuated, Actuator, Cavity, Command, Flow, Fluid, PidOutput, Target, ValveKind};
+use crate::{ATMOSPHERE_MPA, Actuated, Actuator, Command, Flow, Fluid, PidOutput, Target, ValveKind};
 
 /// The answer of the controller.
 #[derive(Debug, Clone, Copy)]
@@ -67,45 +68,34 @@ impl System<'_> {
         self.drive.mechanism.lever(muscle, 0.0).per_coordinate.signum()
     }
 
-    /// What flows into a muscle whose pressure and temperature are `inside`, by its command.
+    /// What flows into a muscle by its command.
     pub fn flows(
         &self,
         actuated: &Actuated<'_>,
         own: &MuscleState,
         (command, is_pressure): (f64, bool),
         mode: &Mode,
-        inside: (f64, f64),
         cavity: &Cavity,
     ) -> FluidRates {
-        let fluid = &actuated.fluid;
-        let error = command + ATMOSPHERE_MPA - inside.0;
-        let rate = |cavity: &Cavity, flows: &[Flow]| {
-            fluid.pressure_rate_mpa_per_s(inside.0, inside.1, cavity, flows)
-        };
+        let medium = actuated.fluid.medium();
+        let error = command + ATMOSPHERE_MPA - cavity.absolute_mpa;
         let kind = match (&actuated.actuator, actuated.actuator.kind()) {
             (Actuator::Syringe(syringe), _) => {
                 let opening = own.opening.unwrap_or(0.0);
                 let opening_rate = (command / syringe.volume_mm3 - opening) / syringe.time_constant_s;
                 let piston_mm3_per_s = opening_rate * syringe.volume_mm3;
                 let swept_mm3_per_s = cavity.swept_mm3_per_s - piston_mm3_per_s;
-                let pressure_rate = rate(&Cavity { swept_mm3_per_s, ..*cavity }, &[]);
-                let none = Flow { mass_g_per_s: 0.0, temperature_k: inside.1 };
-                return FluidRates {
-                    supply: none,
-                    exhaust: none,
-                    pressure_rate,
-                    opening,
-                    opening_rate,
-                    signal: 0.0,
-                    piston_mm3_per_s,
-                };
+                let pressure_rate =
+                    medium.pressure_rate_mpa_per_s(&Cavity { swept_mm3_per_s, ..*cavity }, &[]);
+                let rest = FluidRates::default();
+                return FluidRates { pressure_rate, opening, opening_rate, piston_mm3_per_s, ..rest };
             }
             (Actuator::Regulator { time_constant_s }, _) => {
-                let rate = error / time_constant_s;
-                let flow = fluid.flow_for_rate(rate, inside, cavity, self.drive.supply.temperature_k);
+                let pressure_rate = error / time_constant_s;
+                let flow = medium.flow_for_rate(pressure_rate, cavity, self.drive.supply.temperature_k);
                 let none = Flow { mass_g_per_s: 0.0, ..flow };
                 let (supply, exhaust) = if flow.mass_g_per_s > 0.0 { (flow, none) } else { (none, flow) };
-                return FluidRates { supply, exhaust, pressure_rate: rate, ..FluidRates::default() };
+                return FluidRates { supply, exhaust, pressure_rate, ..FluidRates::default() };
             }
             (_, kind) => kind.unwrap_or(ValveKind::DEFAULT),
         };
@@ -126,11 +116,11 @@ impl System<'_> {
             _ => (wanted, 0.0),
         };
         let supply = &self.drive.supply;
-        let gauges = (supply.pressure_mpa, inside.0 - ATMOSPHERE_MPA);
-        let (supply, exhaust) = match (&actuated.actuator, fluid) {
+        let gauges = (supply.pressure_mpa, cavity.absolute_mpa - ATMOSPHERE_MPA);
+        let (supply, exhaust) = match (&actuated.actuator, &actuated.fluid) {
             (Actuator::Valve(valve), _) => {
-                let atmosphere = (ATMOSPHERE_MPA, fluid.wall_temperature_k());
-                valve.flows(opening, supply.state(), inside, atmosphere)
+                let inside = (cavity.absolute_mpa, cavity.temperature_k);
+                valve.flows(opening, supply.state(), inside, (ATMOSPHERE_MPA, medium.wall_temperature_k()))
             }
             (Actuator::LiquidValve(valve), Fluid::Liquid(fill)) => {
                 fill.flows(opening, gauges, |difference| valve.flow(opening, difference, &fill.liquid))
@@ -140,7 +130,7 @@ impl System<'_> {
             }),
             _ => Default::default(),
         };
-        let pressure_rate = rate(cavity, &[supply, exhaust]);
+        let pressure_rate = medium.pressure_rate_mpa_per_s(cavity, &[supply, exhaust]);
         FluidRates { supply, exhaust, pressure_rate, opening, opening_rate, signal, piston_mm3_per_s: 0.0 }
     }
 }

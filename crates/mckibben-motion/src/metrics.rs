@@ -1,6 +1,5 @@
 //! Figures of a response: rise, settling, overshoot, fill and vent.
 
-use crate::equilibrium::at_pressures;
 use crate::system::System;
 use crate::{Command, Drive, Motion, MotionEnd, Moves, StepFigures, Target};
 
@@ -204,7 +203,7 @@ pub(crate) fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd,
     let equilibrium = match &drive.target {
         Target::Pressure(commands) => {
             let pressures: Vec<f64> = commands.iter().map(|c| c.value_within(until, until)).collect();
-            at_pressures(drive, &system.members, &pressures).ok().map(|e| e.coordinate)
+            system.at_pressures(&pressures).ok().map(|e| e.coordinate)
         }
         Target::Opening(_) | Target::Volume(_) | Target::Position { .. } => None,
     };
