@@ -1,14 +1,11 @@
 //! One muscle held against a specification.
 
-use crate::limit::{Probe, Score, full_response, need};
+use crate::limit::{Probe, Score};
+use crate::trial::Trial;
 use crate::{Build, Limit, OperatingPoint, Spec};
-use mckibben::analysis::{
-    AnalysisError, Burst, air_per_stroke, burst, force_on, free_contraction, work_per_stroke_j,
-};
-use mckibben::load::{LiquidStroke, liquid_per_stroke};
-use mckibben::model::{ForceModel, ModelError, ModelKind, Response, Workspace};
+use mckibben::analysis::{Burst, burst, free_contraction, work_per_stroke_j};
+use mckibben::model::{ModelError, Response};
 use mckibben::muscle::Muscle;
-use mckibben::uncertainty::uncertainty;
 use serde::Serialize;
 
 /// A candidate at one operating point.
@@ -117,44 +114,39 @@ pub(super) fn candidate(
     muscle: &Muscle,
     probe: &Probe,
 ) -> Result<Candidate, ModelError> {
-    let model = build(muscle)?;
-    let model = model.as_ref();
-    let workspace = &mut Workspace::new();
-    let thick_wall = ModelKind::ThickWall.build(muscle)?;
-    let thick_wall = &*thick_wall;
+    let mut trial = Trial::new(spec, build, muscle)?;
     let mut from_thick_wall: Vec<&'static str> = vec![];
     let options = spec.options();
     let wanted = spec.points(muscle);
     let mut points = Vec::with_capacity(wanted.len());
     for point in wanted.iter() {
-        let available_n =
-            force_on(model, workspace, spec.max_pressure_mpa, point.contraction, options.direction)?;
-        let pressure_mpa = need(spec, model, workspace, point)?;
-        let (mut response, filled) =
-            full_response(model, workspace, thick_wall, pressure_mpa, point.contraction)?;
+        let available_n = trial.strongest_n(point.contraction)?;
+        let pressure_mpa = trial.need(point)?;
+        let (mut response, filled) = trial.full_response(pressure_mpa, point.contraction)?;
         (response.pressure_mpa, response.force_n) = (pressure_mpa, point.force_n);
         from_thick_wall.extend(filled);
-        let at = (pressure_mpa, point.contraction);
-        let (filled, helped) = stroke(spec, model, workspace, thick_wall, at);
+        let (stroke, helped) = trial.stroke(pressure_mpa, point.contraction);
         if helped {
             from_thick_wall.push(if spec.liquid.is_some() { "liquid volume" } else { "air" });
         }
-        let liquid = filled.and_then(|f| f.liquid());
+        let liquid = stroke.and_then(|s| s.liquid);
         points.push(CandidatePoint {
             force_at_max_pressure_n: available_n,
             margin: available_n / point.force_n - 1.0,
             response,
-            air_normal_litres: filled.and_then(|f| f.air()),
+            air_normal_litres: stroke.filter(|s| s.liquid.is_none()).map(|s| s.amount),
             liquid_volume_mm3: liquid.map(|l| l.volume_mm3),
             liquid_mass_g: liquid.map(|l| l.mass_g),
-            uncertainty_n: uncertainty(model, workspace, at, point.force_n, options.direction)
-                .map(|parts| parts.total()),
+            uncertainty_n: trial.uncertainty_n((pressure_mpa, point.contraction), point.force_n),
         });
     }
+    let blocked_force_n = trial.strongest_n(0.0)?;
+    let Trial { model, thick_wall, workspace, .. } = &mut trial;
+    let model = &**model;
     let max = spec.max_pressure_mpa;
     let free = free_contraction(model, workspace, max, options).ok().or_else(|| {
         from_thick_wall.push("free contraction");
-        free_contraction(thick_wall, workspace, max, options).ok()
+        free_contraction(&**thick_wall, workspace, max, options).ok()
     });
     let burst = burst(model).ok();
     if burst.is_some_and(|b| b.from_thick_wall) {
@@ -167,7 +159,7 @@ pub(super) fn candidate(
     Ok(Candidate {
         pressure_mpa: points.iter().map(|p| p.response.pressure_mpa).fold(0.0, f64::max),
         margin: points.iter().map(|p| p.margin).fold(f64::INFINITY, f64::min),
-        blocked_force_n: force_on(model, workspace, max, 0.0, options.direction)?,
+        blocked_force_n,
         free_contraction: free,
         work_j: work_per_stroke_j(model, workspace, max, 0.0, furthest, options).ok(),
         burst,
@@ -179,51 +171,4 @@ pub(super) fn candidate(
         binds: probe.worst().filter(|c| c.excess() > -BINDS).map(|c| c.limit),
         muscle: muscle.clone(),
     })
-}
-
-/// What is pushed into a muscle from rest to a point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Stroke {
-    /// Air in normal litres.
-    Air(f64),
-    Liquid(LiquidStroke),
-}
-
-impl Stroke {
-    /// What muscles are compared by: normal litres of air, or mm³ of liquid.
-    pub(super) fn amount(&self) -> f64 {
-        match self {
-            Self::Air(normal_litres) => *normal_litres,
-            Self::Liquid(liquid) => liquid.volume_mm3,
-        }
-    }
-
-    /// Air in normal litres.
-    pub(super) fn air(&self) -> Option<f64> {
-        if let Self::Air(normal_litres) = self { Some(*normal_litres) } else { None }
-    }
-
-    pub(super) fn liquid(&self) -> Option<LiquidStroke> {
-        if let Self::Liquid(liquid) = self { Some(*liquid) } else { None }
-    }
-}
-
-/// What is pushed in from rest to a point, and whether the thick-wall model gave it.
-pub(super) fn stroke(
-    spec: &Spec,
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    thick_wall: &dyn ForceModel,
-    (p, contraction): (f64, f64),
-) -> (Option<Stroke>, bool) {
-    let mut of = |m: &dyn ForceModel| -> Result<Stroke, AnalysisError> {
-        Ok(match &spec.liquid {
-            Some(supply) => Stroke::Liquid(liquid_per_stroke(m, workspace, supply, p, contraction)?),
-            None => Stroke::Air(air_per_stroke(m, workspace, p, contraction)?.normal_litres),
-        })
-    };
-    match of(model) {
-        Ok(stroke) => (Some(stroke), false),
-        Err(_) => (of(thick_wall).ok(), true),
-    }
 }
