@@ -145,6 +145,15 @@ impl Target {
             Self::Position { command, .. } => std::slice::from_ref(command),
         }
     }
+
+    /// Whether pressures are commanded, by a controller or at once.
+    pub(crate) fn is_pressure(&self) -> bool {
+        match self {
+            Self::Pressure(_) => true,
+            Self::Opening(_) | Self::Volume(_) => false,
+            Self::Position { pid, .. } => pid.output != PidOutput::Opening,
+        }
+    }
 }
 
 /// How finely it is integrated.
@@ -256,19 +265,13 @@ impl<'a> Drive<'a> {
             Target::Opening(commands) => {
                 count(commands.len(), "commands")?;
                 for command in commands {
-                    let (low, high) = command.bounds();
-                    MotionError::within("a commanded opening", low, -1.0, 1.0)?;
-                    MotionError::within("a commanded opening", high, -1.0, 1.0)?;
+                    command.check_bounds("a commanded opening", -1.0, 1.0)?;
                 }
             }
             Target::Volume(commands) => count(commands.len(), "commands")?,
             Target::Position { pid, .. } => pid.check()?,
         }
-        let opened = match &self.target {
-            Target::Opening(_) => true,
-            Target::Position { pid, .. } => pid.output == PidOutput::Opening,
-            Target::Pressure(_) | Target::Volume(_) => false,
-        };
+        let opened = !self.target.is_pressure() && !matches!(self.target, Target::Volume(_));
         let volumes = if let Target::Volume(commands) = &self.target { &commands[..] } else { &[] };
         for (number, muscle) in (1..).zip(&self.muscles) {
             muscle.check()?;
@@ -281,9 +284,7 @@ impl<'a> Drive<'a> {
             let actuator = muscle.actuator.name();
             match (&muscle.actuator, volumes.get(number - 1)) {
                 (Actuator::Syringe(syringe), Some(command)) => {
-                    let (low, high) = command.bounds();
-                    MotionError::within("a commanded volume in mm³", low, 0.0, syringe.volume_mm3)?;
-                    MotionError::within("a commanded volume in mm³", high, 0.0, syringe.volume_mm3)?;
+                    command.check_bounds("a commanded volume in mm³", 0.0, syringe.volume_mm3)?;
                 }
                 (Actuator::Syringe(_), None) | (_, Some(_)) => {
                     return Err(MotionError::Refused(format!(

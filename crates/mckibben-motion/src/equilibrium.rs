@@ -81,6 +81,13 @@ impl System<'_> {
         Err(MotionError::NoEquilibrium { position: q, net: before })
     }
 
+    /// The stop on which a net force holds the load; forces below `nothing` are none.
+    fn stop(&self, q: f64, net: f64, nothing: f64) -> Option<f64> {
+        let (low, high) = self.drive.mechanism.stops();
+        let side = if q <= low && net <= nothing { -1.0 } else { 1.0 };
+        (side < 0.0 || q >= high && net >= -nothing).then_some(side)
+    }
+
     /// The equilibrium at the first command.
     fn at_start(&self) -> Result<Equilibrium, MotionError> {
         let drive = self.drive;
@@ -92,14 +99,7 @@ impl System<'_> {
         let at_rest = |pressures: Vec<f64>| match drive.initial_coordinate {
             Some(coordinate) => {
                 let (low, high) = drive.mechanism.stops();
-                let net = self.net(&pressures, coordinate)?;
-                let stop = if coordinate <= low && net <= 0.0 {
-                    Some(-1.0)
-                } else if coordinate >= high && net >= 0.0 {
-                    Some(1.0)
-                } else {
-                    None
-                };
+                let stop = self.stop(coordinate, self.net(&pressures, coordinate)?, 0.0);
                 Ok(Equilibrium { coordinate: coordinate.max(low).min(high), pressures_mpa: pressures, stop })
             }
             None if drive.mechanism.inertia().is_infinite() => {
@@ -134,8 +134,7 @@ impl System<'_> {
         let q = q.max(drive.mechanism.stops().0).min(drive.mechanism.stops().1);
         let bias = if let PidOutput::Pressure { bias_mpa } = pid.output { bias_mpa } else { 0.0 };
         let pressures = |u: f64| -> Vec<f64> {
-            let sign = |i: usize| drive.mechanism.lever(i, 0.0).per_coordinate.signum();
-            (0..self.members.len()).map(|i| (bias + u * sign(i)).max(0.0).min(supply)).collect()
+            (0..self.members.len()).map(|i| (bias + u * self.turns(i)).max(0.0).min(supply)).collect()
         };
         let (least, most) = (-bias, supply - bias);
         let at = |u: f64| self.net(&pressures(u), q);
@@ -147,16 +146,11 @@ impl System<'_> {
         let pressures_mpa = given(pressures(u));
         let left = self.net(&pressures_mpa, q)?;
         let nothing = 1e-6 / drive.mechanism.lever(0, q).per_coordinate.abs().max(1e-9);
-        let (low, high) = drive.mechanism.stops();
-        let stop = if q <= low && left <= nothing {
-            Some(-1.0)
-        } else if q >= high && left >= -nothing {
-            Some(1.0)
-        } else if left.abs() <= nothing || drive.initial_coordinate.is_some() {
-            None
-        } else {
+        let stop = self.stop(q, left, nothing);
+        let is_balanced = left.abs() <= nothing || drive.initial_coordinate.is_some();
+        if stop.is_none() && !is_balanced {
             return Err(MotionError::NoEquilibrium { position: q, net: left });
-        };
+        }
         Ok(Equilibrium { coordinate: drive.initial_coordinate.unwrap_or(q), pressures_mpa, stop })
     }
 
@@ -210,8 +204,8 @@ impl System<'_> {
         if let (Some(own), Target::Position { pid, .. }) = (&mut state.controller, &drive.target) {
             own.filtered = start.coordinate * drive.mechanism.position_per_coordinate();
             if let PidOutput::Pressure { bias_mpa } = pid.output {
-                let sign = drive.mechanism.lever(0, 0.0).per_coordinate.signum();
-                own.integral = sign * (start.pressures_mpa.first().copied().unwrap_or(0.0) - bias_mpa);
+                own.integral =
+                    self.turns(0) * (start.pressures_mpa.first().copied().unwrap_or(0.0) - bias_mpa);
             }
         }
         Ok(state)

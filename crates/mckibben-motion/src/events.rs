@@ -112,13 +112,9 @@ impl System<'_> {
             let Some((hysteresis, closed_centre)) = switches(&m.actuator) else { continue };
             let signal = match point.muscles.get(i) {
                 Some(p) => p.signal,
-                None => self.command(t, i, None).0 - own.gauge_mpa(),
+                None => self.command(t, i, None) - own.gauge_mpa(),
             };
-            let is_pressure = match &self.drive.target {
-                Target::Pressure(_) => true,
-                Target::Opening(_) | Target::Volume(_) => false,
-                Target::Position { pid, .. } => pid.output != crate::control::PidOutput::Opening,
-            };
+            let is_pressure = self.drive.target.is_pressure();
             let (on, off) = match (is_pressure, closed_centre) {
                 (true, true) => (hysteresis, 0.0),
                 (true, false) => (hysteresis, -hysteresis),

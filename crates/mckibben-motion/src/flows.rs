@@ -1,17 +1,10 @@
 //! What is commanded at a time, and the air or liquid that it lets into a muscle and out of it.
 
 use crate::air::Cavity;
-use crate::state::{ControllerState, MuscleState, State};
+use crate::control::Control;
+use crate::state::{MuscleState, State};
 use crate::system::{Mode, Switch, System};
-use crate::{ATMOSPHERE_MPA, Actuated, Actuator, Command, Flow, Fluid, PidOutput, Target, ValveKind};
-
-/// The answer of the controller.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Control {
-    /// u.
-    pub output: f64,
-    pub rates: ControllerState,
-}
+use crate::{ATMOSPHERE_MPA, Actuated, Actuator, Flow, Fluid, PidOutput, Target, ValveKind};
 
 /// What flows at a time.
 #[derive(Debug, Clone, Copy, Default)]
@@ -37,34 +30,30 @@ impl System<'_> {
         };
         let wanted = command.value_within(t, self.within.get()) + self.offset.get();
         let position = state.coordinate * self.drive.mechanism.position_per_coordinate();
-        let (output, integral, filtered) = pid.step(wanted, position, (own.integral, own.filtered), limits);
-        Some(Control { output, rates: ControllerState { integral, filtered } })
+        Some(pid.step(wanted, position, own, limits))
     }
 
-    /// The command of a muscle: a pressure in MPa (true), or else an opening.
-    pub fn command(&self, t: f64, muscle: usize, control: Option<Control>) -> (f64, bool) {
+    /// The command of a muscle: a pressure in MPa, or else an opening or a volume.
+    pub fn command(&self, t: f64, muscle: usize, control: Option<Control>) -> f64 {
         match &self.drive.target {
-            Target::Pressure(c) => (self.value(c.get(muscle), t, muscle), true),
-            Target::Opening(c) | Target::Volume(c) => (self.value(c.get(muscle), t, muscle), false),
+            Target::Pressure(c) | Target::Opening(c) | Target::Volume(c) => {
+                let value = c.get(muscle).map_or(0.0, |c| c.value_within(t, self.within.get()));
+                value + self.offset.get() * self.turns(muscle)
+            }
             Target::Position { pid, .. } => {
                 let u = control.map_or(0.0, |c| c.output) * self.turns(muscle);
                 match pid.output {
-                    PidOutput::Opening => (u, false),
+                    PidOutput::Opening => u,
                     PidOutput::Pressure { bias_mpa } => {
-                        ((bias_mpa + u).max(0.0).min(self.drive.supply.pressure_mpa), true)
+                        (bias_mpa + u).max(0.0).min(self.drive.supply.pressure_mpa)
                     }
                 }
             }
         }
     }
 
-    fn value(&self, command: Option<&Command>, t: f64, muscle: usize) -> f64 {
-        let value = command.map_or(0.0, |c| c.value_within(t, self.within.get()));
-        value + self.offset.get() * self.turns(muscle)
-    }
-
     /// 1, or −1 of a muscle that turns a joint to −.
-    fn turns(&self, muscle: usize) -> f64 {
+    pub fn turns(&self, muscle: usize) -> f64 {
         self.drive.mechanism.lever(muscle, 0.0).per_coordinate.signum()
     }
 
@@ -73,11 +62,11 @@ impl System<'_> {
         &self,
         actuated: &Actuated<'_>,
         own: &MuscleState,
-        (command, is_pressure): (f64, bool),
+        command: f64,
         mode: &Mode,
         cavity: &Cavity,
     ) -> FluidRates {
-        let medium = actuated.fluid.medium();
+        let (medium, is_pressure) = (actuated.fluid.medium(), self.drive.target.is_pressure());
         let error = command + ATMOSPHERE_MPA - cavity.absolute_mpa;
         let kind = match (&actuated.actuator, actuated.actuator.kind()) {
             (Actuator::Syringe(syringe), _) => {

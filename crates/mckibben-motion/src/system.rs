@@ -208,7 +208,7 @@ impl<'a> System<'a> {
                 temperature_k: cavity.temperature_k,
                 mass_g: own.mass_g,
                 opening: fluid.opening,
-                command: command.0,
+                command,
                 signal: fluid.signal,
                 beyond: lever.contraction - contraction.value,
             });
