@@ -154,31 +154,16 @@ fn heads(body: &Body<'_>, v: &mut View<'_>, shift: f64, below_only: bool) {
     let sides: &[f64] = if below_only { &[-1.0] } else { &[-1.0, 1.0] };
     let head = body.plan.air_plug.head();
     for sign in sides {
-        let y = |r: f64| sign * r;
-        v.line(Pen::Outline, &[[-from, y(0.0)], [-from, y(collar)], [-top, y(collar)], [-top, y(0.0)]]);
-        let right = |x: f64| x - shift;
-        v.line(
-            Pen::Outline,
-            &[[right(from), y(0.0)], [right(from), y(collar)], [right(top), y(collar)], [right(top), y(0.0)]],
-        );
-        // From outside one sees it up to its end.
+        for [a, b] in [[-from, -top], [from - shift, top - shift]] {
+            v.line(Pen::Outline, &[[a, 0.0], [a, sign * collar], [b, sign * collar], [b, 0.0]]);
+        }
         let outer = if matches!(body.plan.air_plug.fitting, Fitting::Barb { .. }) { 4 } else { 2 };
-        let outside: Vec<[f64; 2]> = head.iter().take(outer).map(|[r, z]| [-(half + z), y(*r)]).collect();
+        let outside: Vec<[f64; 2]> = head.iter().take(outer).map(|[r, z]| [-(half + z), sign * r]).collect();
         let last = outside.last().map(|p| [p[0], 0.0]);
-        let points: Vec<[f64; 2]> = [[-top, y(collar)]].into_iter().chain(outside).chain(last).collect();
+        let points: Vec<[f64; 2]> = [[-top, sign * collar]].into_iter().chain(outside).chain(last).collect();
         v.line(Pen::Outline, &points);
     }
-    let eye = &body.plan.eye_plug;
-    let (outline, _) = eye.eye();
-    let turned: Vec<[f64; 2]> =
-        outline.iter().skip(1).chain(outline.first()).map(|[x, z]| [top + z - shift, *x]).collect();
-    v.line(Pen::Outline, &turned);
-    let origin = v.origin;
-    v.origin = v.at(top + eye.centre_mm - shift, 0.0);
-    v.circle(Pen::Outline, eye.hole_mm);
-    v.origin = origin;
-    let x = top + eye.centre_mm - shift;
-    v.line(Pen::Axis, &[[x, -0.75 * eye.width_mm], [x, 0.75 * eye.width_mm]]);
+    v.eye(&body.plan.eye_plug, top - shift, 0.75);
 }
 
 fn axis(v: &mut View<'_>, left: f64, right: f64) {

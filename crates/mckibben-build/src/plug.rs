@@ -367,22 +367,22 @@ impl Fitting {
     /// Diameter of the hole for the tap (ISO 2306), depth of the thread, diameter of the boss around it, in mm; none for a barb. Depth and boss
     /// are choices: about as long as the threads of fittings on sale, and a wall of 0.35 to 0.7 of the thread.
     pub(crate) fn thread_mm(self) -> Option<(f64, f64, f64)> {
-        match self {
-            Self::M5 => Some((4.2, 6.0, 12.0)),
-            Self::G18 => Some((8.8, 9.0, 18.0)),
-            Self::G14 => Some((11.8, 12.0, 23.0)),
-            Self::Barb { .. } => None,
-        }
+        THREADS.iter().find(|thread| thread.0 == self).map(|thread| thread.2)
     }
 }
 
+/// The threads: name, and drill, depth and boss in mm.
+const THREADS: [(Fitting, &str, (f64, f64, f64)); 3] = [
+    (Fitting::M5, "M5", (4.2, 6.0, 12.0)),
+    (Fitting::G18, "G1/8", (8.8, 9.0, 18.0)),
+    (Fitting::G14, "G1/4", (11.8, 12.0, 23.0)),
+];
+
 impl fmt::Display for Fitting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::M5 => f.write_str("M5"),
-            Self::G18 => f.write_str("G1/8"),
-            Self::G14 => f.write_str("G1/4"),
-            Self::Barb { bore_mm } => write!(f, "barb for a hose with a bore of {bore_mm} mm"),
+        match (self, THREADS.iter().find(|thread| thread.0 == *self)) {
+            (Self::Barb { bore_mm }, _) => write!(f, "barb for a hose with a bore of {bore_mm} mm"),
+            (_, thread) => f.write_str(thread.map_or("", |thread| thread.1)),
         }
     }
 }
@@ -393,11 +393,8 @@ impl FromStr for Fitting {
     fn from_str(text: &str) -> Result<Self, UnknownFitting> {
         let word: String = text.chars().take(40).collect();
         let plain = word.trim().to_lowercase();
-        match plain.as_str() {
-            "m5" => return Ok(Self::M5),
-            "g1/8" => return Ok(Self::G18),
-            "g1/4" => return Ok(Self::G14),
-            _ => {}
+        if let Some(thread) = THREADS.iter().find(|thread| thread.1.eq_ignore_ascii_case(&plain)) {
+            return Ok(thread.0);
         }
         let bore = plain.strip_prefix("barb:").map(|bore| bore.trim_end_matches("mm").trim().parse());
         match bore {

@@ -61,24 +61,20 @@ pub(crate) fn on_paper(plan: &Plan) -> Sheet {
     names(&mut v, head, &["3  air plug", &what]);
 
     let mut v = View { sheet: &mut sheet, origin: [places[1], y], scale };
-    let (outline, _) = eye.eye();
     let top = eye.stem.top_mm();
     let mut all = across(eye.stem.profile(), 1.0);
     all.extend(across(eye.stem.profile(), -1.0).into_iter().rev());
     v.outline(Pen::Outline, &all);
     v.hatch(&[all], true);
-    let tab: Vec<[f64; 2]> =
-        outline.iter().skip(1).chain(outline.first()).map(|[x, z]| [top + z, *x]).collect();
-    v.line(Pen::Outline, &tab);
-    let origin = v.origin;
-    v.origin = v.at(top + eye.centre_mm, 0.0);
-    v.circle(Pen::Outline, eye.hole_mm);
-    v.origin = origin;
-    let x = top + eye.centre_mm;
-    v.line(Pen::Axis, &[[x, -0.7 * eye.width_mm], [x, 0.7 * eye.width_mm]]);
+    v.eye(eye, top, 0.7);
     stem(&mut v, &eye.stem, eye.length_mm());
     let half = 0.5 * eye.stem.collar_diameter_mm;
-    v.across((top, x), (-half, -0.5 * eye.width_mm), -(scale * half + 6.0), &mm(eye.centre_mm));
+    v.across(
+        (top, top + eye.centre_mm),
+        (-half, -0.5 * eye.width_mm),
+        -(scale * half + 6.0),
+        &mm(eye.centre_mm),
+    );
     let text = format!(
         "eye for M{}: hole {}, {} wide, {} thick",
         mm(eye.bolt_mm),

@@ -1,5 +1,6 @@
 //! Tools of a drawing: a view at a scale, dimensions, hatches.
 
+use crate::EyePlug;
 use crate::text::mm;
 use mckibben_report::{Anchor, Pen, Sheet};
 
@@ -41,6 +42,17 @@ impl View<'_> {
 
     pub(crate) fn circle(&mut self, pen: Pen, diameter: f64) {
         self.sheet.circle(pen, self.origin, 0.5 * diameter * self.scale);
+    }
+
+    /// The eye of a plug from its foot on, with the hole and the axis of the bolt, which reaches beyond by a share of the width.
+    pub(crate) fn eye(&mut self, eye: &EyePlug, foot: f64, reach: f64) {
+        let (outline, _) = eye.eye();
+        let around = outline.iter().skip(1).chain(outline.first());
+        let tab: Vec<[f64; 2]> = around.map(|[x, z]| [foot + z, *x]).collect();
+        self.line(Pen::Outline, &tab);
+        let x = foot + eye.centre_mm;
+        self.sheet.circle(Pen::Outline, self.at(x, 0.0), 0.5 * eye.hole_mm * self.scale);
+        self.line(Pen::Axis, &[[x, -reach * eye.width_mm], [x, reach * eye.width_mm]]);
     }
 
     /// A cut rectangle: its edge, and a hatch; filled where it is thin.

@@ -1,10 +1,10 @@
 //! One muscle held against a specification.
 
-use crate::limit::{Probe, Score, full_response, need};
+use crate::limit::{Probe, Score};
+use crate::trial::Trial;
 use crate::{Build, Limit, OperatingPoint, Spec};
-use mckibben::analysis::{AnalysisError, Burst, Evaluation, burst};
-use mckibben::load::LiquidStroke;
-use mckibben::model::{ForceModel, ModelError, ModelKind, Response, Workspace};
+use mckibben::analysis::{Burst, Evaluation, burst};
+use mckibben::model::{ModelError, Response};
 use mckibben::muscle::Muscle;
 use serde::Serialize;
 
@@ -114,41 +114,38 @@ pub(super) fn candidate(
     muscle: &Muscle,
     probe: &Probe,
 ) -> Result<Candidate, ModelError> {
-    let (model, workspace) = (build(muscle)?, &mut Workspace::new());
-    let model = &mut Evaluation::new(model.as_ref(), workspace, spec.options());
-    let thick_wall = ModelKind::ThickWall.build(muscle)?;
-    let thick_wall = &*thick_wall;
+    let mut trial = Trial::new(spec, build, muscle)?;
     let mut from_thick_wall: Vec<&'static str> = vec![];
     let wanted = spec.points(muscle);
     let mut points = Vec::with_capacity(wanted.len());
     for point in wanted.iter() {
-        let available_n = model.force_n(spec.max_pressure_mpa, point.contraction)?;
-        let pressure_mpa = need(spec, model, point)?;
-        let (mut response, filled) = full_response(model, thick_wall, pressure_mpa, point.contraction)?;
+        let available_n = trial.strongest_n(point.contraction)?;
+        let pressure_mpa = trial.need(point)?;
+        let (mut response, filled) = trial.full_response(pressure_mpa, point.contraction)?;
         (response.pressure_mpa, response.force_n) = (pressure_mpa, point.force_n);
         from_thick_wall.extend(filled);
-        let (filled, helped) = stroke(spec, model, thick_wall, (pressure_mpa, point.contraction));
+        let (stroke, helped) = trial.stroke(pressure_mpa, point.contraction);
         if helped {
             from_thick_wall.push(if spec.liquid.is_some() { "liquid volume" } else { "air" });
         }
-        let liquid = filled.and_then(|f| f.liquid());
-        let parts = model.uncertainty(pressure_mpa, point.contraction, point.force_n);
+        let liquid = stroke.and_then(|s| s.liquid);
         points.push(CandidatePoint {
             force_at_max_pressure_n: available_n,
             margin: available_n / point.force_n - 1.0,
             response,
-            air_normal_litres: filled.and_then(|f| f.air()),
+            air_normal_litres: stroke.filter(|s| s.liquid.is_none()).map(|s| s.amount),
             liquid_volume_mm3: liquid.map(|l| l.volume_mm3),
             liquid_mass_g: liquid.map(|l| l.mass_g),
-            uncertainty_n: parts.map(|parts| parts.total()),
+            uncertainty_n: trial.uncertainty_n((pressure_mpa, point.contraction), point.force_n),
         });
     }
+    let blocked_force_n = trial.strongest_n(0.0)?;
     let max = spec.max_pressure_mpa;
-    let free = model.free_contraction(max).ok().or_else(|| {
+    let free = trial.evaluation().free_contraction(max).ok().or_else(|| {
         from_thick_wall.push("free contraction");
-        Evaluation::new(thick_wall, model.workspace, model.options).free_contraction(max).ok()
+        Evaluation::new(&*trial.thick_wall, &mut trial.workspace, spec.options()).free_contraction(max).ok()
     });
-    let burst = burst(model.model).ok();
+    let burst = burst(&*trial.model).ok();
     if burst.is_some_and(|b| b.from_thick_wall) {
         from_thick_wall.push("burst pressure");
     }
@@ -159,62 +156,16 @@ pub(super) fn candidate(
     Ok(Candidate {
         pressure_mpa: points.iter().map(|p| p.response.pressure_mpa).fold(0.0, f64::max),
         margin: points.iter().map(|p| p.margin).fold(f64::INFINITY, f64::min),
-        blocked_force_n: model.force_n(max, 0.0)?,
+        blocked_force_n,
         free_contraction: free,
-        work_j: model.work_per_stroke_j(max, 0.0, furthest).ok(),
+        work_j: trial.evaluation().work_per_stroke_j(max, 0.0, furthest).ok(),
         burst,
         from_thick_wall,
         points,
         tube: None,
-        model: model.model.info().name.to_string(),
+        model: trial.model.info().name.to_string(),
         score: probe.score,
         binds: probe.worst().filter(|c| c.excess() > -BINDS).map(|c| c.limit),
         muscle: muscle.clone(),
     })
-}
-
-/// What is pushed into a muscle from rest to a point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Stroke {
-    /// Air in normal litres.
-    Air(f64),
-    Liquid(LiquidStroke),
-}
-
-impl Stroke {
-    /// What muscles are compared by: normal litres of air, or mm³ of liquid.
-    pub(super) fn amount(&self) -> f64 {
-        match self {
-            Self::Air(normal_litres) => *normal_litres,
-            Self::Liquid(liquid) => liquid.volume_mm3,
-        }
-    }
-
-    /// Air in normal litres.
-    pub(super) fn air(&self) -> Option<f64> {
-        if let Self::Air(normal_litres) = self { Some(*normal_litres) } else { None }
-    }
-
-    pub(super) fn liquid(&self) -> Option<LiquidStroke> {
-        if let Self::Liquid(liquid) = self { Some(*liquid) } else { None }
-    }
-}
-
-/// What is pushed in from rest to a point, and whether the thick-wall model gave it.
-pub(super) fn stroke(
-    spec: &Spec,
-    model: &mut Evaluation<'_>,
-    thick_wall: &dyn ForceModel,
-    (p, contraction): (f64, f64),
-) -> (Option<Stroke>, bool) {
-    let of = |model: &mut Evaluation<'_>| -> Result<Stroke, AnalysisError> {
-        Ok(match &spec.liquid {
-            Some(supply) => Stroke::Liquid(model.liquid_per_stroke(supply, p, contraction)?),
-            None => Stroke::Air(model.air_per_stroke(p, contraction)?.normal_litres),
-        })
-    };
-    match of(model) {
-        Ok(stroke) => (Some(stroke), false),
-        Err(_) => (of(&mut Evaluation::new(thick_wall, model.workspace, model.options)).ok(), true),
-    }
 }

@@ -1,14 +1,12 @@
 //! Two equal muscles and the pulley between them.
 
-use crate::line::Merit;
+use crate::line::{Merit, least, refine};
 use crate::search::{Search, nice_steps};
-use crate::{Build, Demand, JointDemand, Models, Outcome, Spec, SpecError, design_with};
-use mckibben::analysis::golden;
+use crate::spec::THICK_WALL;
+use crate::{Demand, JointDemand, Models, Outcome, Spec, SpecError, design_with};
 use mckibben::cancel::Cancelled;
-use mckibben::model::ModelKind;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::units::Values;
-use std::cmp::Ordering;
 
 /// Samples of an interval of radii, and golden sections after them.
 const RADII: (usize, usize) = (10, 8);
@@ -19,11 +17,6 @@ const BESIDE: f64 = 1.15;
 
 /// A radius with what it gave.
 type Tried = (f64, Merit);
-
-fn best_of(tried: &[Tried]) -> Option<usize> {
-    let better = |a: &usize, b: &usize| tried[*a].1.partial_cmp(&tried[*b].1).unwrap_or(Ordering::Equal);
-    (0..tried.len()).min_by(better)
-}
 
 /// Searches radius and muscle for torques at angles: the radius with the best muscle, and what was found with it.
 ///
@@ -66,11 +59,9 @@ pub fn design_joint(
         (radius, merit)
     };
     // The best radius hardly depends on the model: where another one settles, the infinitely long muscle says about where it lies.
-    let thick: &Build<'_> = &|m| ModelKind::ThickWall.build(m);
-    let roughly = if coarse { Models { search: thick, settle: None } } else { models };
+    let roughly = if coarse { Models { search: THICK_WALL, settle: None } } else { models };
     let samples: Vec<Tried> = places.iter().map(|&r| tried(r, roughly)).collect();
-    let best = best_of(&samples);
-    let best = best.filter(|&i| samples[i].1 != Merit::NONE);
+    let best = least(&samples, |t| t.1).filter(|&i| samples[i].1 != Merit::NONE);
     let Some(i) = best else {
         return match first_error {
             _ if progress.cancelled() => Err(Cancelled.into()),
@@ -84,15 +75,13 @@ pub fn design_joint(
     };
     let mut chosen = samples[i];
     if sections > 0 {
-        let (left, right) = (places[i.saturating_sub(1)], places[(i + 1).min(places.len() - 1)]);
-        let mut found = golden(left, samples[i], right, sections, |t| t.1, &mut |r| tried(r, roughly));
+        let mut found = refine(&samples, i, sections, |t| t.1, &mut |r| tried(r, roughly));
         if coarse {
             let (low, high) = radius_mm.bounds();
             let about = [1.0 / BESIDE, 1.0, BESIDE].map(|share| (found.0 * share).clamp(low, high));
             let near = about.map(|r| tried(r, models));
-            let Some(i) = best_of(&near) else { return Err(Cancelled.into()) };
-            let (left, right) = (about[i.saturating_sub(1)], about[(i + 1).min(2)]);
-            found = golden(left, near[i], right, NEAR - 3, |t| t.1, &mut |r| tried(r, models));
+            let Some(i) = least(&near, |t| t.1) else { return Err(Cancelled.into()) };
+            found = refine(&near, i, NEAR - 3, |t| t.1, &mut |r| tried(r, models));
         }
         // A pulley in tenths of a millimetre.
         let rounded = tried((found.0 * 10.0).round() / 10.0, models);

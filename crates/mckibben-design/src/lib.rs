@@ -32,6 +32,7 @@ mod run;
 mod search;
 mod spec;
 mod tolerance;
+mod trial;
 pub mod tubes;
 
 pub use candidate::{Candidate, CandidatePoint};

@@ -1,11 +1,10 @@
 //! What a muscle is held against, each limit as a number that is at most zero where it is met.
 
-use crate::candidate::stroke;
+use crate::trial::Trial;
 use crate::{Build, Objective, OperatingPoint, Spec};
 use mckibben::analysis::burst::{ends, mesh};
-use mckibben::analysis::{AnalysisError, Evaluation, FailureMode, FailurePressure, burst};
-use mckibben::cancel;
-use mckibben::model::{ForceModel, ModelError, ModelKind, Response, ThickWall, Workspace};
+use mckibben::analysis::{FailureMode, FailurePressure, burst};
+use mckibben::model::{ModelError, ThickWall};
 use mckibben::muscle::Muscle;
 use mckibben::warning::strand_strength_n;
 use serde::{Deserialize, Serialize};
@@ -110,28 +109,22 @@ pub(super) fn probe_with(
     muscle: &Muscle,
     scored: bool,
 ) -> Result<Probe, ModelError> {
-    let workspace = &mut Workspace::new();
-    // Of what is to end, not even the model is made.
-    cancel::check()?;
-    let model = build(muscle)?;
-    let model = &mut Evaluation::new(model.as_ref(), workspace, spec.options());
+    let mut trial = Trial::new(spec, build, muscle)?;
     let max = spec.max_pressure_mpa;
-    let thick_wall = ModelKind::ThickWall.build(muscle)?;
-    let thick_wall = &*thick_wall;
     let mut checks = vec![];
     let points = spec.points(muscle);
-    for &point in points.iter() {
+    for &OperatingPoint { force_n, contraction } in points.iter() {
         if !spec.extrapolate {
-            let info = model.model.info();
-            info.range.check(&info.name, max, point.contraction)?;
+            let info = trial.model.info();
+            info.range.check(&info.name, max, contraction)?;
         }
-        let mut value = model.force_n(max, point.contraction)?;
+        let mut value = trial.strongest_n(contraction)?;
         if let Some(widths) = spec.half_widths() {
-            let parts = model.uncertainty(max, point.contraction, value);
-            value -= widths * parts.map_or(0.0, |parts| parts.total()) * point.force_n.signum();
+            let half = trial.uncertainty_n((max, contraction), value);
+            value -= widths * half.unwrap_or(0.0) * force_n.signum();
         }
-        let (contraction, pressure_mpa) = (point.contraction, max);
-        checks.push(Check { contraction, pressure_mpa, ..Check::new(Limit::Force, value, point.force_n) });
+        let check = Check::new(Limit::Force, value, force_n);
+        checks.push(Check { contraction, pressure_mpa: max, ..check });
     }
     let limits = &spec.limits;
     let stretch = limits.stretch.or(muscle.tube().rubber.fitted_to_stretch.filter(|_| limits.fitted_stretch));
@@ -147,17 +140,16 @@ pub(super) fn probe_with(
     {
         for (i, point) in points.iter().enumerate() {
             // Too weak: its other limits are looked at where it pulls hardest.
-            let p = if checks[i].excess() > 0.0 { max } else { need(spec, model, point)? };
+            let p = if checks[i].excess() > 0.0 { max } else { trial.need(point)? };
             highest = highest.max(p);
             if buckles {
                 let least_n = ThickWall::new(muscle).buckling_n(p, point.contraction)?;
                 checks.push(Check::new(Limit::Buckling, point.force_n.abs(), least_n));
             }
             if pumped {
-                let at = (p, point.contraction);
-                let amount = stroke(spec, model, thick_wall, at).0.map(|s| s.amount());
+                let amount = trial.stroke(p, point.contraction).0.map(|s| s.amount);
                 if let Some(bound) = most_liquid {
-                    let unknown = || ModelError::NoVolume { model: model.model.info().name.to_string() };
+                    let unknown = || ModelError::NoVolume { model: trial.model.info().name.to_string() };
                     checks.push(Check::new(Limit::LiquidVolume, amount.ok_or_else(unknown)?, bound));
                 }
                 fluid = fluid.max(amount.unwrap_or(f64::INFINITY));
@@ -165,7 +157,7 @@ pub(super) fn probe_with(
             if !(shaped || by_pressure) {
                 continue;
             }
-            let (full, _) = full_response(model, thick_wall, p, point.contraction)?;
+            let (full, _) = trial.full_response(p, point.contraction)?;
             if let (Some(bound), Some(value)) = (limits.bulged_diameter_mm, full.bulged_diameter_mm) {
                 checks.push(Check::new(Limit::BulgedDiameter, value, bound));
             }
@@ -175,7 +167,7 @@ pub(super) fn probe_with(
             bulge = bulge.max(full.bulged_diameter_mm.unwrap_or(0.0));
         }
     }
-    checks.extend(strands(spec, &points, model, thick_wall)?);
+    checks.extend(strands(&mut trial, muscle, &points)?);
     let margin = points.iter().zip(&checks).map(|(q, c)| c.value / q.force_n - 1.0);
     let score = match spec.objective {
         Objective::Diameter => [muscle.outer_diameter_mm(), highest],
@@ -195,19 +187,18 @@ pub fn fits(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> bool {
 
 /// What the strands bear at the maximum pressure, not shortened and at the operating points.
 pub(super) fn strands(
-    spec: &Spec,
+    trial: &mut Trial<'_>,
+    muscle: &Muscle,
     points: &[OperatingPoint],
-    model: &mut Evaluation<'_>,
-    thick_wall: &dyn ForceModel,
 ) -> Result<Vec<Check>, ModelError> {
-    let (limits, max, muscle) = (&spec.limits, spec.max_pressure_mpa, model.model.muscle());
+    let (limits, max) = (&trial.spec.limits, trial.spec.max_pressure_mpa);
     let strength = strand_strength_n(muscle);
     let mut checks = vec![];
     let places = || std::iter::once(0.0).chain(points.iter().map(|q| q.contraction));
     if let Some(bound) = limits.strand_strain {
         let mut largest: Option<f64> = None;
         for e in places() {
-            let (full, _) = full_response(model, thick_wall, max, e)?;
+            let (full, _) = trial.full_response(max, e)?;
             let strain = full.braid_tension_n.and_then(|t| muscle.strand_strain(t));
             largest = strain.map_or(largest, |s| Some(largest.map_or(s, |l| l.max(s))));
         }
@@ -217,7 +208,7 @@ pub(super) fn strands(
     let pull_off = muscle.terminals().pull_off_n;
     // Blocked, as the burst pressure is; without an equilibrium at that pressure it bursts before.
     let blocked = (strength.is_some() || pull_off.is_some())
-        .then(|| full_response(model, thick_wall, bound * max, 0.0).ok().map(|(r, _)| r))
+        .then(|| trial.full_response(bound * max, 0.0).ok().map(|(r, _)| r))
         .flatten();
     let mut margin = |by, value: f64| {
         checks.push(Check { by, ..Check::new(Limit::BurstMargin, value, bound) });
@@ -245,58 +236,4 @@ pub(super) fn burst_margin(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> O
     let solved = burst(build(muscle).ok()?.as_ref()).ok()?;
     let (by, pressure_mpa) = solved.decisive()?;
     Some((by, pressure_mpa / spec.max_pressure_mpa))
-}
-
-/// The pressure a point takes, where the pull at the maximum pressure is known to be enough.
-pub(super) fn need(
-    spec: &Spec,
-    model: &mut Evaluation<'_>,
-    point: &OperatingPoint,
-) -> Result<f64, ModelError> {
-    let OperatingPoint { force_n, contraction } = *point;
-    if let Some(p) = model.pressure_below(force_n, contraction, spec.max_pressure_mpa) {
-        return Ok(p);
-    }
-    match model.pressure_at(force_n, contraction) {
-        Ok(p) => Ok(p.min(spec.max_pressure_mpa)),
-        Err(AnalysisError::Model(error)) => Err(error),
-        // At the lowest pressure of its range the model already pulls more: that pressure is enough.
-        Err(AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. })
-            if nearest_force_n / force_n >= 1.0 =>
-        {
-            Ok(nearest_pressure_mpa)
-        }
-        Err(_) => Ok(spec.max_pressure_mpa),
-    }
-}
-
-/// A response with what the model does not know filled in from the thick-wall model.
-pub(super) fn full_response(
-    model: &mut Evaluation<'_>,
-    thick_wall: &dyn ForceModel,
-    p: f64,
-    contraction: f64,
-) -> Result<(Response, Vec<&'static str>), ModelError> {
-    cancel::check()?;
-    let mut r = model.model.response(model.workspace, p, contraction)?;
-    let mut filled = vec![];
-    if r.bulged_diameter_mm.is_some() && r.volume_mm3.is_some() && r.max_stretch.is_some() {
-        return Ok((r, filled));
-    }
-    if let Ok(other) = thick_wall.response(model.workspace, p, contraction) {
-        let mut fill = |slot: &mut Option<f64>, value: Option<f64>, name| {
-            if slot.is_none() && value.is_some() {
-                *slot = value;
-                filled.push(name);
-            }
-        };
-        fill(&mut r.bulged_diameter_mm, other.bulged_diameter_mm, "bulged diameter");
-        fill(&mut r.volume_mm3, other.volume_mm3, "volume");
-        fill(&mut r.max_stretch, other.max_stretch, "stretch");
-        fill(&mut r.middle_stretch, other.middle_stretch, "stretch");
-        fill(&mut r.braid_tension_n, other.braid_tension_n, "strand tension");
-        fill(&mut r.strand_tension_n, other.strand_tension_n, "strand tension");
-        fill(&mut r.stiffness_n_per_mm, other.stiffness_n_per_mm, "stiffness");
-    }
-    Ok((r, filled))
 }

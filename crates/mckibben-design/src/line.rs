@@ -5,6 +5,7 @@
 
 use super::limit::Score;
 use mckibben::analysis::{Abscissa, find_root, golden};
+use std::cmp::Ordering;
 
 /// Ratio of neighbouring samples.
 const RATIO: f64 = 1.18;
@@ -189,13 +190,11 @@ fn edge(without: f64, with: &Sample, at: &mut impl FnMut(f64) -> Sample) -> Samp
 
 /// The muscle that misses its limits by least, between the neighbours of the best sample.
 fn least_violation(samples: &[Sample], at: &mut impl FnMut(f64) -> Sample) -> Option<Sample> {
-    let i = (0..samples.len()).min_by(|&a, &b| samples[a].violation().total_cmp(&samples[b].violation()))?;
-    let best = samples[i].clone();
-    if !best.answered() || best.violation() > 1.0 {
-        return Some(best);
+    let i = least(samples, Sample::violation)?;
+    if !samples[i].answered() || samples[i].violation() > 1.0 {
+        return Some(samples[i].clone());
     }
-    let (left, right) = (samples[i.saturating_sub(1)].x, samples[(i + 1).min(samples.len() - 1)].x);
-    Some(golden(left, best, right, STEPS_TO_LEAST, |s| Merit(s.violation(), [0.0; 2]), at))
+    Some(refine(samples, i, STEPS_TO_LEAST, |s| Merit(s.violation(), [0.0; 2]), at))
 }
 
 /// The best muscle of an interval that fits, by its score, after so many golden sections.
@@ -209,11 +208,26 @@ pub(super) fn best_of(
     let inside = |share: f64| low + share * (high - low);
     // The ends themselves may miss by rounding.
     let samples: Vec<Sample> = [1e-6, 0.25, 0.5, 0.75, 1.0 - 1e-6].map(|share| at(inside(share))).into();
-    let better = |a: &usize, b: &usize| merit(&samples[*a]).partial_cmp(&merit(&samples[*b]));
-    let i = (0..samples.len()).min_by(|a, b| better(a, b).unwrap_or(std::cmp::Ordering::Equal))?;
-    let (left, right) = (samples[i.saturating_sub(1)].x, samples[(i + 1).min(samples.len() - 1)].x);
-    let best = golden(left, samples[i].clone(), right, steps, merit, at);
+    let best = refine(&samples, least(&samples, merit)?, steps, merit, at);
     best.fits().then_some(best)
+}
+
+/// The place in a list of the sample with the least merit, the first of those that are equal.
+pub(super) fn least<S, M: PartialOrd>(samples: &[S], merit: impl Fn(&S) -> M) -> Option<usize> {
+    let order = |a: &usize, b: &usize| merit(&samples[*a]).partial_cmp(&merit(&samples[*b]));
+    (0..samples.len()).min_by(|a, b| order(a, b).unwrap_or(Ordering::Equal))
+}
+
+/// Golden section about one of the samples, between its neighbours.
+pub(super) fn refine<S: Abscissa + Clone, M: PartialOrd>(
+    samples: &[S],
+    i: usize,
+    steps: usize,
+    merit: impl Fn(&S) -> M,
+    at: &mut impl FnMut(f64) -> S,
+) -> S {
+    let (left, right) = (&samples[i.saturating_sub(1)], &samples[(i + 1).min(samples.len() - 1)]);
+    golden(left.place(), samples[i].clone(), right.place(), steps, merit, at)
 }
 
 impl Abscissa for Sample {

@@ -6,9 +6,11 @@
 
 use crate::limit::{Check, Score, burst_margin, probe, probe_with, strands};
 use crate::line::{self, Found, Merit, NO_SCORE, Sample};
-use crate::{BraidChoice, Build, Limit, Models, Objective, OperatingPoint, Reason, Spec, TubePart};
-use mckibben::analysis::{Evaluation, golden};
-use mckibben::model::{ModelError, ModelKind, ThickWall, Workspace};
+use crate::spec::THICK_WALL;
+use crate::trial::Trial;
+use crate::{BraidChoice, Build, Limit, Models, Objective, Reason, Spec, TubePart};
+use mckibben::analysis::Evaluation;
+use mckibben::model::{ModelError, ThickWall, Workspace};
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
 use mckibben::progress::Progress;
 use mckibben::threads;
@@ -216,22 +218,13 @@ impl<'a> Search<'a> {
         match &self.spec.outer_diameter_mm {
             Values::List(list) => {
                 for &d0 in list.iter().take_while(|_| !self.progress.cancelled()) {
-                    let sample = self.sample(pick(d0), self.build, &mut result, true);
-                    if sample.fits() {
-                        SearchResult::keep(&mut result.fits, sample.score, pick(d0), self.most);
-                    } else {
-                        self.keep_miss(&sample, pick(d0), &mut result);
-                    }
+                    self.try_one(pick(d0), self.build, &mut result);
                 }
             }
             Values::Interval(low, high) => {
-                let (fit, miss) = self.best_diameter_within(
-                    pick(*high),
-                    (*low, *high),
-                    self.build,
-                    self.steps,
-                    &mut result,
-                );
+                let (range, steps) = ((*low, *high), self.steps);
+                let (fit, miss) =
+                    self.best_diameter_within(pick(*high), range, self.build, steps, &mut result);
                 result.fits.extend(fit.map(|sample| (sample.score, pick(sample.x))));
                 if let Some(miss) = miss {
                     self.keep_miss(&miss, pick(miss.x), &mut result);
@@ -256,14 +249,8 @@ impl<'a> Search<'a> {
             let Some(muscle) = self.muscle(pick).ok().filter(|_| !self.progress.cancelled()) else {
                 return result;
             };
-            let thick: &Build<'_> = &|m| ModelKind::ThickWall.build(m);
-            let build = if self.is_far_too_weak(&muscle) { thick } else { self.build };
-            let sample = self.sample(pick, build, &mut result, true);
-            if sample.fits() {
-                SearchResult::keep(&mut result.fits, sample.score, pick, self.most);
-            } else {
-                self.keep_miss(&sample, pick, &mut result);
-            }
+            let build = if self.is_far_too_weak(&muscle) { THICK_WALL } else { self.build };
+            self.try_one(pick, build, &mut result);
             result
         };
         self.progress.report(self.done.fetch_add(1, Ordering::Relaxed), self.walls());
@@ -272,7 +259,7 @@ impl<'a> Search<'a> {
 
     /// Whether even the infinitely long muscle, which pulls harder than a short one, is far from a pull that is wanted: nothing better need be asked.
     fn is_far_too_weak(&self, muscle: &Muscle) -> bool {
-        let Ok(model) = ModelKind::ThickWall.build(muscle) else { return false };
+        let Ok(model) = THICK_WALL(muscle) else { return false };
         let workspace = &mut Workspace::new();
         let (max, mut model) =
             (self.spec.max_pressure_mpa, Evaluation::new(&*model, workspace, self.spec.options()));
@@ -280,6 +267,16 @@ impl<'a> Search<'a> {
             model.force_n(max, q.contraction).is_ok_and(|pull| pull / q.force_n < FAR_TOO_WEAK)
         };
         self.spec.points(muscle).iter().any(far_too_weak)
+    }
+
+    /// Tries a muscle, and keeps it among those that fit or miss.
+    fn try_one(&self, pick: Pick, build: &Build<'_>, result: &mut SearchResult) {
+        let sample = self.sample(pick, build, result, true);
+        if sample.fits() {
+            SearchResult::keep(&mut result.fits, sample.score, pick, self.most);
+        } else {
+            self.keep_miss(&sample, pick, result);
+        }
     }
 
     /// Keeps a muscle that does not fit; what is no muscle at all is none.
@@ -372,11 +369,9 @@ impl<'a> Search<'a> {
         let merit = |t: &Tried| t.1.merit();
         let mut extra = None;
         if let Values::Interval(low, high) = values
-            && let Some(i) = best_index(&tried)
+            && let Some(i) = line::least(&tried, merit).filter(|&i| merit(&tried[i]).0 != Merit::NONE)
         {
-            let (left, right) = (places[i.saturating_sub(1)], places[(i + 1).min(places.len() - 1)]);
-            let start = tried[i].clone();
-            let best = golden(left, start, right, sections, merit, &mut |x| (x, f(x)));
+            let best = line::refine(&tried, i, sections, merit, &mut |x| (x, f(x)));
             let round = (best.0 * 100.0).round() / 100.0;
             let known = |x: f64| places.iter().any(|w| (w - x).abs() < 1e-9);
             if !known(best.0) {
@@ -441,21 +436,15 @@ impl<'a> Search<'a> {
 
     /// Of a muscle without an answer at the maximum pressure: whether its strands stretch too far there, by the thick-wall model.
     fn overstretched(&self, muscle: &Muscle) -> Option<Reason> {
-        let (model, spec) = (ThickWall::new(muscle), self.spec);
-        let workspace = &mut Workspace::new();
-        let evaluation = &mut Evaluation::new(&model, workspace, spec.options());
-        match strands(spec, &spec.points(muscle), evaluation, &model) {
+        let thick = || Box::new(ThickWall::new(muscle));
+        let mut trial =
+            Trial { spec: self.spec, model: thick(), thick_wall: thick(), workspace: Workspace::new() };
+        match strands(&mut trial, muscle, &self.spec.points(muscle)) {
             Ok(checks) => checks.into_iter().find(|c| c.excess() > 0.0).map(Reason::Limit),
             Err(error @ ModelError::Overstretched { .. }) => Some(Reason::Model(error)),
             Err(_) => None,
         }
     }
-}
-
-/// Index of the best of some places.
-fn best_index(tried: &[Tried]) -> Option<usize> {
-    let known = (0..tried.len()).filter(|&i| tried[i].1.merit().0 != Merit::NONE);
-    known.reduce(|a, b| if tried[b].1.merit() < tried[a].1.merit() { b } else { a })
 }
 
 /// Round values within bounds, both ends in, in at most about `most` steps.

@@ -5,7 +5,7 @@ use mckibben::analysis::Options;
 pub use mckibben::analysis::SAFETY;
 use mckibben::cancel::Cancelled;
 use mckibben::liquid::LiquidSupply;
-use mckibben::model::{ForceModel, ModelError};
+use mckibben::model::{ForceModel, ModelError, ModelKind};
 use mckibben::muscle::{Braid, Direction, Muscle, MuscleError, Rubber};
 use mckibben::rubber::over_time::erf;
 use mckibben::units::Values;
@@ -15,6 +15,9 @@ use thiserror::Error;
 
 /// Builds the model a design runs on.
 pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
+
+/// The thick-wall model, for rough searches.
+pub(super) const THICK_WALL: &Build<'static> = &|muscle| ModelKind::ThickWall.build(muscle);
 
 /// What is ranked first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]

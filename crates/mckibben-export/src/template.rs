@@ -1,27 +1,6 @@
-//! Texts with places for values: `@{key}`.
+//! Numbers and lists in the texts of the hosts.
 
-/// A template with its values. A line with `@{facts}` is repeated for each of the facts, with what is left of it in front.
-pub(crate) fn render(template: &str, facts: &[String], values: &[(&str, String)]) -> String {
-    let mut out = String::with_capacity(2 * template.len());
-    for line in template.lines() {
-        if let Some((before, after)) = line.split_once("@{facts}") {
-            for fact in facts {
-                out += &format!("{before}{fact}{after}\n");
-            }
-            continue;
-        }
-        let mut line = line.to_owned();
-        for (key, value) in values {
-            let place = format!("@{{{key}}}");
-            if line.contains(&place) {
-                line = line.replace(&place, value);
-            }
-        }
-        out += &line;
-        out.push('\n');
-    }
-    out
-}
+pub(crate) use mckibben_io::template::render;
 
 /// A number that reads back to the last bit, in any of the hosts' languages.
 pub(crate) fn number(value: f64) -> String {

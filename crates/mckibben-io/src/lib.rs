@@ -1,4 +1,4 @@
-//! What comes in and goes out: quantities with [`units`], people's [`table`]s, [`files`], tables in Parquet files (feature `parquet`);
+//! What comes in and goes out: quantities with [`units`], people's [`table`]s, [`files`], [`template`]s, tables in Parquet files (feature `parquet`);
 //! and the wish to end work, [`cancel`].
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
@@ -10,4 +10,5 @@ pub mod files;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 pub mod table;
+pub mod template;
 pub mod units;

@@ -1,5 +1,7 @@
 //! The air in a muscle: mass, energy, heat.
 
+use crate::fluid::Medium;
+
 /// R of dry air in J/(kg K), which is mJ/(g K).
 pub const GAS_CONSTANT_J_PER_KG_K: f64 = 287.05;
 pub use mckibben::analysis::{ATMOSPHERE_MPA, HEAT_RATIO};
@@ -27,7 +29,7 @@ pub enum Heat {
     Polytropic(f64),
     /// No heat.
     Adiabatic,
-    /// h in W/(m² K) on the wall's area, which is that of a cylinder with the cavity's volume and length ([`cavity_area_mm2`]).
+    /// h in W/(m² K) on the wall's area, which is that of a cylinder with the cavity's volume and length.
     Transfer(f64),
     /// hA in W/K.
     Conductance(f64),
@@ -62,9 +64,11 @@ impl Default for Air {
     }
 }
 
-/// The volume that the air has, dead volume included, and how it changes.
+/// The state of what fills a muscle, and how its volume changes, dead volume included.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Cavity {
+pub(crate) struct Cavity {
+    pub absolute_mpa: f64,
+    pub temperature_k: f64,
     /// V in mm³.
     pub volume_mm3: f64,
     /// ∂V/∂P at fixed contraction in mm³/MPa.
@@ -89,87 +93,91 @@ impl Flow {
     fn power(self) -> f64 {
         GAS_CONSTANT_J_PER_KG_K * self.mass_g_per_s * self.temperature_k
     }
-
-    /// Its enthalpy cp G T in mW.
-    pub(crate) fn enthalpy_mw(self) -> f64 {
-        CP * self.mass_g_per_s * self.temperature_k
-    }
 }
 
 /// Area in mm² of a cylinder of this volume and length, with its ends: 2 √(π V L) + 2 V/L.
-pub fn cavity_area_mm2(volume_mm3: f64, length_mm: f64) -> f64 {
+pub(crate) fn cavity_area_mm2(volume_mm3: f64, length_mm: f64) -> f64 {
     2.0 * (std::f64::consts::PI * volume_mm3 * length_mm).sqrt() + 2.0 * volume_mm3 / length_mm
 }
 
 impl Air {
-    /// T = pV/(mR) in K; that of the wall where the law says so.
-    pub fn temperature_k(&self, absolute_mpa: f64, mass_g: f64, volume_mm3: f64) -> f64 {
+    /// Heat hA (T_wall − T) in mW, where the law is one of heat transfer.
+    fn transferred_mw(&self, cavity: &Cavity) -> f64 {
+        let per_kelvin = match self.heat {
+            // W/(m² K) · mm² = 1e-3 mW/K
+            Heat::Transfer(h) => 1e-3 * h * cavity.area_mm2,
+            Heat::Conductance(ha) => 1e3 * ha,
+            _ => return 0.0,
+        };
+        per_kelvin * (self.wall_temperature_k - cavity.temperature_k)
+    }
+}
+
+impl Medium for Air {
+    fn dead_volume_mm3(&self) -> f64 {
+        self.dead_volume_mm3
+    }
+
+    fn wall_temperature_k(&self) -> f64 {
+        self.wall_temperature_k
+    }
+
+    /// T = pV/(mR); that of the wall where the law says so.
+    fn temperature_k(&self, absolute_mpa: f64, mass_g: f64, volume_mm3: f64) -> f64 {
         match self.heat {
             Heat::Isothermal => self.wall_temperature_k,
             _ => absolute_mpa * volume_mm3 / (mass_g * GAS_CONSTANT_J_PER_KG_K),
         }
     }
 
-    /// m = pV/(RT) in g at the wall's temperature.
-    pub fn mass_g(&self, absolute_mpa: f64, volume_mm3: f64) -> f64 {
+    /// m = pV/(RT).
+    fn mass_g(&self, absolute_mpa: f64, volume_mm3: f64) -> f64 {
         absolute_mpa * volume_mm3 / (GAS_CONSTANT_J_PER_KG_K * self.wall_temperature_k)
     }
 
-    /// Heat hA (T_wall − T) in mW, where the law is one of heat transfer.
-    fn transferred_mw(&self, temperature_k: f64, area_mm2: f64) -> f64 {
-        let per_kelvin = match self.heat {
-            // W/(m² K) · mm² = 1e-3 mW/K
-            Heat::Transfer(h) => 1e-3 * h * area_mm2,
-            Heat::Conductance(ha) => 1e3 * ha,
-            _ => return 0.0,
-        };
-        per_kelvin * (self.wall_temperature_k - temperature_k)
-    }
-
-    /// ṗ in MPa/s for given flows.
-    pub fn pressure_rate_mpa_per_s(
-        &self,
-        absolute_mpa: f64,
-        temperature_k: f64,
-        cavity: &Cavity,
-        flows: &[Flow],
-    ) -> f64 {
-        let n = self.heat.index();
+    fn pressure_rate_mpa_per_s(&self, cavity: &Cavity, flows: &[Flow]) -> f64 {
+        let (n, p) = (self.heat.index(), cavity.absolute_mpa);
         let mut power: f64 = flows.iter().map(|f| n * f.power()).sum();
         if self.heat == Heat::Isothermal {
             power = flows.iter().map(|f| f.mass_g_per_s).sum::<f64>()
                 * GAS_CONSTANT_J_PER_KG_K
                 * self.wall_temperature_k;
         }
-        power += (HEAT_RATIO - 1.0) * self.transferred_mw(temperature_k, cavity.area_mm2);
-        (power - n * absolute_mpa * cavity.swept_mm3_per_s)
-            / (cavity.volume_mm3 + n * absolute_mpa * cavity.volume_per_pressure_mm3_per_mpa)
+        power += (HEAT_RATIO - 1.0) * self.transferred_mw(cavity);
+        (power - n * p * cavity.swept_mm3_per_s)
+            / (cavity.volume_mm3 + n * p * cavity.volume_per_pressure_mm3_per_mpa)
     }
 
-    /// The flow that makes the pressure change at a rate: in from a supply at `supply_k`, out at the air's temperature.
-    pub fn flow_for_rate(
-        &self,
-        rate_mpa_per_s: f64,
-        absolute_mpa: f64,
-        temperature_k: f64,
-        cavity: &Cavity,
-        supply_k: f64,
-    ) -> Flow {
-        let n = self.heat.index();
-        let power = rate_mpa_per_s
-            * (cavity.volume_mm3 + n * absolute_mpa * cavity.volume_per_pressure_mm3_per_mpa)
-            + n * absolute_mpa * cavity.swept_mm3_per_s
-            - (HEAT_RATIO - 1.0) * self.transferred_mw(temperature_k, cavity.area_mm2);
-        let from = if power > 0.0 { supply_k } else { temperature_k };
+    fn flow_for_rate(&self, rate_mpa_per_s: f64, cavity: &Cavity, supply_k: f64) -> Flow {
+        let (n, p) = (self.heat.index(), cavity.absolute_mpa);
+        let power = rate_mpa_per_s * (cavity.volume_mm3 + n * p * cavity.volume_per_pressure_mm3_per_mpa)
+            + n * p * cavity.swept_mm3_per_s
+            - (HEAT_RATIO - 1.0) * self.transferred_mw(cavity);
+        let from = if power > 0.0 { supply_k } else { cavity.temperature_k };
         let t = if self.heat == Heat::Isothermal { self.wall_temperature_k } else { from };
         Flow { mass_g_per_s: power / (n * GAS_CONSTANT_J_PER_KG_K * t), temperature_k: from }
     }
 
-    /// Heat from the wall in mW, from the balance of energy: d(pV)/dt/(γ − 1) + p V̇ − Σ cp G T.
-    pub(crate) fn heat_mw(&self, absolute_mpa: f64, rate: f64, cavity: &Cavity, flows: &[Flow]) -> f64 {
-        let swelling = cavity.swept_mm3_per_s + cavity.volume_per_pressure_mm3_per_mpa * rate;
-        let stored = (rate * cavity.volume_mm3 + absolute_mpa * swelling) / (HEAT_RATIO - 1.0);
-        stored + absolute_mpa * swelling - flows.iter().map(|f| f.enthalpy_mw()).sum::<f64>()
+    /// cp G T.
+    fn enthalpy_mw(&self, flow: Flow, _: f64) -> f64 {
+        CP * flow.mass_g_per_s * flow.temperature_k
+    }
+
+    /// p V/(γ − 1).
+    fn internal_mj(&self, absolute_mpa: f64, volume_mm3: f64) -> f64 {
+        absolute_mpa * volume_mm3 / (HEAT_RATIO - 1.0)
+    }
+
+    /// From the balance of energy: d(pV)/dt/(γ − 1) + p V̇ − Σ cp G T.
+    fn heat_mw(&self, rate_mpa_per_s: f64, cavity: &Cavity, flows: &[Flow]) -> f64 {
+        let p = cavity.absolute_mpa;
+        let swelling = cavity.swept_mm3_per_s + cavity.volume_per_pressure_mm3_per_mpa * rate_mpa_per_s;
+        let stored = (rate_mpa_per_s * cavity.volume_mm3 + p * swelling) / (HEAT_RATIO - 1.0);
+        stored + p * swelling - flows.iter().map(|f| self.enthalpy_mw(*f, p)).sum::<f64>()
+    }
+
+    fn needs_area(&self) -> bool {
+        matches!(self.heat, Heat::Transfer(_))
     }
 }
 

@@ -166,6 +166,12 @@ impl Command {
         }
     }
 
+    pub(crate) fn check_bounds(&self, what: &'static str, low: f64, high: f64) -> Result<(), MotionError> {
+        let (least, most) = self.bounds();
+        MotionError::within(what, least, low, high)?;
+        MotionError::within(what, most, low, high)
+    }
+
     /// Its period in s, if it is periodic.
     pub fn period_s(&self) -> Option<f64> {
         if let Self::Sine { frequency_hz, .. } = self { Some(1.0 / frequency_hz) } else { None }

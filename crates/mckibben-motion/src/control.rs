@@ -1,6 +1,7 @@
 //! The position controller.
 
 use crate::MotionError;
+use crate::state::ControllerState;
 
 /// What the controller commands.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,18 +56,27 @@ impl Pid {
         }
     }
 
-    /// (u, İ, ẏ_f) for a command, a position, the states I and y_f, and the limits of u.
+    /// For a command, a position, the states I and y_f, and the limits of u.
     pub(crate) fn step(
         &self,
         command: f64,
         position: f64,
-        (integral, filtered): (f64, f64),
+        own: ControllerState,
         limits: (f64, f64),
-    ) -> (f64, f64, f64) {
+    ) -> Control {
         let error = command - position;
-        let slope = (position - filtered) / self.filter_s;
-        let wanted = self.proportional * error + integral - self.derivative_s * slope;
-        let u = wanted.max(limits.0).min(limits.1);
-        (u, self.integral_per_s * error + (u - wanted) / self.tracking_s, slope)
+        let filtered = (position - own.filtered) / self.filter_s;
+        let wanted = self.proportional * error + own.integral - self.derivative_s * filtered;
+        let output = wanted.max(limits.0).min(limits.1);
+        let integral = self.integral_per_s * error + (output - wanted) / self.tracking_s;
+        Control { output, rates: ControllerState { integral, filtered } }
     }
+}
+
+/// The answer of the controller.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Control {
+    /// u.
+    pub output: f64,
+    pub rates: ControllerState,
 }

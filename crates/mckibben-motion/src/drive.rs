@@ -114,7 +114,7 @@ impl<'a> Actuated<'a> {
             Actuator::Syringe(syringe) => (1.0 - opening.unwrap_or(0.0)) * syringe.volume_mm3,
             _ => 0.0,
         };
-        self.fluid.dead_volume_mm3() + self.actuator.hose().map_or(0.0, |h| h.volume_mm3()) + syringe
+        self.fluid.medium().dead_volume_mm3() + self.actuator.hose().map_or(0.0, |h| h.volume_mm3()) + syringe
     }
 }
 
@@ -143,6 +143,15 @@ impl Target {
         match self {
             Self::Pressure(c) | Self::Opening(c) | Self::Volume(c) => c,
             Self::Position { command, .. } => std::slice::from_ref(command),
+        }
+    }
+
+    /// Whether pressures are commanded, by a controller or at once.
+    pub(crate) fn is_pressure(&self) -> bool {
+        match self {
+            Self::Pressure(_) => true,
+            Self::Opening(_) | Self::Volume(_) => false,
+            Self::Position { pid, .. } => pid.output != PidOutput::Opening,
         }
     }
 }
@@ -181,6 +190,8 @@ pub struct Drive<'a> {
     pub tolerance: Tolerance,
     /// The coordinate at the start in mm or rad, at rest; without it, the equilibrium at the first command.
     pub initial_coordinate: Option<f64>,
+    /// A generalised force from outside that opposes growing q: in N (q in mm) or N mm (q in rad).
+    pub outside_force: f64,
 }
 
 impl<'a> Drive<'a> {
@@ -200,7 +211,18 @@ impl<'a> Drive<'a> {
             output_step_s: until_s / 1000.0,
             tolerance: Tolerance::default(),
             initial_coordinate: None,
+            outside_force: 0.0,
         }
+    }
+
+    /// What opposes growing q.
+    pub(crate) fn load(&self, q: f64) -> f64 {
+        self.mechanism.load(q) + self.outside_force
+    }
+
+    /// Its energy in mJ.
+    pub(crate) fn load_energy_mj(&self, q: f64) -> f64 {
+        self.mechanism.load_energy_mj(q) + self.outside_force * q
     }
 
     /// Whether it can be run.
@@ -213,6 +235,7 @@ impl<'a> Drive<'a> {
         };
         count(self.muscles.len(), "muscles with an actuator")?;
         self.mechanism.check()?;
+        MotionError::within("the force or torque from outside", self.outside_force, -1e12, 1e12)?;
         self.muscles.iter().try_for_each(|m| m.model.muscle().check_contracts())?;
         MotionError::within("the supply's temperature in K", self.supply.temperature_k, 50.0, 2000.0)?;
         MotionError::within("the supply's gauge pressure in MPa", self.supply.pressure_mpa, 0.0, 100.0)?;
@@ -242,19 +265,13 @@ impl<'a> Drive<'a> {
             Target::Opening(commands) => {
                 count(commands.len(), "commands")?;
                 for command in commands {
-                    let (low, high) = command.bounds();
-                    MotionError::within("a commanded opening", low, -1.0, 1.0)?;
-                    MotionError::within("a commanded opening", high, -1.0, 1.0)?;
+                    command.check_bounds("a commanded opening", -1.0, 1.0)?;
                 }
             }
             Target::Volume(commands) => count(commands.len(), "commands")?,
             Target::Position { pid, .. } => pid.check()?,
         }
-        let opened = match &self.target {
-            Target::Opening(_) => true,
-            Target::Position { pid, .. } => pid.output == PidOutput::Opening,
-            Target::Pressure(_) | Target::Volume(_) => false,
-        };
+        let opened = !self.target.is_pressure() && !matches!(self.target, Target::Volume(_));
         let volumes = if let Target::Volume(commands) = &self.target { &commands[..] } else { &[] };
         for (number, muscle) in (1..).zip(&self.muscles) {
             muscle.check()?;
@@ -267,9 +284,7 @@ impl<'a> Drive<'a> {
             let actuator = muscle.actuator.name();
             match (&muscle.actuator, volumes.get(number - 1)) {
                 (Actuator::Syringe(syringe), Some(command)) => {
-                    let (low, high) = command.bounds();
-                    MotionError::within("a commanded volume in mm³", low, 0.0, syringe.volume_mm3)?;
-                    MotionError::within("a commanded volume in mm³", high, 0.0, syringe.volume_mm3)?;
+                    command.check_bounds("a commanded volume in mm³", 0.0, syringe.volume_mm3)?;
                 }
                 (Actuator::Syringe(_), None) | (_, Some(_)) => {
                     return Err(MotionError::Refused(format!(
@@ -295,9 +310,14 @@ impl<'a> Drive<'a> {
 
 impl Actuated<'_> {
     fn check(&self) -> Result<(), MotionError> {
-        MotionError::within("the wall's temperature in K", self.fluid.wall_temperature_k(), 50.0, 2000.0)?;
+        MotionError::within(
+            "the wall's temperature in K",
+            self.fluid.medium().wall_temperature_k(),
+            50.0,
+            2000.0,
+        )?;
         // Up to 1000 m³.
-        MotionError::within("the dead volume in mm³", self.fluid.dead_volume_mm3(), 0.0, 1e12)?;
+        MotionError::within("the dead volume in mm³", self.fluid.medium().dead_volume_mm3(), 0.0, 1e12)?;
         if let Fluid::Air(air) = &self.fluid {
             match air.heat {
                 Heat::Polytropic(n) => MotionError::within("the polytropic index", n, 1.0, 1.4)?,

@@ -1,7 +1,6 @@
 //! Where a drive rests.
 
 use crate::events::switches;
-use crate::member::Member;
 use crate::state::State;
 use crate::system::{Switch, System};
 use crate::{ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Target, ValveKind};
@@ -22,161 +21,146 @@ pub struct Equilibrium {
 /// Where a drive rests under given gauge pressures: the first equilibrium from the position of unshortened muscles on, in the
 /// direction of the net force.
 pub fn equilibrium(drive: &Drive<'_>, pressures_mpa: &[f64]) -> Result<Equilibrium, MotionError> {
-    drive.check()?;
-    let members: Vec<Member<'_>> =
-        drive.muscles.iter().map(|m| Member::new(m, drive.tolerance.relative)).collect();
-    at_pressures(drive, &members, pressures_mpa)
-}
-
-/// Static net force at q: pulls less load. A muscle that would have to push is slack, also where its model has no answer for it.
-pub(crate) fn net(
-    drive: &Drive<'_>,
-    members: &[Member<'_>],
-    pressures: &[f64],
-    q: f64,
-) -> Result<f64, MotionError> {
-    let mut sum = -drive.mechanism.load(q);
-    for (i, (member, p)) in members.iter().zip(pressures).enumerate() {
-        let lever = drive.mechanism.lever(i, q);
-        let force = match member.at_rest(*p, lever.contraction) {
-            Ok(answer) => answer.force_n,
-            Err(ModelError::Cancelled(e)) => return Err(e.into()),
-            Err(_) if member.slack(*p).is_ok_and(|h| lever.contraction >= h.contraction) => 0.0,
-            Err(error) => return Err(MotionError::model(error, 0.0, i, *p, lever.contraction)),
-        };
-        sum += force.max(0.0) * member.length_mm * lever.per_coordinate;
-    }
-    Ok(sum)
-}
-
-pub(crate) fn at_pressures(
-    drive: &Drive<'_>,
-    members: &[Member<'_>],
-    pressures: &[f64],
-) -> Result<Equilibrium, MotionError> {
-    let (low, high) = drive.mechanism.stops();
-    let lever = drive.mechanism.lever(0, 0.0);
-    let stride = 0.01 / lever.per_coordinate.abs().max(1e-9);
-    let found = |coordinate: f64, stop: Option<f64>| Equilibrium {
-        coordinate,
-        pressures_mpa: pressures.to_vec(),
-        stop,
-    };
-    let mut q = 0.0_f64.max(low).min(high);
-    let mut before = net(drive, members, pressures, q)?;
-    // Rounding about a muscle without pressure at its own length is no force.
-    let nothing = 1e-9 / lever.per_coordinate.abs().max(1e-9);
-    if before.abs() <= nothing && (q == low || q == high) {
-        return Ok(found(q, Some(if q == low { -1.0 } else { 1.0 })));
-    }
-    let way = before.signum();
-    // Steps of a hundredth of the contraction, up to one and a half.
-    for _ in 0..150 {
-        if way > 0.0 && q >= high || way < 0.0 && q <= low {
-            return Ok(found(q, Some(way)));
-        }
-        let next = (q + way * stride).max(low).min(high);
-        let after = match net(drive, members, pressures, next) {
-            Ok(after) => after,
-            Err(MotionError::Cancelled(e)) => return Err(e.into()),
-            Err(_) => return Err(MotionError::NoEquilibrium { position: q, net: before }),
-        };
-        if after * way <= 0.0 {
-            let root = find_root(|x| net(drive, members, pressures, x), q, next, 1e-12 * stride)?;
-            let none = MotionError::NoEquilibrium { position: q, net: before };
-            return root.map(|coordinate| found(coordinate, None)).ok_or(none);
-        }
-        (q, before) = (next, after);
-    }
-    Err(MotionError::NoEquilibrium { position: q, net: before })
-}
-
-/// The equilibrium at the first command.
-pub(crate) fn at_start(drive: &Drive<'_>, members: &[Member<'_>]) -> Result<Equilibrium, MotionError> {
-    let supply = drive.supply.pressure_mpa;
-    let given = |pressures: Vec<f64>| -> Vec<f64> {
-        let own = drive.muscles.iter().map(|m| m.initial_pressure_mpa);
-        own.zip(pressures).map(|(own, p)| own.unwrap_or(p)).collect()
-    };
-    let at_rest = |pressures: Vec<f64>| match drive.initial_coordinate {
-        Some(coordinate) => {
-            let (low, high) = drive.mechanism.stops();
-            let net = net(drive, members, &pressures, coordinate)?;
-            let stop = if coordinate <= low && net <= 0.0 {
-                Some(-1.0)
-            } else if coordinate >= high && net >= 0.0 {
-                Some(1.0)
-            } else {
-                None
-            };
-            Ok(Equilibrium { coordinate: coordinate.max(low).min(high), pressures_mpa: pressures, stop })
-        }
-        None if drive.mechanism.inertia().is_infinite() => {
-            Ok(Equilibrium { coordinate: 0.0, pressures_mpa: pressures, stop: None })
-        }
-        None => at_pressures(drive, members, &pressures),
-    };
-    let (command, pid) = match &drive.target {
-        Target::Pressure(c) => return at_rest(given(c.iter().map(|c| c.value(0.0)).collect())),
-        Target::Opening(c) => {
-            let filling = |(c, m): (&crate::command::Command, &crate::drive::Actuated<'_>)| {
-                let least = match m.actuator.kind() {
-                    Some(ValveKind::OnOff { closed_centre: true, .. }) => 0.5,
-                    _ => 0.0,
-                };
-                if c.value(0.0) > least { supply } else { 0.0 }
-            };
-            return at_rest(given(c.iter().zip(&drive.muscles).map(filling).collect()));
-        }
-        // Syringes are full, and the muscles without pressure.
-        Target::Volume(commands) => {
-            for command in commands {
-                let start = command.value(0.0);
-                MotionError::within("the commanded volume at the start in mm³", start, 0.0, 0.0)?;
-            }
-            return at_rest(given(vec![0.0; members.len()]));
-        }
-        Target::Position { command, pid } => (command, pid),
-    };
-    // The pressures that hold the commanded position: u from all the way out to all the way in.
-    let q = command.value(0.0) / drive.mechanism.position_per_coordinate();
-    let q = q.max(drive.mechanism.stops().0).min(drive.mechanism.stops().1);
-    let bias = if let PidOutput::Pressure { bias_mpa } = pid.output { bias_mpa } else { 0.0 };
-    let pressures = |u: f64| -> Vec<f64> {
-        let sign = |i: usize| drive.mechanism.lever(i, 0.0).per_coordinate.signum();
-        (0..members.len()).map(|i| (bias + u * sign(i)).max(0.0).min(supply)).collect()
-    };
-    let (least, most) = (-bias, supply - bias);
-    let at = |u: f64| net(drive, members, &pressures(u), q);
-    let u = match (at(least)?, at(most)?) {
-        (low, _) if low >= 0.0 => least,
-        (_, high) if high <= 0.0 => least,
-        _ => find_root(at, least, most, 1e-14)?.unwrap_or(least),
-    };
-    let pressures_mpa = given(pressures(u));
-    let left = net(drive, members, &pressures_mpa, q)?;
-    let nothing = 1e-6 / drive.mechanism.lever(0, q).per_coordinate.abs().max(1e-9);
-    let (low, high) = drive.mechanism.stops();
-    let stop = if q <= low && left <= nothing {
-        Some(-1.0)
-    } else if q >= high && left >= -nothing {
-        Some(1.0)
-    } else if left.abs() <= nothing || drive.initial_coordinate.is_some() {
-        None
-    } else {
-        return Err(MotionError::NoEquilibrium { position: q, net: left });
-    };
-    Ok(Equilibrium { coordinate: drive.initial_coordinate.unwrap_or(q), pressures_mpa, stop })
+    System::new(drive)?.at_pressures(pressures_mpa)
 }
 
 impl System<'_> {
+    /// Static net force at q: pulls less load. A muscle that would have to push is slack, also where its model has no answer for it.
+    fn net(&self, pressures: &[f64], q: f64) -> Result<f64, MotionError> {
+        let mut sum = -self.drive.load(q);
+        for (i, (member, p)) in self.members.iter().zip(pressures).enumerate() {
+            let lever = self.drive.mechanism.lever(i, q);
+            let force = match member.at_rest(*p, lever.contraction) {
+                Ok(answer) => answer.force_n.value,
+                Err(ModelError::Cancelled(e)) => return Err(e.into()),
+                Err(_) if member.hangs(*p, lever.contraction) => 0.0,
+                Err(error) => return Err(MotionError::model(error, 0.0, i, *p, lever.contraction)),
+            };
+            sum += force.max(0.0) * member.length_mm * lever.per_coordinate;
+        }
+        Ok(sum)
+    }
+
+    /// The equilibrium under gauge pressures in MPa.
+    pub fn at_pressures(&self, pressures: &[f64]) -> Result<Equilibrium, MotionError> {
+        let drive = self.drive;
+        let (low, high) = drive.mechanism.stops();
+        let lever = drive.mechanism.lever(0, 0.0);
+        let stride = 0.01 / lever.per_coordinate.abs().max(1e-9);
+        let found = |coordinate: f64, stop: Option<f64>| Equilibrium {
+            coordinate,
+            pressures_mpa: pressures.to_vec(),
+            stop,
+        };
+        let mut q = 0.0_f64.max(low).min(high);
+        let mut before = self.net(pressures, q)?;
+        // Rounding about a muscle without pressure at its own length is no force.
+        let nothing = 1e-9 / lever.per_coordinate.abs().max(1e-9);
+        if before.abs() <= nothing && (q == low || q == high) {
+            return Ok(found(q, Some(if q == low { -1.0 } else { 1.0 })));
+        }
+        let way = before.signum();
+        // Steps of a hundredth of the contraction, up to one and a half.
+        for _ in 0..150 {
+            if way > 0.0 && q >= high || way < 0.0 && q <= low {
+                return Ok(found(q, Some(way)));
+            }
+            let next = (q + way * stride).max(low).min(high);
+            let after = match self.net(pressures, next) {
+                Ok(after) => after,
+                Err(MotionError::Cancelled(e)) => return Err(e.into()),
+                Err(_) => return Err(MotionError::NoEquilibrium { position: q, net: before }),
+            };
+            if after * way <= 0.0 {
+                let root = find_root(|x| self.net(pressures, x), q, next, 1e-12 * stride)?;
+                let none = MotionError::NoEquilibrium { position: q, net: before };
+                return root.map(|coordinate| found(coordinate, None)).ok_or(none);
+            }
+            (q, before) = (next, after);
+        }
+        Err(MotionError::NoEquilibrium { position: q, net: before })
+    }
+
+    /// The stop on which a net force holds the load; forces below `nothing` are none.
+    fn stop(&self, q: f64, net: f64, nothing: f64) -> Option<f64> {
+        let (low, high) = self.drive.mechanism.stops();
+        let side = if q <= low && net <= nothing { -1.0 } else { 1.0 };
+        (side < 0.0 || q >= high && net >= -nothing).then_some(side)
+    }
+
+    /// The equilibrium at the first command.
+    fn at_start(&self) -> Result<Equilibrium, MotionError> {
+        let drive = self.drive;
+        let supply = drive.supply.pressure_mpa;
+        let given = |pressures: Vec<f64>| -> Vec<f64> {
+            let own = drive.muscles.iter().map(|m| m.initial_pressure_mpa);
+            own.zip(pressures).map(|(own, p)| own.unwrap_or(p)).collect()
+        };
+        let at_rest = |pressures: Vec<f64>| match drive.initial_coordinate {
+            Some(coordinate) => {
+                let (low, high) = drive.mechanism.stops();
+                let stop = self.stop(coordinate, self.net(&pressures, coordinate)?, 0.0);
+                Ok(Equilibrium { coordinate: coordinate.max(low).min(high), pressures_mpa: pressures, stop })
+            }
+            None if drive.mechanism.inertia().is_infinite() => {
+                Ok(Equilibrium { coordinate: 0.0, pressures_mpa: pressures, stop: None })
+            }
+            None => self.at_pressures(&pressures),
+        };
+        let (command, pid) = match &drive.target {
+            Target::Pressure(c) => return at_rest(given(c.iter().map(|c| c.value(0.0)).collect())),
+            Target::Opening(c) => {
+                let filling = |(c, m): (&crate::command::Command, &crate::drive::Actuated<'_>)| {
+                    let least = match m.actuator.kind() {
+                        Some(ValveKind::OnOff { closed_centre: true, .. }) => 0.5,
+                        _ => 0.0,
+                    };
+                    if c.value(0.0) > least { supply } else { 0.0 }
+                };
+                return at_rest(given(c.iter().zip(&drive.muscles).map(filling).collect()));
+            }
+            // Syringes are full, and the muscles without pressure.
+            Target::Volume(commands) => {
+                for command in commands {
+                    let start = command.value(0.0);
+                    MotionError::within("the commanded volume at the start in mm³", start, 0.0, 0.0)?;
+                }
+                return at_rest(given(vec![0.0; self.members.len()]));
+            }
+            Target::Position { command, pid } => (command, pid),
+        };
+        // The pressures that hold the commanded position: u from all the way out to all the way in.
+        let q = command.value(0.0) / drive.mechanism.position_per_coordinate();
+        let q = q.max(drive.mechanism.stops().0).min(drive.mechanism.stops().1);
+        let bias = if let PidOutput::Pressure { bias_mpa } = pid.output { bias_mpa } else { 0.0 };
+        let pressures = |u: f64| -> Vec<f64> {
+            (0..self.members.len()).map(|i| (bias + u * self.turns(i)).max(0.0).min(supply)).collect()
+        };
+        let (least, most) = (-bias, supply - bias);
+        let at = |u: f64| self.net(&pressures(u), q);
+        let u = match (at(least)?, at(most)?) {
+            (low, _) if low >= 0.0 => least,
+            (_, high) if high <= 0.0 => least,
+            _ => find_root(at, least, most, 1e-14)?.unwrap_or(least),
+        };
+        let pressures_mpa = given(pressures(u));
+        let left = self.net(&pressures_mpa, q)?;
+        let nothing = 1e-6 / drive.mechanism.lever(0, q).per_coordinate.abs().max(1e-9);
+        let stop = self.stop(q, left, nothing);
+        let is_balanced = left.abs() <= nothing || drive.initial_coordinate.is_some();
+        if stop.is_none() && !is_balanced {
+            return Err(MotionError::NoEquilibrium { position: q, net: left });
+        }
+        Ok(Equilibrium { coordinate: drive.initial_coordinate.unwrap_or(q), pressures_mpa, stop })
+    }
+
     /// The state at rest at the start, with the modes that belong to it.
     pub fn initial_state(&self) -> Result<State, MotionError> {
         let drive = self.drive;
         for member in &self.members {
-            let info = member.model.info();
+            let info = member.muscle.model.info();
             let p = info.range.pressure_mpa.0.max(0.0);
-            let response = member.model.response(&mut mckibben::model::Workspace::new(), p, 0.0);
+            let response = member.muscle.model.response(&mut mckibben::model::Workspace::new(), p, 0.0);
             MotionError::require(!response.is_ok_and(|r| r.volume_mm3.is_none()), || {
                 let name = &info.name;
                 format!(
@@ -184,31 +168,26 @@ impl System<'_> {
                 )
             })?;
         }
-        let start = at_start(drive, &self.members)?;
+        let start = self.at_start()?;
         let mut state = self.layout.filled(0.0);
         state.coordinate = start.coordinate;
         let mut modes = self.modes.borrow_mut();
         modes.stop = start.stop;
-        let parts = self.members.iter().zip(&mut state.muscles).zip(&drive.muscles).zip(&mut modes.muscles);
-        for (i, (((member, own), muscle), mode)) in parts.enumerate() {
+        let parts = self.members.iter().zip(&mut state.muscles).zip(&mut modes.muscles);
+        for (i, ((member, own), mode)) in parts.enumerate() {
+            let muscle = member.muscle;
             let p = start.pressures_mpa.get(i).copied().unwrap_or(0.0);
             let contraction = drive.mechanism.lever(i, start.coordinate).contraction;
-            let refused = |error| MotionError::model(error, 0.0, i, p, contraction);
-            let answer = member.answer(p, contraction);
-            mode.slack = match &answer {
-                Ok(a) => a.force_n < -self.slack_n(i),
-                Err(_) => member.slack(p).is_ok_and(|h| contraction >= h.contraction),
+            mode.slack = match member.answer(p, contraction) {
+                Ok(answer) => answer.force_n.value < -self.slack_n(i),
+                Err(_) => member.hangs(p, contraction),
             };
-            let (at, e) = if mode.slack {
-                let h = member.slack(p).map_err(refused)?;
-                (h.answer, h.contraction)
-            } else {
-                (answer.map_err(refused)?, contraction)
-            };
-            let volume = at.volume_mm3 + muscle.outside_mm3(own.opening);
+            let at = member.at(mode.slack, p, contraction);
+            let at = at.map_err(|error| MotionError::model(error, 0.0, i, p, contraction))?;
+            let volume = at.volume_mm3.value + muscle.outside_mm3(own.opening);
             own.absolute_mpa = p + ATMOSPHERE_MPA;
-            own.mass_g = muscle.fluid.mass_g(own.absolute_mpa, volume);
-            own.branches_n.fill(member.wall_n(at.force_n, p, e));
+            own.mass_g = muscle.fluid.medium().mass_g(own.absolute_mpa, volume);
+            own.branches_n.fill(member.wall_n(p, &at));
             let first = match &drive.target {
                 Target::Pressure(c) => c.get(i).map(|c| c.value(0.0)),
                 _ => None,
@@ -225,8 +204,8 @@ impl System<'_> {
         if let (Some(own), Target::Position { pid, .. }) = (&mut state.controller, &drive.target) {
             own.filtered = start.coordinate * drive.mechanism.position_per_coordinate();
             if let PidOutput::Pressure { bias_mpa } = pid.output {
-                let sign = drive.mechanism.lever(0, 0.0).per_coordinate.signum();
-                own.integral = sign * (start.pressures_mpa.first().copied().unwrap_or(0.0) - bias_mpa);
+                own.integral =
+                    self.turns(0) * (start.pressures_mpa.first().copied().unwrap_or(0.0) - bias_mpa);
             }
         }
         Ok(state)

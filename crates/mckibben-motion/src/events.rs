@@ -112,13 +112,9 @@ impl System<'_> {
             let Some((hysteresis, closed_centre)) = switches(&m.actuator) else { continue };
             let signal = match point.muscles.get(i) {
                 Some(p) => p.signal,
-                None => self.command(t, i, None).0 - own.gauge_mpa(),
+                None => self.command(t, i, None) - own.gauge_mpa(),
             };
-            let is_pressure = match &self.drive.target {
-                Target::Pressure(_) => true,
-                Target::Opening(_) | Target::Volume(_) => false,
-                Target::Position { pid, .. } => pid.output != crate::control::PidOutput::Opening,
-            };
+            let is_pressure = self.drive.target.is_pressure();
             let (on, off) = match (is_pressure, closed_centre) {
                 (true, true) => (hysteresis, 0.0),
                 (true, false) => (hysteresis, -hysteresis),
@@ -145,8 +141,10 @@ impl System<'_> {
     /// to some 1e-9 of the blocked force; a smaller push than that would have a muscle slack by the one and taut by the other.
     pub fn slack_n(&self, muscle: usize) -> f64 {
         const PRESSURE_MPA: f64 = 3e-8;
-        let area =
-            self.members.get(muscle).map_or(1.0, |m| m.model.muscle().tube().outer_radius_mm().powi(2));
+        let area = self
+            .members
+            .get(muscle)
+            .map_or(1.0, |m| m.muscle.model.muscle().tube().outer_radius_mm().powi(2));
         PRESSURE_MPA * std::f64::consts::PI * area
     }
 

@@ -1,16 +1,10 @@
 //! What is commanded at a time, and the air or liquid that it lets into a muscle and out of it.
 
-use crate::state::{ControllerState, MuscleState, State};
+use crate::air::Cavity;
+use crate::control::Control;
+use crate::state::{MuscleState, State};
 use crate::system::{Mode, Switch, System};
-use crate::{ATMOSPHERE_MPA, Actuated, Actuator, Cavity, Command, Flow, Fluid, PidOutput, Target, ValveKind};
-
-/// The answer of the controller.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Control {
-    /// u.
-    pub output: f64,
-    pub rates: ControllerState,
-}
+use crate::{ATMOSPHERE_MPA, Actuated, Actuator, Flow, Fluid, PidOutput, Target, ValveKind};
 
 /// What flows at a time.
 #[derive(Debug, Clone, Copy, Default)]
@@ -36,76 +30,61 @@ impl System<'_> {
         };
         let wanted = command.value_within(t, self.within.get()) + self.offset.get();
         let position = state.coordinate * self.drive.mechanism.position_per_coordinate();
-        let (output, integral, filtered) = pid.step(wanted, position, (own.integral, own.filtered), limits);
-        Some(Control { output, rates: ControllerState { integral, filtered } })
+        Some(pid.step(wanted, position, own, limits))
     }
 
-    /// The command of a muscle: a pressure in MPa (true), or else an opening.
-    pub fn command(&self, t: f64, muscle: usize, control: Option<Control>) -> (f64, bool) {
+    /// The command of a muscle: a pressure in MPa, or else an opening or a volume.
+    pub fn command(&self, t: f64, muscle: usize, control: Option<Control>) -> f64 {
         match &self.drive.target {
-            Target::Pressure(c) => (self.value(c.get(muscle), t, muscle), true),
-            Target::Opening(c) | Target::Volume(c) => (self.value(c.get(muscle), t, muscle), false),
+            Target::Pressure(c) | Target::Opening(c) | Target::Volume(c) => {
+                let value = c.get(muscle).map_or(0.0, |c| c.value_within(t, self.within.get()));
+                value + self.offset.get() * self.turns(muscle)
+            }
             Target::Position { pid, .. } => {
                 let u = control.map_or(0.0, |c| c.output) * self.turns(muscle);
                 match pid.output {
-                    PidOutput::Opening => (u, false),
+                    PidOutput::Opening => u,
                     PidOutput::Pressure { bias_mpa } => {
-                        ((bias_mpa + u).max(0.0).min(self.drive.supply.pressure_mpa), true)
+                        (bias_mpa + u).max(0.0).min(self.drive.supply.pressure_mpa)
                     }
                 }
             }
         }
     }
 
-    fn value(&self, command: Option<&Command>, t: f64, muscle: usize) -> f64 {
-        let value = command.map_or(0.0, |c| c.value_within(t, self.within.get()));
-        value + self.offset.get() * self.turns(muscle)
-    }
-
     /// 1, or −1 of a muscle that turns a joint to −.
-    fn turns(&self, muscle: usize) -> f64 {
+    pub fn turns(&self, muscle: usize) -> f64 {
         self.drive.mechanism.lever(muscle, 0.0).per_coordinate.signum()
     }
 
-    /// What flows into a muscle whose pressure and temperature are `inside`, by its command.
+    /// What flows into a muscle by its command.
     pub fn flows(
         &self,
         actuated: &Actuated<'_>,
         own: &MuscleState,
-        (command, is_pressure): (f64, bool),
+        command: f64,
         mode: &Mode,
-        inside: (f64, f64),
         cavity: &Cavity,
     ) -> FluidRates {
-        let fluid = &actuated.fluid;
-        let error = command + ATMOSPHERE_MPA - inside.0;
-        let rate = |cavity: &Cavity, flows: &[Flow]| {
-            fluid.pressure_rate_mpa_per_s(inside.0, inside.1, cavity, flows)
-        };
+        let (medium, is_pressure) = (actuated.fluid.medium(), self.drive.target.is_pressure());
+        let error = command + ATMOSPHERE_MPA - cavity.absolute_mpa;
         let kind = match (&actuated.actuator, actuated.actuator.kind()) {
             (Actuator::Syringe(syringe), _) => {
                 let opening = own.opening.unwrap_or(0.0);
                 let opening_rate = (command / syringe.volume_mm3 - opening) / syringe.time_constant_s;
                 let piston_mm3_per_s = opening_rate * syringe.volume_mm3;
                 let swept_mm3_per_s = cavity.swept_mm3_per_s - piston_mm3_per_s;
-                let pressure_rate = rate(&Cavity { swept_mm3_per_s, ..*cavity }, &[]);
-                let none = Flow { mass_g_per_s: 0.0, temperature_k: inside.1 };
-                return FluidRates {
-                    supply: none,
-                    exhaust: none,
-                    pressure_rate,
-                    opening,
-                    opening_rate,
-                    signal: 0.0,
-                    piston_mm3_per_s,
-                };
+                let pressure_rate =
+                    medium.pressure_rate_mpa_per_s(&Cavity { swept_mm3_per_s, ..*cavity }, &[]);
+                let rest = FluidRates::default();
+                return FluidRates { pressure_rate, opening, opening_rate, piston_mm3_per_s, ..rest };
             }
             (Actuator::Regulator { time_constant_s }, _) => {
-                let rate = error / time_constant_s;
-                let flow = fluid.flow_for_rate(rate, inside, cavity, self.drive.supply.temperature_k);
+                let pressure_rate = error / time_constant_s;
+                let flow = medium.flow_for_rate(pressure_rate, cavity, self.drive.supply.temperature_k);
                 let none = Flow { mass_g_per_s: 0.0, ..flow };
                 let (supply, exhaust) = if flow.mass_g_per_s > 0.0 { (flow, none) } else { (none, flow) };
-                return FluidRates { supply, exhaust, pressure_rate: rate, ..FluidRates::default() };
+                return FluidRates { supply, exhaust, pressure_rate, ..FluidRates::default() };
             }
             (_, kind) => kind.unwrap_or(ValveKind::DEFAULT),
         };
@@ -126,11 +105,11 @@ impl System<'_> {
             _ => (wanted, 0.0),
         };
         let supply = &self.drive.supply;
-        let gauges = (supply.pressure_mpa, inside.0 - ATMOSPHERE_MPA);
-        let (supply, exhaust) = match (&actuated.actuator, fluid) {
+        let gauges = (supply.pressure_mpa, cavity.absolute_mpa - ATMOSPHERE_MPA);
+        let (supply, exhaust) = match (&actuated.actuator, &actuated.fluid) {
             (Actuator::Valve(valve), _) => {
-                let atmosphere = (ATMOSPHERE_MPA, fluid.wall_temperature_k());
-                valve.flows(opening, supply.state(), inside, atmosphere)
+                let inside = (cavity.absolute_mpa, cavity.temperature_k);
+                valve.flows(opening, supply.state(), inside, (ATMOSPHERE_MPA, medium.wall_temperature_k()))
             }
             (Actuator::LiquidValve(valve), Fluid::Liquid(fill)) => {
                 fill.flows(opening, gauges, |difference| valve.flow(opening, difference, &fill.liquid))
@@ -140,7 +119,7 @@ impl System<'_> {
             }),
             _ => Default::default(),
         };
-        let pressure_rate = rate(cavity, &[supply, exhaust]);
+        let pressure_rate = medium.pressure_rate_mpa_per_s(cavity, &[supply, exhaust]);
         FluidRates { supply, exhaust, pressure_rate, opening, opening_rate, signal, piston_mm3_per_s: 0.0 }
     }
 }

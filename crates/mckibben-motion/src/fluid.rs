@@ -1,7 +1,7 @@
 //! What fills a muscle: air or a liquid.
 
-use crate::{Air, Cavity, Flow, Heat, LiquidFill};
-use mckibben::analysis::HEAT_RATIO;
+use crate::air::Cavity;
+use crate::{Air, Flow, LiquidFill};
 
 /// What fills a muscle.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,94 +24,53 @@ impl Fluid {
         matches!(self, Self::Liquid(_))
     }
 
-    /// Volume outside of the cavity in mm³, without the hose.
-    pub fn dead_volume_mm3(&self) -> f64 {
+    /// Its laws.
+    pub(crate) fn medium(&self) -> &dyn Medium {
         match self {
-            Self::Air(air) => air.dead_volume_mm3,
-            Self::Liquid(liquid) => liquid.dead_volume_mm3,
+            Self::Air(air) => air,
+            Self::Liquid(liquid) => liquid,
         }
     }
+}
+
+/// The laws of a fluid in a muscle; pressures are absolute.
+pub(crate) trait Medium {
+    /// Volume outside of the cavity in mm³, without the hose.
+    fn dead_volume_mm3(&self) -> f64;
 
     /// The wall's temperature in K.
-    pub fn wall_temperature_k(&self) -> f64 {
-        match self {
-            Self::Air(air) => air.wall_temperature_k,
-            Self::Liquid(liquid) => liquid.temperature_k,
-        }
-    }
+    fn wall_temperature_k(&self) -> f64;
 
     /// Its temperature in K.
-    pub fn temperature_k(&self, absolute_mpa: f64, mass_g: f64, volume_mm3: f64) -> f64 {
-        match self {
-            Self::Air(air) => air.temperature_k(absolute_mpa, mass_g, volume_mm3),
-            Self::Liquid(liquid) => liquid.temperature_k,
-        }
-    }
+    fn temperature_k(&self, absolute_mpa: f64, mass_g: f64, volume_mm3: f64) -> f64;
 
-    /// Its mass in g at the wall's temperature.
-    pub fn mass_g(&self, absolute_mpa: f64, volume_mm3: f64) -> f64 {
-        match self {
-            Self::Air(air) => air.mass_g(absolute_mpa, volume_mm3),
-            Self::Liquid(liquid) => liquid.mass_g(absolute_mpa, volume_mm3),
-        }
+    /// Mass in g of what has a volume at the wall's temperature.
+    fn mass_g(&self, absolute_mpa: f64, volume_mm3: f64) -> f64;
+
+    /// ṗ in MPa/s for given flows.
+    fn pressure_rate_mpa_per_s(&self, cavity: &Cavity, flows: &[Flow]) -> f64;
+
+    /// The flow that makes the pressure change at a rate: in from a supply at `supply_k`, out at its own temperature.
+    fn flow_for_rate(&self, rate_mpa_per_s: f64, cavity: &Cavity, supply_k: f64) -> Flow;
+
+    /// What a flow carries in mW.
+    fn enthalpy_mw(&self, flow: Flow, absolute_mpa: f64) -> f64;
+
+    /// Its internal energy in mJ.
+    fn internal_mj(&self, absolute_mpa: f64, volume_mm3: f64) -> f64;
+
+    /// Heat from the wall in mW while the pressure changes at a rate; a liquid's is not counted.
+    fn heat_mw(&self, _rate_mpa_per_s: f64, _cavity: &Cavity, _flows: &[Flow]) -> f64 {
+        0.0
     }
 
     /// Whether its heat passes through the area of the wall.
-    pub(crate) fn needs_area(&self) -> bool {
-        matches!(self, Self::Air(Air { heat: Heat::Transfer(_), .. }))
+    fn needs_area(&self) -> bool {
+        false
     }
 
-    /// ṗ in MPa/s for given flows.
-    pub(crate) fn pressure_rate_mpa_per_s(
-        &self,
-        absolute_mpa: f64,
-        temperature_k: f64,
-        cavity: &Cavity,
-        flows: &[Flow],
-    ) -> f64 {
-        match self {
-            Self::Air(air) => air.pressure_rate_mpa_per_s(absolute_mpa, temperature_k, cavity, flows),
-            Self::Liquid(liquid) => liquid.pressure_rate_mpa_per_s(absolute_mpa, cavity, flows),
-        }
-    }
-
-    /// The flow that makes the pressure change at a rate.
-    pub(crate) fn flow_for_rate(
-        &self,
-        rate_mpa_per_s: f64,
-        (absolute_mpa, temperature_k): (f64, f64),
-        cavity: &Cavity,
-        supply_k: f64,
-    ) -> Flow {
-        match self {
-            Self::Air(air) => {
-                air.flow_for_rate(rate_mpa_per_s, absolute_mpa, temperature_k, cavity, supply_k)
-            }
-            Self::Liquid(liquid) => liquid.flow_for_rate(rate_mpa_per_s, absolute_mpa, cavity),
-        }
-    }
-
-    /// What a flow carries in mW: of air its enthalpy, of a liquid its stored energy and p V at the muscle's pressure.
-    pub(crate) fn enthalpy_mw(&self, flow: Flow, absolute_mpa: f64) -> f64 {
-        match self {
-            Self::Air(_) => flow.enthalpy_mw(),
-            Self::Liquid(liquid) => liquid.enthalpy_mw(flow, absolute_mpa),
-        }
-    }
-
-    /// Heat from the wall in mW; a liquid's is not counted.
-    pub(crate) fn heat_mw(&self, absolute_mpa: f64, rate: f64, cavity: &Cavity, flows: &[Flow]) -> f64 {
-        match self {
-            Self::Air(air) => air.heat_mw(absolute_mpa, rate, cavity, flows),
-            Self::Liquid(_) => 0.0,
-        }
-    }
-
-    /// Its internal energy in mJ: of air p V/(γ − 1).
-    pub(crate) fn internal_mj(&self, absolute_mpa: f64, volume_mm3: f64) -> f64 {
-        match self {
-            Self::Air(_) => absolute_mpa * volume_mm3 / (HEAT_RATIO - 1.0),
-            Self::Liquid(liquid) => liquid.internal_mj(absolute_mpa, volume_mm3),
-        }
+    /// Whether it boils.
+    fn boils(&self, _absolute_mpa: f64) -> bool {
+        false
     }
 }

@@ -61,8 +61,7 @@ pub mod verification;
 mod viscoelastic;
 
 pub use air::{
-    ATMOSPHERE_MPA, Air, Cavity, Flow, GAS_CONSTANT_J_PER_KG_K, HEAT_RATIO, Heat, REFERENCE_DENSITY_G_PER_L,
-    cavity_area_mm2,
+    ATMOSPHERE_MPA, Air, Flow, GAS_CONSTANT_J_PER_KG_K, HEAT_RATIO, Heat, REFERENCE_DENSITY_G_PER_L,
 };
 pub use catalogue::{NamedValve, ValveError, conductance_of_rated_flow, valve_named, valves};
 pub use command::Command;
@@ -82,7 +81,7 @@ pub use motion::{Energies, Motion, MotionEnd, Moves, StepFigures};
 pub use orifice::{LINEAR_SHARE, Orifice, in_series};
 pub use run::{run, run_as_far};
 pub use series::{MotionSeries, MuscleSeries};
-pub use simulation::{Pushed, Simulation};
+pub use simulation::Simulation;
 pub use size::{Sized, size};
 pub use valve::{Valve, ValveKind};
 pub use viscoelastic::{Branch, Prony};

@@ -123,18 +123,17 @@ impl Linear {
         let level = self.response(1e-4)?.gain / 2f64.sqrt();
         let below = |f: f64| self.response(f).is_some_and(|r| r.gain < level);
         let mut low = 1e-4;
-        while low < 1e3 {
-            let high = low * 1.05;
-            if below(high) {
-                let (mut a, mut b) = (low, high);
-                for _ in 0..60 {
-                    let mid = 0.5 * (a + b);
-                    if below(mid) { b = mid } else { a = mid }
-                }
-                return Some(b);
+        while !below(low * 1.05) {
+            low *= 1.05;
+            if low >= 1e3 {
+                return None;
             }
-            low = high;
         }
-        None
+        let (mut a, mut b) = (low, low * 1.05);
+        for _ in 0..60 {
+            let mid = 0.5 * (a + b);
+            if below(mid) { b = mid } else { a = mid }
+        }
+        Some(b)
     }
 }

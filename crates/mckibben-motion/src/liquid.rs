@@ -1,6 +1,8 @@
 //! A liquid in the place of the air: its balance, and what a valve, a line, a pump or a syringe lets through.
 
-use crate::{ATMOSPHERE_MPA, Cavity, Flow, Hose, MotionError, ValveKind};
+use crate::air::Cavity;
+use crate::fluid::Medium;
+use crate::{ATMOSPHERE_MPA, Flow, Hose, MotionError, ValveKind};
 use mckibben::analysis::find_root;
 use mckibben::liquid::Liquid;
 use std::f64::consts::PI;
@@ -39,61 +41,75 @@ pub struct LiquidFill {
 }
 
 impl LiquidFill {
-    /// Mass in g of what has a volume at an absolute pressure.
-    pub fn mass_g(&self, absolute_mpa: f64, volume_mm3: f64) -> f64 {
-        self.liquid.mass_g(volume_mm3 / self.liquid.relative_volume(absolute_mpa - ATMOSPHERE_MPA))
-    }
-
     /// Volume of a mass at atmospheric pressure in mm³.
-    pub fn volume_mm3(&self, mass_g: f64) -> f64 {
+    pub(crate) fn volume_mm3(&self, mass_g: f64) -> f64 {
         mass_g / self.liquid.mass_g(1.0)
     }
 
-    pub(crate) fn flow(&self, volume_mm3_per_s: f64) -> Flow {
+    fn flow(&self, volume_mm3_per_s: f64) -> Flow {
         Flow { mass_g_per_s: self.liquid.mass_g(volume_mm3_per_s), temperature_k: self.temperature_k }
     }
 
+    /// φ at an absolute pressure.
+    fn relative_volume(&self, absolute_mpa: f64) -> f64 {
+        self.liquid.relative_volume(absolute_mpa - ATMOSPHERE_MPA)
+    }
+
     /// V_P + N c(P) in mm³/MPa.
-    fn gives_way(&self, gauge_mpa: f64, cavity: &Cavity) -> f64 {
-        let share = self.liquid.compliance_per_mpa(gauge_mpa) / self.liquid.relative_volume(gauge_mpa);
+    fn gives_way(&self, cavity: &Cavity) -> f64 {
+        let gauge = cavity.absolute_mpa - ATMOSPHERE_MPA;
+        let share = self.liquid.compliance_per_mpa(gauge) / self.liquid.relative_volume(gauge);
         cavity.volume_per_pressure_mm3_per_mpa + cavity.volume_mm3 * share
-    }
-
-    /// ṗ in MPa/s for given flows; the cavity's swept volume is less that of the piston.
-    pub fn pressure_rate_mpa_per_s(&self, absolute_mpa: f64, cavity: &Cavity, flows: &[Flow]) -> f64 {
-        let gauge = absolute_mpa - ATMOSPHERE_MPA;
-        let entering: f64 = flows.iter().map(|f| self.volume_mm3(f.mass_g_per_s)).sum();
-        (entering * self.liquid.relative_volume(gauge) - cavity.swept_mm3_per_s)
-            / self.gives_way(gauge, cavity)
-    }
-
-    /// The flow that makes the pressure change at a rate.
-    pub fn flow_for_rate(&self, rate_mpa_per_s: f64, absolute_mpa: f64, cavity: &Cavity) -> Flow {
-        let gauge = absolute_mpa - ATMOSPHERE_MPA;
-        let swelling = rate_mpa_per_s * self.gives_way(gauge, cavity) + cavity.swept_mm3_per_s;
-        self.flow(swelling / self.liquid.relative_volume(gauge))
-    }
-
-    /// What a flow carries at the pressure of the muscle in mW: stored energy and p V.
-    pub(crate) fn enthalpy_mw(&self, flow: Flow, absolute_mpa: f64) -> f64 {
-        let share = self.liquid.relative_volume(absolute_mpa - ATMOSPHERE_MPA);
-        self.volume_mm3(flow.mass_g_per_s) * (self.stored_mpa(absolute_mpa) + absolute_mpa * share)
-    }
-
-    /// Energy stored in what has a volume at an absolute pressure, in mJ, against atmospheric pressure.
-    pub(crate) fn internal_mj(&self, absolute_mpa: f64, volume_mm3: f64) -> f64 {
-        let share = self.liquid.relative_volume(absolute_mpa - ATMOSPHERE_MPA);
-        volume_mm3 / share * self.stored_mpa(absolute_mpa)
     }
 
     /// −∫ p dφ from atmospheric pressure, p absolute, in mJ for each mm³ at atmospheric pressure.
     fn stored_mpa(&self, absolute_mpa: f64) -> f64 {
-        let gauge = absolute_mpa - ATMOSPHERE_MPA;
-        self.liquid.energy_mpa(gauge) + ATMOSPHERE_MPA * (1.0 - self.liquid.relative_volume(gauge))
+        let stored = self.liquid.energy_mpa(absolute_mpa - ATMOSPHERE_MPA);
+        stored + ATMOSPHERE_MPA * (1.0 - self.relative_volume(absolute_mpa))
+    }
+}
+
+impl Medium for LiquidFill {
+    fn dead_volume_mm3(&self) -> f64 {
+        self.dead_volume_mm3
     }
 
-    /// Whether the liquid boils.
-    pub(crate) fn boils(&self, absolute_mpa: f64) -> bool {
+    fn wall_temperature_k(&self) -> f64 {
+        self.temperature_k
+    }
+
+    fn temperature_k(&self, _: f64, _: f64, _: f64) -> f64 {
+        self.temperature_k
+    }
+
+    fn mass_g(&self, absolute_mpa: f64, volume_mm3: f64) -> f64 {
+        self.liquid.mass_g(volume_mm3 / self.relative_volume(absolute_mpa))
+    }
+
+    /// The cavity's swept volume is less that of the piston.
+    fn pressure_rate_mpa_per_s(&self, cavity: &Cavity, flows: &[Flow]) -> f64 {
+        let entering: f64 = flows.iter().map(|f| self.volume_mm3(f.mass_g_per_s)).sum();
+        (entering * self.relative_volume(cavity.absolute_mpa) - cavity.swept_mm3_per_s)
+            / self.gives_way(cavity)
+    }
+
+    fn flow_for_rate(&self, rate_mpa_per_s: f64, cavity: &Cavity, _: f64) -> Flow {
+        let swelling = rate_mpa_per_s * self.gives_way(cavity) + cavity.swept_mm3_per_s;
+        self.flow(swelling / self.relative_volume(cavity.absolute_mpa))
+    }
+
+    /// Stored energy and p V at the muscle's pressure.
+    fn enthalpy_mw(&self, flow: Flow, absolute_mpa: f64) -> f64 {
+        let share = self.relative_volume(absolute_mpa);
+        self.volume_mm3(flow.mass_g_per_s) * (self.stored_mpa(absolute_mpa) + absolute_mpa * share)
+    }
+
+    /// Against atmospheric pressure.
+    fn internal_mj(&self, absolute_mpa: f64, volume_mm3: f64) -> f64 {
+        volume_mm3 / self.relative_volume(absolute_mpa) * self.stored_mpa(absolute_mpa)
+    }
+
+    fn boils(&self, absolute_mpa: f64) -> bool {
         absolute_mpa < VAPOUR_MPA
     }
 }

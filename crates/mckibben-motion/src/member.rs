@@ -2,91 +2,82 @@
 
 use crate::{Actuated, Hysteresis};
 use mckibben::analysis::{Evaluation, Options};
-use mckibben::model::{ForceModel, Ideal, ModelError, ThickWall, Workspace, pivoting_n_per_mm};
+use mckibben::model::{Ideal, ModelError, ThickWall, Workspace, pivoting_n_per_mm};
 use std::cell::{Cell, OnceCell, RefCell};
 
-/// F and V at a gauge pressure and contraction, with their derivatives.
+/// A quantity of a muscle with its derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Answer {
-    pub force_n: f64,
-    /// ∂F/∂ε in N
-    pub force_e: f64,
-    /// ∂F/∂P in mm²
-    pub force_p: f64,
-    pub volume_mm3: f64,
-    pub volume_e: f64,
-    pub volume_p: f64,
-    /// G of the strands' contact in N/mm; 0 where nobody needs it.
-    pub pivoting_n_per_mm: f64,
-    pub pivoting_e: f64,
-    pub pivoting_p: f64,
+pub(crate) struct Quantity {
+    pub value: f64,
+    /// ∂/∂P in 1/MPa
+    pub by_pressure: f64,
+    /// ∂/∂ε
+    pub by_contraction: f64,
 }
 
-impl Answer {
-    /// The first order about the point of this answer.
-    fn moved(self, pressure_mpa: f64, contraction: f64) -> Self {
-        Self {
-            force_n: self.force_n + self.force_p * pressure_mpa + self.force_e * contraction,
-            volume_mm3: self.volume_mm3 + self.volume_p * pressure_mpa + self.volume_e * contraction,
-            pivoting_n_per_mm: self.pivoting_n_per_mm
-                + self.pivoting_p * pressure_mpa
-                + self.pivoting_e * contraction,
-            ..self
-        }
+impl Quantity {
+    /// Its derivative in time.
+    pub fn rate(self, pressure_rate: f64, contraction_rate: f64) -> f64 {
+        self.by_pressure * pressure_rate + self.by_contraction * contraction_rate
     }
 }
 
-/// The slack muscle: where it hangs, and how its volume follows the pressure alone.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SlackState {
-    pub contraction: f64,
-    pub answer: Answer,
-    /// dε_free/dP
-    pub contraction_p: f64,
+/// What a muscle answers at a gauge pressure and contraction.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Answer {
+    pub force_n: Quantity,
+    pub volume_mm3: Quantity,
+    /// G of the strands' contact in N/mm; 0 where nobody needs it.
+    pub pivoting_n_per_mm: Quantity,
+    /// Of a slack muscle that at which it hangs, which follows the pressure alone.
+    pub contraction: Quantity,
 }
+
+impl Answer {
+    pub fn quantities(self) -> [Quantity; 4] {
+        [self.force_n, self.volume_mm3, self.pivoting_n_per_mm, self.contraction]
+    }
+
+    fn of([force_n, volume_mm3, pivoting_n_per_mm, contraction]: [Quantity; 4]) -> Self {
+        Self { force_n, volume_mm3, pivoting_n_per_mm, contraction }
+    }
+
+    /// The first order about the point of this answer.
+    fn moved(self, p: f64, e: f64) -> Self {
+        let moved = |q: Quantity| q.value + q.by_pressure * p + q.by_contraction * e;
+        Self::of(self.quantities().map(|q| Quantity { value: moved(q), ..q }))
+    }
+}
+
+/// The quantities of an answer, each with its derivative in time.
+pub(crate) type Moment = [(Quantity, f64); 4];
 
 /// What replaces the model between two answers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Substitute {
     /// At one moment within a step.
-    Moment(SlackState),
+    Moment(Answer),
     /// About a pressure and contraction: first order.
-    Near(f64, f64, SlackState),
+    Near(f64, f64, Answer),
     /// The same about the nearest question that was asked last.
     Nearest,
 }
 
 impl Substitute {
-    /// At the share `s` of a step of length `h` between two answers with their derivatives in time.
-    pub fn between(a: &(SlackState, SlackState), b: &(SlackState, SlackState), s: f64, h: f64) -> Self {
+    /// At the share `s` of a step of length `h` between two moments.
+    pub fn between(a: &Moment, b: &Moment, s: f64, h: f64) -> Self {
         let r = 1.0 - s;
         let cubic = |x: f64, k: f64, y: f64, l: f64| {
             x * r * r * (1.0 + 2.0 * s) + y * s * s * (3.0 - 2.0 * s) + h * (k * s * r * r - l * s * s * r)
         };
-        let line = |x: f64, y: f64| r * x + s * y;
-        let (of, by, to, then) = (&a.0.answer, &a.1.answer, &b.0.answer, &b.1.answer);
-        let answer = Answer {
-            force_n: cubic(of.force_n, by.force_n, to.force_n, then.force_n),
-            volume_mm3: cubic(of.volume_mm3, by.volume_mm3, to.volume_mm3, then.volume_mm3),
-            pivoting_n_per_mm: cubic(
-                of.pivoting_n_per_mm,
-                by.pivoting_n_per_mm,
-                to.pivoting_n_per_mm,
-                then.pivoting_n_per_mm,
-            ),
-            force_e: line(of.force_e, to.force_e),
-            force_p: line(of.force_p, to.force_p),
-            volume_e: line(of.volume_e, to.volume_e),
-            volume_p: line(of.volume_p, to.volume_p),
-            pivoting_e: line(of.pivoting_e, to.pivoting_e),
-            pivoting_p: line(of.pivoting_p, to.pivoting_p),
-        };
-        let contraction = cubic(a.0.contraction, a.1.contraction, b.0.contraction, b.1.contraction);
-        Self::Moment(SlackState {
-            contraction,
-            answer,
-            contraction_p: line(a.0.contraction_p, b.0.contraction_p),
-        })
+        Self::Moment(Answer::of(std::array::from_fn(|i| {
+            let ((x, k), (y, l)) = (a[i], b[i]);
+            Quantity {
+                value: cubic(x.value, k, y.value, l),
+                by_pressure: r * x.by_pressure + s * y.by_pressure,
+                by_contraction: r * x.by_contraction + s * y.by_contraction,
+            }
+        })))
     }
 }
 
@@ -105,14 +96,12 @@ const SLACK: f64 = 1e-3;
 type Kept = [Option<(f64, f64, Answer)>; 8];
 
 pub(crate) struct Member<'a> {
-    pub model: &'a dyn ForceModel,
+    pub muscle: &'a Actuated<'a>,
     pub length_mm: f64,
     /// So far from an answer that is kept, as a contraction (ten times as far as a share of the pressure), its first order is the model.
     near: f64,
     ideal: Ideal,
     pub memory: Memory,
-    /// Whether friction needs G.
-    has_contact: bool,
     pub asked: Cell<usize>,
     /// In place of the model, where there is one.
     pub substitute: Cell<Option<Substitute>>,
@@ -140,23 +129,22 @@ impl Memory {
 
 impl<'a> Member<'a> {
     /// A member with the relative tolerance of the motion.
-    pub fn new(muscle: &Actuated<'a>, tolerance: f64) -> Self {
-        let model = muscle.model;
+    pub fn new(muscle: &'a Actuated<'a>, tolerance: f64) -> Self {
+        let shape = muscle.model.muscle();
         Self {
-            model,
+            muscle,
             near: tolerance,
-            length_mm: model.muscle().length_mm(),
-            ideal: Ideal::new(model.muscle()),
+            length_mm: shape.length_mm(),
+            ideal: Ideal::new(shape),
             memory: Memory::default(),
-            has_contact: muscle.friction.as_ref().is_some_and(Hysteresis::has_contact),
             asked: Cell::new(0),
             substitute: Cell::new(None),
         }
     }
 
     /// The wall's part of a pull: what the ideal formula does not have.
-    pub fn wall_n(&self, force_n: f64, pressure_mpa: f64, contraction: f64) -> f64 {
-        force_n - self.ideal.pull(pressure_mpa, contraction)
+    pub fn wall_n(&self, pressure_mpa: f64, at: &Answer) -> f64 {
+        at.force_n.value - self.ideal.pull(pressure_mpa, at.contraction.value)
     }
 
     /// The ideal formula's volume.
@@ -164,11 +152,22 @@ impl<'a> Member<'a> {
         self.ideal.volume(contraction)
     }
 
+    /// The muscle at a pressure: slack, or taut at a contraction.
+    pub fn at(&self, slack: bool, pressure_mpa: f64, contraction: f64) -> Result<Answer, ModelError> {
+        if slack {
+            return self.slack(pressure_mpa);
+        }
+        let own = Quantity { value: contraction, by_pressure: 0.0, by_contraction: 1.0 };
+        Ok(Answer { contraction: own, ..self.answer(pressure_mpa, contraction)? })
+    }
+
     /// F and V with their derivatives.
     pub fn answer(&self, pressure_mpa: f64, contraction: f64) -> Result<Answer, ModelError> {
         match self.substitute.get() {
-            Some(Substitute::Moment(h)) => return Ok(h.answer),
-            Some(Substitute::Near(p, e, h)) => return Ok(h.answer.moved(pressure_mpa - p, contraction - e)),
+            Some(Substitute::Moment(answer)) => return Ok(answer),
+            Some(Substitute::Near(p, e, answer)) => {
+                return Ok(answer.moved(pressure_mpa - p, contraction - e));
+            }
             Some(Substitute::Nearest) => {
                 let kept = self.memory.kept.borrow();
                 let away = |k: &&(f64, f64, Answer)| (k.0 - pressure_mpa).abs() + (k.1 - contraction).abs();
@@ -182,7 +181,7 @@ impl<'a> Member<'a> {
         let p = pressure_mpa.max(LEAST_MPA);
         // Not where the muscle goes slack: the pull at which it does is that of the slack muscle, to the last digits.
         let near = |(at_mpa, at, answer): &&(f64, f64, Answer)| {
-            let pulls = answer.force_n > SLACK * answer.force_e.abs();
+            let pulls = answer.force_n.value > SLACK * answer.force_n.by_contraction.abs();
             let near = (at_mpa - p).abs() <= 10.0 * self.near * p && (at - contraction).abs() <= self.near;
             near && pulls || *at_mpa == p && *at == contraction
         };
@@ -220,76 +219,76 @@ impl<'a> Member<'a> {
     fn ask(&self, p: f64, e: f64) -> Result<Answer, ModelError> {
         let w = &mut *self.memory.workspace.borrow_mut();
         self.asked.set(self.asked.get() + 1);
+        let model = self.muscle.model;
         let not_finite = || ModelError::NotFinite {
-            model: self.model.info().name.to_string(),
+            model: model.info().name.to_string(),
             pressure_mpa: p,
             contraction: e,
         };
         let mut at = |p: f64, e: f64| {
-            let r = self.model.response(w, p, e)?;
+            let r = model.response(w, p, e)?;
             let volume = r.volume_mm3.ok_or_else(not_finite)?;
             Ok::<_, ModelError>((r, volume))
         };
         let (r, volume_mm3) = at(p, e)?;
+        // The slopes of pull and volume: those of the model, or differences between two points.
+        let mut slopes = |known: [Option<f64>; 2], above: (f64, f64), below: (f64, f64), width: f64| {
+            if let [Some(force), Some(volume)] = known {
+                return Ok::<_, ModelError>([force, volume]);
+            }
+            let (above, below) = (at(above.0, above.1)?, at(below.0, below.1)?);
+            let [force, volume] = [above.0.force_n - below.0.force_n, above.1 - below.1].map(|d| d / width);
+            Ok([known[0].unwrap_or(force), known[1].unwrap_or(volume)])
+        };
         // At the least pressure only its own side is asked.
         let low = (p - STEP_MPA).max(LEAST_MPA);
-        let (mut force_p, mut volume_p) = (r.force_per_pressure_mm2, r.volume_per_pressure_mm3_per_mpa);
-        if force_p.is_none() || volume_p.is_none() {
-            let (above, below) = (at(p + STEP_MPA, e)?, at(low, e)?);
-            let width = p + STEP_MPA - low;
-            volume_p = volume_p.or(Some((above.1 - below.1) / width));
-            force_p = force_p.or(Some((above.0.force_n - below.0.force_n) / width));
-        }
-        let (mut force_e, mut volume_e) =
-            (r.stiffness_n_per_mm.map(|k| -k * self.length_mm), r.volume_per_contraction_mm3);
-        if force_e.is_none() || volume_e.is_none() {
-            let (above, below) = (at(p, e + STEP)?, at(p, e - STEP)?);
-            volume_e = volume_e.or(Some((above.1 - below.1) / (2.0 * STEP)));
-            force_e = force_e.or(Some((above.0.force_n - below.0.force_n) / (2.0 * STEP)));
-        }
-        let [pivoting_n_per_mm, pivoting_e, pivoting_p] = self.pivoting(w, p, e)?;
-        let answer = Answer {
-            pivoting_n_per_mm,
-            pivoting_e,
-            pivoting_p,
-            force_n: r.force_n,
-            force_e: force_e.ok_or_else(not_finite)?,
-            force_p: force_p.ok_or_else(not_finite)?,
-            volume_mm3,
-            volume_e: volume_e.ok_or_else(not_finite)?,
-            volume_p: volume_p.ok_or_else(not_finite)?,
+        let known = [r.force_per_pressure_mm2, r.volume_per_pressure_mm3_per_mpa];
+        let by_pressure = slopes(known, (p + STEP_MPA, e), (low, e), p + STEP_MPA - low)?;
+        let known = [r.stiffness_n_per_mm.map(|k| -k * self.length_mm), r.volume_per_contraction_mm3];
+        let by_contraction = slopes(known, (p, e + STEP), (p, e - STEP), 2.0 * STEP)?;
+        let quantity = |value: f64, i: usize| Quantity {
+            value,
+            by_pressure: by_pressure[i],
+            by_contraction: by_contraction[i],
         };
-        let Answer { force_n, force_e, force_p, volume_e, volume_p, .. } = answer;
-        let numbers = [force_n, force_e, force_p, volume_mm3, volume_e, volume_p];
-        let mut numbers = numbers.into_iter().chain([pivoting_n_per_mm, pivoting_e, pivoting_p]);
-        let finite = numbers.all(f64::is_finite);
-        if finite { Ok(answer) } else { Err(not_finite()) }
+        let answer = Answer {
+            force_n: quantity(r.force_n, 0),
+            volume_mm3: quantity(volume_mm3, 1),
+            pivoting_n_per_mm: self.pivoting(w, p, e)?,
+            contraction: Quantity::default(),
+        };
+        let finite = |q: Quantity| (q.value + q.by_pressure + q.by_contraction).is_finite();
+        if answer.quantities().into_iter().all(finite) { Ok(answer) } else { Err(not_finite()) }
     }
 
     /// G, ∂G/∂ε and ∂G/∂P of the strands' contact, where friction needs them: G is the model's own, or else that of the infinitely long
     /// muscle; its slopes are those of the infinitely long muscle in the same proportion, by one-sided differences.
-    fn pivoting(&self, w: &mut Workspace, p: f64, e: f64) -> Result<[f64; 3], ModelError> {
+    fn pivoting(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Quantity, ModelError> {
         /// Of the pressure (relative) and the contraction.
         const SHARE: f64 = 1e-4;
-        if !self.has_contact {
-            return Ok([0.0; 3]);
+        if !self.muscle.friction.as_ref().is_some_and(Hysteresis::has_contact) {
+            return Ok(Quantity::default());
         }
-        let long = self.memory.long.get_or_init(|| ThickWall::new(self.model.muscle()));
+        let model = self.muscle.model;
+        let long = self.memory.long.get_or_init(|| ThickWall::new(model.muscle()));
         let of_long = |w: &mut Workspace, p: f64, e: f64| pivoting_n_per_mm(long, w, p, e);
         let at = of_long(w, p, e);
-        let own = match self.model.extensions().contact {
+        let value = match model.extensions().contact {
             Some(contact) => contact.pivoting_n_per_mm(w, p, e)?,
             None => at.clone()?,
         };
-        let Some(at) = at.ok().filter(|at| *at > 0.0) else { return Ok([own, 0.0, 0.0]) };
-        let mut change = |p: f64, e: f64| own / at * (of_long(w, p, e).unwrap_or(at) - at);
-        Ok([own, change(p, e + SHARE) / SHARE, change(p * (1.0 + SHARE), e) / (SHARE * p)])
+        let Some(at) = at.ok().filter(|at| *at > 0.0) else {
+            return Ok(Quantity { value, ..Quantity::default() });
+        };
+        let mut change = |p: f64, e: f64| value / at * (of_long(w, p, e).unwrap_or(at) - at);
+        let by_contraction = change(p, e + SHARE) / SHARE;
+        Ok(Quantity { value, by_contraction, by_pressure: change(p * (1.0 + SHARE), e) / (SHARE * p) })
     }
 
     /// The slack muscle at a pressure: Newton's method from where it was slack last, else a search.
-    pub fn slack(&self, pressure_mpa: f64) -> Result<SlackState, ModelError> {
-        if let Some(Substitute::Moment(h)) = self.substitute.get() {
-            return Ok(h);
+    pub fn slack(&self, pressure_mpa: f64) -> Result<Answer, ModelError> {
+        if let Some(Substitute::Moment(answer)) = self.substitute.get() {
+            return Ok(answer);
         }
         let p = pressure_mpa.max(LEAST_MPA);
         let near = self.memory.clamp_slack.get().and_then(|last| self.polished(p, last));
@@ -298,8 +297,9 @@ impl<'a> Member<'a> {
             None => {
                 // Below zero where the ends give way or the sleeve is wider than the tube: it then hangs longer than at rest.
                 let options = Options { two_sided: true, ..Options::extrapolating() };
-                let search = Evaluation::new(self.model, &mut self.memory.workspace.borrow_mut(), options)
-                    .free_contraction(p);
+                let (model, workspace) = (self.muscle.model, &self.memory.workspace);
+                let search =
+                    Evaluation::new(model, &mut workspace.borrow_mut(), options).free_contraction(p);
                 let e = search.map_err(|error| ModelError::NoEquilibrium {
                     reason: format!("a slack muscle has no free contraction: {error}"),
                 })?;
@@ -308,22 +308,25 @@ impl<'a> Member<'a> {
         };
         self.memory.clamp_slack.set(Some(contraction));
         let at = self.answer(p, contraction)?;
-        let contraction_p = if at.force_e < 0.0 { -at.force_p / at.force_e } else { 0.0 };
+        let slope = at.force_n.by_contraction;
+        let by_pressure = if slope < 0.0 { -at.force_n.by_pressure / slope } else { 0.0 };
         // Below the least pressure, and below none, where a liquid can come, it goes on linearly as the taut muscle does.
-        let further = contraction_p * (pressure_mpa - p);
-        Ok(SlackState {
-            contraction: contraction + further,
-            answer: at.moved(pressure_mpa - p, further),
-            contraction_p,
-        })
+        let further = by_pressure * (pressure_mpa - p);
+        let contraction = Quantity { value: contraction + further, by_pressure, by_contraction: 0.0 };
+        Ok(Answer { contraction, ..at.moved(pressure_mpa - p, further) })
+    }
+
+    /// Whether it is slack at a contraction, as far as that is known.
+    pub fn hangs(&self, pressure_mpa: f64, contraction: f64) -> bool {
+        self.slack(pressure_mpa).is_ok_and(|at| contraction >= at.contraction.value)
     }
 
     /// The free contraction by Newton's method from near it, to the model's last digits.
     fn polished(&self, p: f64, mut e: f64) -> Option<f64> {
         let mut before = f64::INFINITY;
         for _ in 0..12 {
-            let a = self.exact(p, e).ok().filter(|a| a.force_e < 0.0)?;
-            let step = -a.force_n / a.force_e;
+            let force = self.exact(p, e).ok().map(|a| a.force_n).filter(|f| f.by_contraction < 0.0)?;
+            let step = -force.value / force.by_contraction;
             if step.abs() < 1e-13 || step.abs() < 1e-9 && step.abs() >= 0.5 * before {
                 return Some(e);
             }

@@ -1,6 +1,5 @@
 //! Figures of a response: rise, settling, overshoot, fill and vent.
 
-use crate::equilibrium::at_pressures;
 use crate::system::System;
 use crate::{Command, Drive, Motion, MotionEnd, Moves, StepFigures, Target};
 
@@ -14,34 +13,44 @@ pub(crate) struct Passed {
     pub gauge_mpa: f64,
 }
 
-/// A column over time, cubic between its points where its slope is known.
-struct Track<'a> {
-    time: &'a [f64],
-    value: &'a [f64],
-    slope: Option<&'a [f64]>,
+/// A value at a time, with its slope where that is known.
+struct Spot {
+    time: f64,
+    value: f64,
+    slope: Option<f64>,
 }
 
-impl Track<'_> {
-    /// The first time from `from` on at which the value comes to `level`, to the piece's end.
-    fn reaches(&self, level: f64, from: f64, until: f64) -> Option<f64> {
-        let at = |list: &[f64], i: usize| list.get(i).copied();
-        for i in 1..self.time.len() {
-            let (a, b) = (at(self.time, i - 1)?, at(self.time, i)?);
-            if b <= from || a >= until {
+/// Values over time, cubic between two spots whose slopes are known, else straight.
+struct Track(Vec<Spot>);
+
+impl Track {
+    /// The last value up to a time.
+    fn at(&self, t: f64) -> f64 {
+        let i = self.0.partition_point(|spot| spot.time <= t).saturating_sub(1);
+        self.0.get(i).map_or(0.0, |spot| spot.value)
+    }
+
+    /// The spots within a piece.
+    fn inside(&self, (from, until): (f64, f64)) -> impl Iterator<Item = &Spot> {
+        self.0.iter().filter(move |spot| spot.time >= from && spot.time <= until)
+    }
+
+    /// The first time within a piece at which the value comes to `level`.
+    fn reaches(&self, level: f64, (from, until): (f64, f64)) -> Option<f64> {
+        for pair in self.0.windows(2) {
+            let [start, end] = pair else { continue };
+            let (a, h) = (start.time, end.time - start.time);
+            if end.time <= from || a >= until {
                 continue;
             }
-            let (x, y) = (at(self.value, i - 1)? - level, at(self.value, i)? - level);
+            let (x, y) = (start.value - level, end.value - level);
             if x == 0.0 && a >= from {
                 return Some(a);
             }
             if x * y > 0.0 || x == 0.0 {
                 continue;
             }
-            let h = b - a;
-            let (k, l) = match self.slope {
-                Some(s) => (h * at(s, i - 1)?, h * at(s, i)?),
-                None => (y - x, y - x),
-            };
+            let [k, l] = [start, end].map(|spot| spot.slope.map_or(y - x, |slope| h * slope));
             // Hermite's cubic, halved: it changes its sign within.
             let cubic = |s: f64| {
                 let r = 1.0 - s;
@@ -57,26 +66,20 @@ impl Track<'_> {
         None
     }
 
-    /// The time from 10 % to 90 % of the way between two positions after a time.
-    fn rise_time(&self, from: f64, to: f64, after: f64, until: f64) -> Option<f64> {
-        let tenth = self.reaches(from + 0.1 * (to - from), after, until)?;
-        let most = self.reaches(from + 0.9 * (to - from), tenth, until)?;
+    /// The time from 10 % to 90 % of the way between two positions within a piece.
+    fn rise_time(&self, from: f64, to: f64, piece: (f64, f64)) -> Option<f64> {
+        let tenth = self.reaches(from + 0.1 * (to - from), piece)?;
+        let most = self.reaches(from + 0.9 * (to - from), (tenth, piece.1))?;
         Some(most - tenth)
-    }
-
-    /// The last time within the piece at which the value is farther than `band` from `level`.
-    fn leaves(&self, level: f64, band: f64, from: f64, until: f64) -> Option<f64> {
-        let inside = |t: f64| t >= from && t <= until;
-        let far = self.time.iter().zip(self.value).filter(|(t, v)| inside(**t) && (**v - level).abs() > band);
-        far.map(|(t, _)| *t).reduce(f64::max)
     }
 }
 
-/// The time from 10 % to 90 % of the way between two positions after a time.
-pub(crate) fn rise_time(motion: &Motion, from: f64, to: f64, after: f64, until: f64) -> Option<f64> {
+/// The time from 10 % to 90 % of the way between two positions within a piece.
+pub(crate) fn rise_time(motion: &Motion, from: f64, to: f64, piece: (f64, f64)) -> Option<f64> {
     let series = &motion.series;
-    let track = Track { time: &series.time_s, value: &series.coordinate, slope: Some(&series.velocity) };
-    track.rise_time(from, to, after, until)
+    let points = series.time_s.iter().zip(series.coordinate.iter().zip(&series.velocity));
+    let spots = points.map(|(time, (value, v))| Spot { time: *time, value: *value, slope: Some(*v) });
+    Track(spots.collect()).rise_time(from, to, piece)
 }
 
 /// Where a command changes, with what it is before and after.
@@ -99,43 +102,34 @@ pub(crate) fn changes(drive: &Drive<'_>) -> Vec<f64> {
 
 /// Fills in the figures of a motion, of everything that was passed: with a long run the points of its series lie far apart.
 pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed], cycle: Option<f64>) {
-    let of = |pick: fn(&Passed) -> f64| passed.iter().map(pick).collect::<Vec<f64>>();
-    let (time, value, velocity, gauge) =
-        (of(|p| p.time_s), of(|p| p.coordinate), of(|p| p.velocity), of(|p| p.gauge_mpa));
-    let track = Track { time: &time, value: &value, slope: Some(&velocity) };
-    let at = |list: &[f64], t: f64| {
-        let i = time.partition_point(|x| *x <= t).saturating_sub(1);
-        list.get(i).copied().unwrap_or(0.0)
-    };
+    let position = |p: &Passed| Spot { time: p.time_s, value: p.coordinate, slope: Some(p.velocity) };
+    let pressures = passed.iter().map(|p| Spot { time: p.time_s, value: p.gauge_mpa, slope: None });
+    let (positions, pressures) = (Track(passed.iter().map(position).collect()), Track(pressures.collect()));
     let mut ends = changes(drive);
     let starts = ends.clone();
     ends.push(drive.until_s);
-    for (begin, end) in starts.iter().zip(ends.iter().skip(1)) {
-        let (from, to) = (at(&value, *begin), at(&value, *end));
+    for (&begin, &end) in starts.iter().zip(ends.iter().skip(1)) {
+        let (piece, from, to) = ((begin, end), positions.at(begin), positions.at(end));
         let way = to - from;
         if way.abs() > 1e-9 * drive.mechanism.lever(0, 0.0).per_coordinate.abs().max(1e-9).recip() {
-            let beyond = |v: &f64| (v - to) / way;
-            let inside = time.iter().zip(&value).filter(|(t, _)| **t >= *begin && **t <= *end);
             // What is less than the integration knows is none.
-            let overshoot = inside.map(|(_, v)| beyond(v)).fold(0.0, f64::max);
-            let overshoot = if overshoot < 1e-4 { 0.0 } else { overshoot };
-            let left = track.leaves(to, 0.02 * way.abs(), *begin, *end);
-            // Of the last tenth of the piece nothing can be said to have settled.
-            let settled = left.filter(|t| *t < end - 0.1 * (end - begin)).map(|t| t - begin);
+            let overshoot = positions.inside(piece).map(|spot| (spot.value - to) / way).fold(0.0, f64::max);
+            let far = positions.inside(piece).filter(|spot| (spot.value - to).abs() > 0.02 * way.abs());
+            let left = far.map(|spot| spot.time).reduce(f64::max);
             motion.steps.push(StepFigures {
-                time_s: *begin,
+                time_s: begin,
                 from,
                 to,
-                rise_time_s: track.rise_time(from, to, *begin, *end),
-                settling_time_s: settled,
-                overshoot,
+                rise_time_s: positions.rise_time(from, to, piece),
+                // Of the last tenth of the piece nothing can be said to have settled.
+                settling_time_s: left.filter(|t| *t < end - 0.1 * (end - begin)).map(|t| t - begin),
+                overshoot: if overshoot < 1e-4 { 0.0 } else { overshoot },
             });
         }
-        let pressure = Track { time: &time, value: &gauge, slope: None };
-        let (p, r) = (at(&gauge, *begin), at(&gauge, *end));
+        let (p, r) = (pressures.at(begin), pressures.at(end));
         let slot = if r > p { &mut motion.fill_time_s } else { &mut motion.vent_time_s };
         if slot.is_none() && (r - p).abs() > 1e-6 {
-            *slot = pressure.reaches(p + 0.98 * (r - p), *begin, *end).map(|t| t - begin);
+            *slot = pressures.reaches(p + 0.98 * (r - p), piece).map(|t| t - begin);
         }
     }
     let first = motion.steps.first().copied();
@@ -144,13 +138,8 @@ pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Pas
     motion.overshoot = first.map(|f| f.overshoot);
     let Some((from, muscle)) = cycle.zip(motion.series.muscles.first()) else { return };
     let series = &motion.series;
-    let points: Vec<(f64, f64)> = series
-        .time_s
-        .iter()
-        .zip(muscle.pressure_mpa.iter().zip(&series.coordinate))
-        .filter(|(t, _)| **t >= from)
-        .map(|(_, (p, x))| (*p, *x))
-        .collect();
+    let places = series.time_s.iter().zip(muscle.pressure_mpa.iter().zip(&series.coordinate));
+    let points: Vec<_> = places.filter(|(t, _)| **t >= from).map(|(_, (p, x))| (*p, *x)).collect();
     // Trapezoids, closed from the last point to the first.
     let closed = points.iter().zip(points.iter().cycle().skip(1));
     motion.loop_area = Some(closed.map(|(a, b)| 0.5 * (a.0 + b.0) * (b.1 - a.1)).sum::<f64>().abs());
@@ -204,7 +193,7 @@ pub(crate) fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd,
     let equilibrium = match &drive.target {
         Target::Pressure(commands) => {
             let pressures: Vec<f64> = commands.iter().map(|c| c.value_within(until, until)).collect();
-            at_pressures(drive, &system.members, &pressures).ok().map(|e| e.coordinate)
+            system.at_pressures(&pressures).ok().map(|e| e.coordinate)
         }
         Target::Opening(_) | Target::Volume(_) | Target::Position { .. } => None,
     };

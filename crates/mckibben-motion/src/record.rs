@@ -83,16 +83,12 @@ impl Integration<'_, '_> {
         series.velocity.push(state.velocity);
         let power: f64 = point.muscles.iter().map(|m| m.pull_n * m.speed).sum();
         self.motion.largest_power_w = self.motion.largest_power_w.max(1e-3 * power);
-        for ((series, m), own) in series.muscles.iter_mut().zip(&point.muscles).zip(&state.muscles) {
-            series.pressure_mpa.push(m.pressure_mpa);
-            series.contraction.push(m.contraction);
-            // A taut muscle pulls; what is below zero within its dead band is none.
-            series.force_n.push(m.pull_n.max(0.0));
-            series.mass_g.push(own.mass_g);
-            series.temperature_k.push(m.temperature_k);
-            series.volume_mm3.push(m.volume_mm3);
-            series.opening.push(m.opening);
-            series.command.push(m.command);
+        for (series, m) in series.muscles.iter_mut().zip(&point.muscles) {
+            let values = [
+                [m.pressure_mpa, m.contraction, m.pull_n.max(0.0), m.mass_g],
+                [m.temperature_k, m.volume_mm3, m.opening, m.command],
+            ];
+            series.lists_mut().into_iter().zip(values.concat()).for_each(|(list, value)| list.push(value));
         }
         Ok(())
     }
@@ -176,8 +172,8 @@ impl Integration<'_, '_> {
             let v = state.velocity;
             if v == 0.0 { 0.0 } else { 0.5 * drive.mechanism.inertia() * v * v }
         };
-        let load = |state: &State| drive.mechanism.load_energy_mj(state.coordinate);
-        let ambient = drive.muscles.first().map_or(293.15, |m| m.fluid.wall_temperature_k());
+        let load = |state: &State| drive.load_energy_mj(state.coordinate);
+        let ambient = drive.muscles.first().map_or(293.15, |m| m.fluid.medium().wall_temperature_k());
         let (supply_mpa, supply_k) = drive.supply.state();
         let exergy_mj = match self.system.supplied_mm3(&self.state) {
             None => self.state.supplied_g() * exergy_mj_per_g(supply_mpa, supply_k, ambient),
@@ -234,7 +230,7 @@ impl System<'_> {
         let muscles = point.muscles.iter().zip(&self.drive.muscles).zip(&state.muscles);
         Ok(muscles.fold((0.0, 0.0), |(energy, cavities), ((m, muscle), own)| {
             let volume = m.volume_mm3 + muscle.outside_mm3(own.opening);
-            let own = muscle.fluid.internal_mj(m.pressure_mpa + ATMOSPHERE_MPA, volume);
+            let own = muscle.fluid.medium().internal_mj(m.pressure_mpa + ATMOSPHERE_MPA, volume);
             (energy + own, cavities + m.volume_mm3)
         }))
     }

@@ -41,45 +41,36 @@ pub struct MuscleSeries {
     pub command: Vec<f64>,
 }
 
-/// A column of a muscle: its name, with its unit behind the muscle's number, and its values.
-struct Column {
-    name: &'static str,
-    unit: &'static str,
-    about: &'static str,
-    of: fn(&MuscleSeries) -> &[f64],
-    /// Added to the values.
-    shift: f64,
+/// The columns of a muscle, in the order of [`MuscleSeries::lists`]: the key around the muscle's number, what it is, and what is added to its values.
+const COLUMNS: [(&str, &str, f64); 8] = [
+    ("pressure{}_mpa", "Gauge pressure, MPa.", 0.0),
+    ("contraction{}", "Contraction ratio.", 0.0),
+    ("force{}_n", "Pull, N.", 0.0),
+    ("air_mass{}_g", "Mass of its air, g; of a liquid `liquid_mass_g`.", 0.0),
+    ("temperature{}_degc", "Temperature of its air or liquid, °C.", -273.15),
+    ("volume{}_mm3", "Volume of its cavity between the terminals, mm³.", 0.0),
+    ("opening{}", "Opening of its valve, −1 to 1; share of a syringe that is pushed out.", 0.0),
+    ("command{}", "What is commanded: pressure in MPa, opening, or volume in mm³.", 0.0),
+];
+
+/// A column's key; of a joint with the number of the muscle, from 1.
+fn key(pattern: &str, muscle: Option<usize>, liquid: bool) -> String {
+    let number = muscle.map_or_else(String::new, |i| format!("_{i}"));
+    let key = pattern.replace("{}", &number);
+    if liquid { key.replace("air", "liquid") } else { key }
 }
 
-macro_rules! columns {
-    ($($name:literal $unit:literal $about:literal $field:ident $shift:literal),* $(,)?) => {
-        const COLUMNS: &[Column] = &[$(Column {
-            name: $name,
-            unit: $unit,
-            about: $about,
-            of: |series| &series.$field,
-            shift: $shift,
-        }),*];
-    };
-}
+impl MuscleSeries {
+    fn lists(&self) -> [&Vec<f64>; 8] {
+        let Self { pressure_mpa, contraction, force_n, mass_g, temperature_k, volume_mm3, .. } = self;
+        [pressure_mpa, contraction, force_n, mass_g, temperature_k, volume_mm3, &self.opening, &self.command]
+    }
 
-columns! {
-    "pressure" "_mpa" "Gauge pressure, MPa." pressure_mpa 0.0,
-    "contraction" "" "Contraction ratio." contraction 0.0,
-    "force" "_n" "Pull, N." force_n 0.0,
-    "air_mass" "_g" "Mass of its air, g; of a liquid `liquid_mass_g`." mass_g 0.0,
-    "temperature" "_degc" "Temperature of its air or liquid, °C." temperature_k -273.15,
-    "volume" "_mm3" "Volume of its cavity between the terminals, mm³." volume_mm3 0.0,
-    "opening" "" "Opening of its valve, −1 to 1; share of a syringe that is pushed out." opening 0.0,
-    "command" "" "What is commanded: pressure in MPa, opening, or volume in mm³." command 0.0,
-}
-
-impl Column {
-    /// Its key; of a joint with the number of the muscle, from 1.
-    fn key(&self, muscle: Option<usize>, liquid: bool) -> String {
-        let number = muscle.map_or_else(String::new, |i| format!("_{i}"));
-        let name = if liquid { self.name.replace("air", "liquid") } else { self.name.to_owned() };
-        format!("{name}{number}{}", self.unit)
+    /// The same to be written.
+    pub(crate) fn lists_mut(&mut self) -> [&mut Vec<f64>; 8] {
+        let Self { pressure_mpa, contraction, force_n, mass_g, temperature_k, volume_mm3, opening, command } =
+            self;
+        [pressure_mpa, contraction, force_n, mass_g, temperature_k, volume_mm3, opening, command]
     }
 }
 
@@ -92,16 +83,14 @@ impl MotionSeries {
             Coordinate::Shortening { .. } => None,
         }
     }
-}
 
-impl MotionSeries {
     /// The names of its columns, with their units.
     pub fn names(&self) -> Vec<String> {
         let is_joint = self.of == Coordinate::Angle;
         let own: &[&str] =
             if is_joint { &["angle_deg", "velocity_deg_per_s"] } else { &["velocity_mm_per_s"] };
         let muscles = (0..self.muscles.len()).flat_map(|i| {
-            COLUMNS.iter().map(move |column| column.key(is_joint.then_some(i + 1), self.liquid))
+            COLUMNS.iter().map(move |column| key(column.0, is_joint.then_some(i + 1), self.liquid))
         });
         std::iter::once(&"time_s").chain(own).map(|name| (*name).to_owned()).chain(muscles).collect()
     }
@@ -124,9 +113,9 @@ impl MotionSeries {
             Coordinate::Shortening { .. } => vec![time, v],
         };
         for muscle in &self.muscles {
-            for column in COLUMNS {
-                let value = *(column.of)(muscle).get(i)?;
-                row.push(if column.shift == 0.0 { value } else { value + column.shift });
+            for (list, (_, _, shift)) in muscle.lists().into_iter().zip(COLUMNS) {
+                let value = *list.get(i)?;
+                row.push(if shift == 0.0 { value } else { value + shift });
             }
         }
         Some(row)
@@ -135,18 +124,7 @@ impl MotionSeries {
     /// Leaves so many points.
     pub fn truncate(&mut self, points: usize) {
         let own = [&mut self.time_s, &mut self.coordinate, &mut self.velocity];
-        let muscles = self.muscles.iter_mut().flat_map(|m| {
-            [
-                &mut m.pressure_mpa,
-                &mut m.contraction,
-                &mut m.force_n,
-                &mut m.mass_g,
-                &mut m.temperature_k,
-                &mut m.volume_mm3,
-                &mut m.opening,
-                &mut m.command,
-            ]
-        });
+        let muscles = self.muscles.iter_mut().flat_map(MuscleSeries::lists_mut);
         own.into_iter().chain(muscles).for_each(|list| list.truncate(points));
     }
 }
@@ -183,7 +161,7 @@ impl schemars::JsonSchema for MotionSeries {
         property("velocity_mm_per_s", &maybe, "Speed of the load of a muscle, mm/s.");
         for muscle in [None, Some(1), Some(2)] {
             for column in COLUMNS {
-                property(&column.key(muscle, false), &list, column.about);
+                property(&key(column.0, muscle, false), &list, column.1);
             }
         }
         schemars::json_schema!({

@@ -4,59 +4,8 @@ use crate::member::Memory;
 use crate::run::Integration;
 use crate::state::State;
 use crate::system::{Modes, System};
-use crate::{Command, Coordinate, Drive, Lever, Mechanism, Motion, MotionError, Target};
+use crate::{Command, Drive, Motion, MotionError, Target};
 use mckibben::progress::Progress;
-
-/// A mechanism with a generalised force from outside that opposes growing q: in N (q in mm) or N mm (q in rad).
-pub struct Pushed<'a> {
-    /// The mechanism.
-    pub mechanism: &'a dyn Mechanism,
-    /// The force.
-    pub force: f64,
-}
-
-impl Mechanism for Pushed<'_> {
-    fn muscles(&self) -> usize {
-        self.mechanism.muscles()
-    }
-
-    fn lever(&self, muscle: usize, q: f64) -> Lever {
-        self.mechanism.lever(muscle, q)
-    }
-
-    fn load(&self, q: f64) -> f64 {
-        self.mechanism.load(q) + self.force
-    }
-
-    fn load_energy_mj(&self, q: f64) -> f64 {
-        self.mechanism.load_energy_mj(q) + self.force * q
-    }
-
-    fn inertia(&self) -> f64 {
-        self.mechanism.inertia()
-    }
-
-    fn damping(&self) -> f64 {
-        self.mechanism.damping()
-    }
-
-    fn stops(&self) -> (f64, f64) {
-        self.mechanism.stops()
-    }
-
-    fn is_held(&self) -> bool {
-        self.mechanism.is_held()
-    }
-
-    fn coordinate(&self) -> Coordinate {
-        self.mechanism.coordinate()
-    }
-
-    fn check(&self) -> Result<(), MotionError> {
-        self.mechanism.check()?;
-        MotionError::within("the force or torque from outside", self.force, -1e12, 1e12)
-    }
-}
 
 /// A drive that is stepped: its state at a time, and what was recorded at the end of each step.
 ///

@@ -86,8 +86,13 @@ impl State {
         }
     }
 
-    /// All numbers: those of [`State::core`], then those that are integrated beside them.
-    fn each(&mut self, mut visit: impl FnMut(&mut f64)) {
+    /// All numbers: those of [`State::core`], then those that are integrated beside them. How many they are.
+    fn each(&mut self, mut visit: impl FnMut(&mut f64)) -> usize {
+        let mut count = 0;
+        let mut visit = |x: &mut f64| {
+            count += 1;
+            visit(x);
+        };
         self.core(&mut visit);
         for m in &mut self.muscles {
             visit(&mut m.supplied_g);
@@ -97,6 +102,7 @@ impl State {
         [enthalpy_in, enthalpy_out, heat, gas_work, static_work].into_iter().for_each(&mut visit);
         let Totals { friction, viscoelastic, damper, positive_work, atmosphere, .. } = &mut self.totals;
         [friction, viscoelastic, damper, positive_work].into_iter().chain(atmosphere).for_each(&mut visit);
+        count
     }
 
     /// All numbers in the integrator's order.
@@ -138,9 +144,9 @@ impl Layout {
             totals: Totals { atmosphere: pushes.then_some(0.0), ..Totals::default() },
             ..State::default()
         };
-        let (mut core, mut len) = (0, 0);
+        let mut core = 0;
         zero.core(|_| core += 1);
-        zero.each(|_| len += 1);
+        let len = zero.each(|_| {});
         Self { zero, core, len }
     }
 
@@ -165,11 +171,7 @@ impl Layout {
     pub fn read(&self, numbers: &[f64], state: &mut State) -> Result<(), MotionError> {
         self.check(numbers.len())?;
         let mut numbers = numbers.iter();
-        state.each(|x| {
-            if let Some(number) = numbers.next() {
-                *x = *number;
-            }
-        });
+        state.each(|x| numbers.by_ref().take(1).for_each(|number| *x = *number));
         Ok(())
     }
 
@@ -179,21 +181,14 @@ impl Layout {
     /// [`MotionError::Refused`] where it has not as much room.
     pub fn write(&self, state: &mut State, numbers: &mut [f64]) -> Result<(), MotionError> {
         self.check(numbers.len())?;
-        let mut count = 0;
-        state.each(|x| {
-            if let Some(number) = numbers.get_mut(count) {
-                *number = *x;
-            }
-            count += 1;
-        });
+        let mut numbers = numbers.iter_mut();
+        let count = state.each(|x| numbers.by_ref().take(1).for_each(|number| *number = *x));
         self.check(count)
     }
 
     /// Whether a state has as many numbers.
     pub fn check_state(&self, state: &mut State) -> Result<(), MotionError> {
-        let mut count = 0;
-        state.each(|_| count += 1);
-        self.check(count)
+        self.check(state.each(|_| {}))
     }
 
     fn check(&self, given: usize) -> Result<(), MotionError> {

@@ -1,11 +1,11 @@
 //! The equations of motion of a drive.
 
+use crate::air::{Cavity, cavity_area_mm2};
+use crate::fluid::Medium as _;
 use crate::integrate::Equations;
-use crate::member::{Answer, Member, SlackState, Substitute};
+use crate::member::{Answer, Member, Moment, Substitute};
 use crate::state::{ControllerState, Layout, MuscleState, State};
-use crate::{
-    ATMOSPHERE_MPA, Actuated, Cavity, Drive, Flow, Fluid, MotionError, PidOutput, Target, cavity_area_mm2,
-};
+use crate::{ATMOSPHERE_MPA, Drive, Fluid, MotionError, PidOutput, Target};
 use std::cell::{Cell, RefCell};
 
 /// What an on–off valve does.
@@ -44,8 +44,7 @@ pub(crate) struct MusclePoint {
     pub pull_n: f64,
     pub volume_mm3: f64,
     pub temperature_k: f64,
-    pub supply: Flow,
-    pub exhaust: Flow,
+    pub mass_g: f64,
     pub opening: f64,
     /// The command of this muscle: pressure or opening.
     pub command: f64,
@@ -130,50 +129,46 @@ impl<'a> System<'a> {
         *rates = State { muscles: own, controller: control.map(|c| c.rates), ..State::default() };
         let totals = &mut rates.totals;
         totals.atmosphere = state.totals.atmosphere.map(|_| 0.0);
-        let parts = self.drive.muscles.iter().zip(&self.members).zip(&state.muscles).zip(&modes.muscles);
-        for (i, (((muscle, member), own), mode)) in parts.enumerate() {
+        let parts = self.members.iter().zip(&state.muscles).zip(&modes.muscles);
+        for (i, ((member, own), mode)) in parts.enumerate() {
+            let (muscle, medium) = (member.muscle, member.muscle.fluid.medium());
             let lever = mechanism.lever(i, q);
-            let (absolute, gauge) = (own.absolute_mpa, own.gauge_mpa());
-            let failed = |error| MotionError::model(error, t, i, gauge, lever.contraction);
-            let speed = member.length_mm * lever.per_coordinate * v;
-            let (cavity_at, answer, beyond, swept, stretch) = if mode.slack {
-                let h = member.slack(gauge).map_err(failed)?;
-                let stretch = h.answer.volume_p + h.answer.volume_e * h.contraction_p;
-                (h.contraction, h.answer, lever.contraction - h.contraction, 0.0, stretch)
-            } else {
-                let a = member.answer(gauge, lever.contraction).map_err(failed)?;
-                (lever.contraction, a, 0.0, a.volume_e * lever.per_coordinate * v, a.volume_p)
-            };
-            let volume = answer.volume_mm3 + muscle.outside_mm3(own.opening);
-            let length = member.length_mm * (1.0 - cavity_at);
-            let area_mm2 =
-                if muscle.fluid.needs_area() { cavity_area_mm2(answer.volume_mm3, length) } else { 0.0 };
-            let cavity = Cavity {
-                volume_mm3: volume,
-                volume_per_pressure_mm3_per_mpa: stretch,
-                swept_mm3_per_s: swept,
-                area_mm2,
-            };
-            let temperature = muscle.fluid.temperature_k(absolute, own.mass_g, volume);
-            let (model_n, excess, opposing, pull) =
-                pull(muscle, member, mode, &answer, (gauge, cavity_at), own);
-            net += pull * member.length_mm * lever.per_coordinate;
-
-            let command = self.command(t, i, control);
-            if let Fluid::Liquid(liquid) = &muscle.fluid
-                && liquid.boils(absolute)
-            {
+            let (absolute_mpa, gauge) = (own.absolute_mpa, own.gauge_mpa());
+            let at = member.at(mode.slack, gauge, lever.contraction);
+            let at = at.map_err(|error| MotionError::model(error, t, i, gauge, lever.contraction))?;
+            if medium.boils(absolute_mpa) {
                 return Err(MotionError::Boils(format!(
-                    "the liquid in muscle {} boils at {t} s: its absolute pressure falls below {absolute} MPa",
+                    "the liquid in muscle {} boils at {t} s: its absolute pressure falls below {absolute_mpa} MPa",
                     i + 1
                 )));
             }
-            let fluid = self.flows(muscle, own, command, mode, (absolute, temperature), &cavity);
+            let speed = member.length_mm * lever.per_coordinate * v;
+            let Answer { volume_mm3: cavity, contraction, .. } = at;
+            let volume_mm3 = cavity.value + muscle.outside_mm3(own.opening);
+            let length = member.length_mm * (1.0 - contraction.value);
+            let cavity = Cavity {
+                absolute_mpa,
+                temperature_k: medium.temperature_k(absolute_mpa, own.mass_g, volume_mm3),
+                volume_mm3,
+                volume_per_pressure_mm3_per_mpa: cavity.by_pressure
+                    + cavity.by_contraction * contraction.by_pressure,
+                swept_mm3_per_s: if mode.slack {
+                    0.0
+                } else {
+                    cavity.by_contraction * lever.per_coordinate * v
+                },
+                area_mm2: if medium.needs_area() { cavity_area_mm2(cavity.value, length) } else { 0.0 },
+            };
+            let (model_n, excess, opposing, pull) = pull(member, mode, &at, own);
+            net += pull * member.length_mm * lever.per_coordinate;
+
+            let command = self.command(t, i, control);
+            let fluid = self.flows(muscle, own, command, mode, &cavity);
             let flows = [fluid.supply, fluid.exhaust];
             let branches_n = if muscle.rubber.0.is_empty() {
                 vec![]
             } else {
-                let wall = member.wall_n(answer.force_n, gauge, cavity_at);
+                let wall = member.wall_n(gauge, &at);
                 let each = muscle.rubber.0.iter().zip(&own.branches_n);
                 each.map(|(branch, a)| (wall - a) / branch.time_constant_s).collect()
             };
@@ -189,15 +184,16 @@ impl<'a> System<'a> {
                 supplied_g: fluid.supply.mass_g_per_s,
                 exhausted_g: -fluid.exhaust.mass_g_per_s,
             });
-            let swelling = cavity.swept_mm3_per_s + stretch * fluid.pressure_rate;
-            totals.enthalpy_in += muscle.fluid.enthalpy_mw(fluid.supply, absolute);
+            let swelling =
+                cavity.swept_mm3_per_s + cavity.volume_per_pressure_mm3_per_mpa * fluid.pressure_rate;
+            totals.enthalpy_in += medium.enthalpy_mw(fluid.supply, absolute_mpa);
             let pushed = fluid.piston_mm3_per_s.max(0.0);
-            totals.enthalpy_in += absolute * pushed;
-            totals.enthalpy_out += absolute * (pushed - fluid.piston_mm3_per_s);
+            totals.enthalpy_in += absolute_mpa * pushed;
+            totals.enthalpy_out += absolute_mpa * (pushed - fluid.piston_mm3_per_s);
             totals.atmosphere.iter_mut().for_each(|work| *work += ATMOSPHERE_MPA * pushed);
-            totals.enthalpy_out -= muscle.fluid.enthalpy_mw(fluid.exhaust, absolute);
-            totals.heat += muscle.fluid.heat_mw(absolute, fluid.pressure_rate, &cavity, &flows);
-            totals.gas_work += absolute * swelling;
+            totals.enthalpy_out -= medium.enthalpy_mw(fluid.exhaust, absolute_mpa);
+            totals.heat += medium.heat_mw(fluid.pressure_rate, &cavity, &flows);
+            totals.gas_work += absolute_mpa * swelling;
             totals.static_work += model_n * speed;
             totals.viscoelastic += excess * speed;
             totals.friction += opposing * speed;
@@ -206,20 +202,19 @@ impl<'a> System<'a> {
                 pressure_mpa: gauge,
                 contraction: lever.contraction,
                 speed,
-                model_n: answer.force_n,
+                model_n: at.force_n.value,
                 pull_n: pull,
-                volume_mm3: answer.volume_mm3,
-                temperature_k: temperature,
-                supply: fluid.supply,
-                exhaust: fluid.exhaust,
+                volume_mm3: at.volume_mm3.value,
+                temperature_k: cavity.temperature_k,
+                mass_g: own.mass_g,
                 opening: fluid.opening,
-                command: command.0,
+                command,
                 signal: fluid.signal,
-                beyond,
+                beyond: lever.contraction - contraction.value,
             });
         }
         let damping = mechanism.damping() * v;
-        net -= mechanism.load(q) + damping;
+        net -= self.drive.load(q) + damping;
         totals.damper = damping * v;
         if modes.stop.is_none() {
             (rates.coordinate, rates.velocity) = (v, net / mechanism.inertia());
@@ -229,65 +224,42 @@ impl<'a> System<'a> {
     }
 
     /// What each muscle answers at a time, with its derivative in time: for everything between two of them.
-    pub fn answers(&self, t: f64, state: &State) -> Result<Vec<(SlackState, SlackState)>, MotionError> {
+    pub fn answers(&self, t: f64, state: &State) -> Result<Vec<Moment>, MotionError> {
         let rates = self.point(t, state)?.rates;
         let modes = self.modes.borrow();
         let muscles = state.muscles.iter().zip(&rates.muscles);
         let parts = self.members.iter().zip(muscles).zip(&modes.muscles).enumerate();
         parts
             .map(|(i, ((member, (own, rate)), mode))| {
-                let p = own.gauge_mpa();
-                let lever = self.drive.mechanism.lever(i, state.coordinate);
-                let e = lever.contraction;
-                let failed = |error| MotionError::model(error, t, i, p, e);
-                let (p_rate, e_rate) = (rate.absolute_mpa, lever.per_coordinate * rates.coordinate);
-                let h = if mode.slack {
-                    member.slack(p).map_err(failed)?
-                } else {
-                    SlackState {
-                        contraction: e,
-                        answer: member.answer(p, e).map_err(failed)?,
-                        contraction_p: 0.0,
-                    }
-                };
-                let e_rate = if mode.slack { h.contraction_p * p_rate } else { e_rate };
-                let a = h.answer;
-                let answer = Answer {
-                    force_n: a.force_p * p_rate + a.force_e * e_rate,
-                    volume_mm3: a.volume_p * p_rate + a.volume_e * e_rate,
-                    pivoting_n_per_mm: a.pivoting_p * p_rate + a.pivoting_e * e_rate,
-                    ..Answer::default()
-                };
-                Ok((h, SlackState { contraction: e_rate, answer, contraction_p: 0.0 }))
+                let (p, lever) = (own.gauge_mpa(), self.drive.mechanism.lever(i, state.coordinate));
+                let at = member.at(mode.slack, p, lever.contraction);
+                let at = at.map_err(|error| MotionError::model(error, t, i, p, lever.contraction))?;
+                let p_rate = rate.absolute_mpa;
+                let e_rate = at.contraction.rate(p_rate, lever.per_coordinate * rates.coordinate);
+                Ok(at.quantities().map(|q| (q, q.rate(p_rate, e_rate))))
             })
             .collect()
     }
 }
 
 /// The model's pull, what viscoelasticity adds, what friction takes, and what is left at the muscle's end; all zero where it is slack.
-fn pull(
-    muscle: &Actuated<'_>,
-    member: &Member<'_>,
-    mode: &Mode,
-    answer: &Answer,
-    (pressure, contraction): (f64, f64),
-    own: &MuscleState,
-) -> (f64, f64, f64, f64) {
+fn pull(member: &Member<'_>, mode: &Mode, at: &Answer, own: &MuscleState) -> (f64, f64, f64, f64) {
     if mode.slack {
         return (0.0, 0.0, 0.0, 0.0);
     }
+    let (muscle, pressure, model_n) = (member.muscle, own.gauge_mpa(), at.force_n.value);
     let excess = if own.branches_n.is_empty() {
         0.0
     } else {
-        muscle.rubber.excess_n(member.wall_n(answer.force_n, pressure, contraction), &own.branches_n)
+        muscle.rubber.excess_n(member.wall_n(pressure, at), &own.branches_n)
     };
     let friction = muscle.friction.as_ref().map_or(0.0, |friction| {
-        friction.level_n(pressure, answer.pivoting_n_per_mm) * friction.presliding.share(&own.bristles)
+        friction.level_n(pressure, at.pivoting_n_per_mm.value) * friction.presliding.share(&own.bristles)
     });
     // A rope cannot push, and its end is free of force where it goes slack: friction and overstress are no larger than the pull.
-    let most = answer.force_n.max(0.0);
-    let pull = answer.force_n + (excess - friction).clamp(-most, most);
-    (answer.force_n, excess, answer.force_n + excess - pull, pull)
+    let most = model_n.max(0.0);
+    let pull = model_n + (excess - friction).clamp(-most, most);
+    (model_n, excess, model_n + excess - pull, pull)
 }
 
 /// The size of each number of the state.
@@ -295,9 +267,9 @@ fn sizes(drive: &Drive<'_>, members: &[Member<'_>], layout: &Layout) -> State {
     let mut scale = layout.filled(1e3);
     let stroke = 0.01 / drive.mechanism.lever(0, 0.0).per_coordinate.abs().max(1e-9);
     (scale.coordinate, scale.velocity) = (stroke, 10.0 * stroke);
-    for ((own, member), muscle) in scale.muscles.iter_mut().zip(members).zip(&drive.muscles) {
+    for (own, member) in scale.muscles.iter_mut().zip(members) {
         let volume = member.ideal_mm3(0.0).max(1.0);
-        let mass_g = match &muscle.fluid {
+        let mass_g = match &member.muscle.fluid {
             Fluid::Air(_) => 1.2e-6 * volume,
             Fluid::Liquid(liquid) => liquid.mass_g(ATMOSPHERE_MPA, volume),
         };
@@ -345,11 +317,8 @@ impl Equations for System<'_> {
         let modes = self.modes.borrow();
         let parts = self.members.iter().zip(&state.muscles).zip(&modes.muscles).enumerate();
         for (i, ((member, own), _)) in parts.filter(|(_, (_, mode))| !mode.slack) {
-            let e = self.drive.mechanism.lever(i, state.coordinate).contraction;
-            if let Ok(answer) = member.answer(own.gauge_mpa(), e) {
-                let h = SlackState { contraction: e, answer, contraction_p: 0.0 };
-                member.substitute.set(Some(Substitute::Near(own.gauge_mpa(), e, h)));
-            }
+            let (p, e) = (own.gauge_mpa(), self.drive.mechanism.lever(i, state.coordinate).contraction);
+            member.substitute.set(member.answer(p, e).ok().map(|answer| Substitute::Near(p, e, answer)));
         }
     }
 

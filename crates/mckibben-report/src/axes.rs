@@ -2,10 +2,9 @@
 
 use crate::curve::Frame;
 use crate::font::Metrics;
-use crate::labels::{self, Label};
+use crate::labels::{self, Ended, Label};
 use crate::layout::{PANEL_TITLE, PER_MM};
 use crate::legend::{self, Legend};
-use crate::line_labels::{self, Ended};
 use crate::rect::Rect;
 use crate::room::Room;
 use crate::ticks::{self, Scale};
@@ -45,11 +44,15 @@ pub(crate) struct Placed<'a> {
     pub labels: Vec<Label>,
 }
 
-/// What the panels share.
-pub(crate) struct Asked<'a> {
-    pub title: &'a str,
+/// The panels of a figure and their cells.
+pub(crate) struct Grid<'a, 'b> {
+    pub title: &'b str,
+    pub panels: &'a [Panel],
+    pub columns: usize,
+    pub cell: &'b dyn Fn(usize) -> Rect,
     /// Whether each panel has a legend of its own.
     pub own_legends: bool,
+    pub metrics: &'b Metrics,
 }
 
 /// Lowest and highest values on both axes, of what the fixed ranges leave visible.
@@ -58,12 +61,10 @@ pub(crate) type Extents = (Option<(f64, f64)>, Option<(f64, f64)>);
 /// Extents of the data of a panel.
 pub(crate) fn extents(panel: &Panel) -> Extents {
     let within = |axis: &Axis, v: f64| axis.range.is_none_or(|(low, high)| v >= low && v <= high);
-    let marks = panel.marks.iter().map(|m| (false, (m.x, m.y)));
     let points: Vec<(bool, (f64, f64))> = panel
         .series
         .iter()
         .flat_map(|s| s.points.iter().map(|point| (s.style == Style::Band, *point)))
-        .chain(marks)
         .filter(|(_, (x, y))| x.is_finite() && y.is_finite())
         .filter(|(_, (x, y))| within(&panel.x, *x) && within(&panel.y, *y))
         .collect();
@@ -118,51 +119,6 @@ fn x_scale(
     }
 }
 
-fn axes_in(panel: &Panel, cell: Rect, gutters: Gutters, metrics: &Metrics) -> Result<Axes, FigureError> {
-    let (x_data, y_data) = extents(panel);
-    let plot = Rect {
-        x: cell.x + gutters.left,
-        y: cell.y + gutters.top,
-        w: (cell.w - gutters.left - gutters.right).max(1.0),
-        h: (cell.h - gutters.top - gutters.bottom).max(1.0),
-    };
-    let x = x_scale(panel, x_data, plot.w, metrics)?;
-    let y = ticks::scale(&panel.y, y_data, y_wanted(plot.h))?;
-    let x_label = wrapped(&panel.x.label, plot.w, metrics);
-    let y_label = wrapped(&panel.y.label, plot.h, metrics);
-    Ok(Axes { plot, x, y, x_label, y_label, y_label_x: cell.x + LABEL_ROW / 2.0 })
-}
-
-/// Gutters of a panel, without what stands to the right of the plot.
-fn gutters(panel: &Panel, cell: Rect, titled: bool, metrics: &Metrics) -> Result<Gutters, FigureError> {
-    let mut gutters = Gutters { left: 40.0, right: 10.0, top: 6.0, bottom: 40.0 };
-    if titled {
-        gutters.top += PANEL_TITLE + 5.0;
-    }
-    // twice: the scales depend on the room, the room on the texts of the scales
-    for _ in 0..2 {
-        let axes = axes_in(panel, cell, gutters, metrics)?;
-        let widest = axes.y.labels.iter().map(|l| metrics.width(l, TICK)).fold(0.0, f64::max);
-        let last = axes.x.labels.last().map_or(0.0, |l| metrics.width(l, TICK));
-        let title = if titled { PANEL_TITLE + 5.0 } else { 0.0 };
-        gutters.top = 6.0 + title + if axes.y.exponent == 0 { 0.0 } else { TICK + 2.0 };
-        gutters.left = axes.y_label.len() as f64 * LABEL_ROW + widest + TICK_LENGTH + 8.0;
-        gutters.right = (last / 2.0 + 2.0).max(8.0);
-        let power_alone = if axes.x.exponent != 0 && axes.x_label.is_empty() { LABEL_ROW } else { 0.0 };
-        gutters.bottom = TICK_LENGTH + TICK + 8.0 + axes.x_label.len() as f64 * LABEL_ROW + power_alone;
-    }
-    Ok(gutters)
-}
-
-/// Room for the texts of lines that end at the right edge.
-fn end_room(panel: &Panel, axes: &Axes, metrics: &Metrics) -> f64 {
-    let frame = axes.frame();
-    let at_edge = panel.series.iter().filter(|s| !s.end_label.trim().is_empty()).filter(|s| {
-        frame.line(&s.points).last().is_some_and(|line| line_labels::reaches_edge(line, &axes.plot))
-    });
-    at_edge.map(|s| metrics.width(s.end_label.trim(), labels::SIZE) + 9.0).fold(0.0, f64::max)
-}
-
 /// What is drawn in a plot.
 fn room_of(panel: &Panel, axes: &Axes) -> Room {
     let frame = axes.frame();
@@ -175,112 +131,128 @@ fn room_of(panel: &Panel, axes: &Axes) -> Room {
             frame.markers(&series.points).into_iter().for_each(|spot| room.add_marker(spot));
         }
     }
-    labels::add_rings(&panel.marks, &frame, &mut room);
     room
 }
 
-/// Puts every panel into its cell; plots of one column and of one row line up.
-pub(crate) fn place<'a>(
-    panels: &'a [Panel],
-    columns: usize,
-    cell: &dyn Fn(usize) -> Rect,
-    asked: &Asked<'_>,
-    metrics: &Metrics,
-) -> Result<Vec<Placed<'a>>, FigureError> {
-    let row_of = |i: usize| i / columns;
-    let mut all = Vec::with_capacity(panels.len());
-    for (i, panel) in panels.iter().enumerate() {
-        let titled = panels.iter().enumerate().any(|(j, p)| row_of(j) == row_of(i) && !p.title.is_empty());
-        let mut own = gutters(panel, cell(i), titled, metrics)?;
-        let axes = axes_in(panel, cell(i), own, metrics)?;
-        own.right = own.right.max(end_room(panel, &axes, metrics));
-        all.push(own);
+impl<'a> Grid<'a, '_> {
+    /// Puts every panel into its cell; plots of one column and of one row line up.
+    pub fn place(&self) -> Result<Vec<Placed<'a>>, FigureError> {
+        let each = 0..self.panels.len();
+        let mut all: Vec<Gutters> = each.clone().map(|i| self.gutters(i)).collect::<Result<_, _>>()?;
+        let below: Vec<f64> = each.clone().map(|i| self.room_below(&all, i)).collect::<Result<_, _>>()?;
+        all.iter_mut().zip(&below).for_each(|(own, room)| own.bottom += room);
+        each.map(|i| self.place_one(i, self.aligned(&all, i), below[i])).collect()
     }
-    let below = legends_below(panels, columns, cell, asked, &all, metrics)?;
-    for (own, room) in all.iter_mut().zip(&below) {
-        own.bottom += room;
-    }
-    let mut placed = Vec::with_capacity(panels.len());
-    for (i, panel) in panels.iter().enumerate() {
-        placed.push(place_one(panel, i, cell(i), (aligned(&all, columns, i), below[i]), asked, metrics)?);
-    }
-    Ok(placed)
-}
 
-/// Room for the legends below the panels, where each has its own.
-fn legends_below(
-    panels: &[Panel],
-    columns: usize,
-    cell: &dyn Fn(usize) -> Rect,
-    asked: &Asked<'_>,
-    all: &[Gutters],
-    metrics: &Metrics,
-) -> Result<Vec<f64>, FigureError> {
-    let mut below = vec![0.0; panels.len()];
-    for (i, panel) in panels.iter().enumerate().filter(|_| asked.own_legends) {
-        let axes = axes_in(panel, cell(i), aligned(all, columns, i), metrics)?;
-        let entries = legend::fitted(legend::entries(panel), metrics, 0.8 * axes.plot.w);
-        if !entries.is_empty() {
-            below[i] = legend::rows(&entries, metrics, 0.0, 0.0, axes.plot.w).frame.h + 4.0;
-        }
+    fn axes(&self, i: usize, gutters: Gutters) -> Result<Axes, FigureError> {
+        let (panel, cell) = (&self.panels[i], (self.cell)(i));
+        let (x_data, y_data) = extents(panel);
+        let plot = Rect {
+            x: cell.x + gutters.left,
+            y: cell.y + gutters.top,
+            w: (cell.w - gutters.left - gutters.right).max(1.0),
+            h: (cell.h - gutters.top - gutters.bottom).max(1.0),
+        };
+        let x = x_scale(panel, x_data, plot.w, self.metrics)?;
+        let y = ticks::scale(&panel.y, y_data, y_wanted(plot.h))?;
+        let x_label = wrapped(&panel.x.label, plot.w, self.metrics);
+        let y_label = wrapped(&panel.y.label, plot.h, self.metrics);
+        Ok(Axes { plot, x, y, x_label, y_label, y_label_x: cell.x + LABEL_ROW / 2.0 })
     }
-    Ok(below)
-}
 
-/// The gutters of a panel so that its plot lines up with those of its column and row.
-fn aligned(all: &[Gutters], columns: usize, i: usize) -> Gutters {
-    let mut gutters = all[i];
-    for (j, other) in all.iter().enumerate() {
-        if j % columns == i % columns {
-            gutters.left = gutters.left.max(other.left);
-            gutters.right = gutters.right.max(other.right);
+    /// Gutters of a panel, without room for a legend.
+    fn gutters(&self, i: usize) -> Result<Gutters, FigureError> {
+        let row = self.panels.chunks(self.columns).nth(i / self.columns).unwrap_or_default();
+        let title = if row.iter().all(|p| p.title.is_empty()) { 0.0 } else { PANEL_TITLE + 5.0 };
+        let mut gutters = Gutters { left: 40.0, right: 10.0, top: 6.0 + title, bottom: 40.0 };
+        let widest =
+            |labels: &[String]| labels.iter().map(|l| self.metrics.width(l, TICK)).fold(0.0, f64::max);
+        // twice: the scales depend on the room, the room on the texts of the scales
+        for _ in 0..2 {
+            let axes = self.axes(i, gutters)?;
+            let last = axes.x.labels.last().map_or(0.0, |l| self.metrics.width(l, TICK));
+            gutters.top = 6.0 + title + if axes.y.exponent == 0 { 0.0 } else { TICK + 2.0 };
+            gutters.left = axes.y_label.len() as f64 * LABEL_ROW + widest(&axes.y.labels) + TICK_LENGTH + 8.0;
+            gutters.right = (last / 2.0 + 2.0).max(8.0);
+            let power_alone = if axes.x.exponent != 0 && axes.x_label.is_empty() { LABEL_ROW } else { 0.0 };
+            gutters.bottom = TICK_LENGTH + TICK + 8.0 + axes.x_label.len() as f64 * LABEL_ROW + power_alone;
         }
-        if j / columns == i / columns {
-            gutters.top = gutters.top.max(other.top);
-            gutters.bottom = gutters.bottom.max(other.bottom);
-        }
+        gutters.right = gutters.right.max(self.end_room(i, &self.axes(i, gutters)?));
+        Ok(gutters)
     }
-    gutters
-}
 
-fn place_one<'a>(
-    panel: &'a Panel,
-    index: usize,
-    cell: Rect,
-    (gutters, below): (Gutters, f64),
-    asked: &Asked<'_>,
-    metrics: &Metrics,
-) -> Result<Placed<'a>, FigureError> {
-    let axes = axes_in(panel, cell, gutters, metrics)?;
-    let mut room = room_of(panel, &axes);
-    let legend = (below > 0.0).then(|| {
-        let entries = legend::fitted(legend::entries(panel), metrics, 0.8 * axes.plot.w);
-        legend::rows(&entries, metrics, axes.plot.x, cell.bottom() - below + 4.0, axes.plot.w)
-    });
-    if axes.plot.w < 8.0 * PER_MM || axes.plot.h < 8.0 * PER_MM {
-        return Err(FigureError::Drawing(format!(
-            "panel {} of the figure \"{}\" would be only {:.0} mm × {:.0} mm; make the figure larger or use fewer columns",
-            index + 1,
-            asked.title,
-            axes.plot.w / PER_MM,
-            axes.plot.h / PER_MM
-        )));
+    /// Room for the texts of lines that end at the right edge.
+    fn end_room(&self, i: usize, axes: &Axes) -> f64 {
+        let frame = axes.frame();
+        let at_edge = self.panels[i].series.iter().filter(|s| !s.end_label.trim().is_empty()).filter(|s| {
+            frame.line(&s.points).last().is_some_and(|line| labels::reaches_edge(line, &axes.plot))
+        });
+        let width = |s: &crate::Series| self.metrics.width(s.end_label.trim(), labels::SIZE) + 9.0;
+        at_edge.map(width).fold(0.0, f64::max)
     }
-    let mut labels = labels::of_marks(&panel.marks, &axes.frame(), metrics, &mut room);
-    let ended = panel.series.iter().enumerate().filter(|(_, s)| !s.end_label.trim().is_empty());
-    let ended = ended.filter_map(|(i, s)| {
-        let line = axes.frame().line(&s.points).pop()?;
-        let number = s.number(i);
-        let explained =
-            |(k, other): (usize, &crate::Series)| !other.label.trim().is_empty() && other.number(k) == number;
-        let meant = s.neutral || panel.series.iter().enumerate().any(explained);
-        let colour = (!meant).then_some(number);
-        Some(Ended { text: s.end_label.trim().to_owned(), colour, line })
-    });
-    labels.extend(line_labels::of_lines(ended.collect(), metrics, &mut room));
-    let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
-    let title = (axes.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text);
-    Ok(Placed { panel, axes, title, legend, labels })
+
+    /// Room for the legend below a panel, where each has its own.
+    fn room_below(&self, all: &[Gutters], i: usize) -> Result<f64, FigureError> {
+        if !self.own_legends || legend::entries(&self.panels[i]).is_empty() {
+            return Ok(0.0);
+        }
+        let axes = self.axes(i, self.aligned(all, i))?;
+        Ok(self.legend(i, (0.0, 0.0), axes.plot.w).frame.h + 4.0)
+    }
+
+    fn legend(&self, i: usize, (x, y): (f64, f64), width: f64) -> Legend {
+        let entries = legend::fitted(legend::entries(&self.panels[i]), self.metrics, 0.8 * width);
+        legend::rows(&entries, self.metrics, x, y, width)
+    }
+
+    /// The gutters of a panel so that its plot lines up with those of its column and row.
+    fn aligned(&self, all: &[Gutters], i: usize) -> Gutters {
+        let columns = self.columns;
+        let mut gutters = all[i];
+        for (j, other) in all.iter().enumerate() {
+            if j % columns == i % columns {
+                gutters.left = gutters.left.max(other.left);
+                gutters.right = gutters.right.max(other.right);
+            }
+            if j / columns == i / columns {
+                gutters.top = gutters.top.max(other.top);
+                gutters.bottom = gutters.bottom.max(other.bottom);
+            }
+        }
+        gutters
+    }
+
+    fn place_one(&self, index: usize, gutters: Gutters, below: f64) -> Result<Placed<'a>, FigureError> {
+        let (panel, cell, metrics) = (&self.panels[index], (self.cell)(index), self.metrics);
+        let axes = self.axes(index, gutters)?;
+        let mut room = room_of(panel, &axes);
+        let legend = (below > 0.0)
+            .then(|| self.legend(index, (axes.plot.x, cell.bottom() - below + 4.0), axes.plot.w));
+        if axes.plot.w < 8.0 * PER_MM || axes.plot.h < 8.0 * PER_MM {
+            return Err(FigureError::Drawing(format!(
+                "panel {} of the figure \"{}\" would be only {:.0} mm × {:.0} mm; make the figure larger or use fewer columns",
+                index + 1,
+                self.title,
+                axes.plot.w / PER_MM,
+                axes.plot.h / PER_MM
+            )));
+        }
+        let ended = panel.series.iter().enumerate().filter(|(_, s)| !s.end_label.trim().is_empty());
+        let ended = ended.filter_map(|(i, s)| {
+            let line = axes.frame().line(&s.points).pop()?;
+            let number = s.number(i);
+            let explained = |(k, other): (usize, &crate::Series)| {
+                !other.label.trim().is_empty() && other.number(k) == number
+            };
+            let meant = s.neutral || panel.series.iter().enumerate().any(explained);
+            let colour = (!meant).then_some(number);
+            Some(Ended { text: s.end_label.trim().to_owned(), colour, line })
+        });
+        let labels = labels::of_lines(ended.collect(), metrics, &mut room);
+        let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
+        let title = (axes.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text);
+        Ok(Placed { panel, axes, title, legend, labels })
+    }
 }
 
 #[cfg(test)]

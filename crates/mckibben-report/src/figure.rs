@@ -1,4 +1,4 @@
-//! The description of a figure: panels, axes, series, marks.
+//! The description of a figure: panels, axes, series.
 
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -8,11 +8,10 @@ use std::path::PathBuf;
 /// The crate knows nothing about muscles: quantities and units come in through the texts.
 ///
 /// ```
-/// use mckibben_report::{Axis, Figure, Mark, Panel, Series};
+/// use mckibben_report::{Axis, Figure, Panel, Series};
 /// let figure = Figure::new("Pull of a muscle").caption("model: ideal braid").panel(
 ///     Panel::new(Axis::new("contraction ratio ε [–]"), Axis::new("pull F [N]").from_zero())
-///         .series(Series::new("0.3 MPa", vec![(0.0, 310.0), (0.1, 190.0), (0.25, 0.0)]))
-///         .mark(Mark::new(0.1, 190.0, "holds 190 N")),
+///         .series(Series::new("0.3 MPa", vec![(0.0, 310.0), (0.1, 190.0), (0.25, 0.0)])),
 /// );
 /// assert!(figure.to_svg()?.starts_with("<svg"));
 /// # Ok::<(), mckibben_report::FigureError>(())
@@ -48,7 +47,7 @@ pub enum Palette {
     Sequential,
 }
 
-/// One set of axes with its series and marks.
+/// One set of axes with its series.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default)]
 pub struct Panel {
@@ -60,8 +59,6 @@ pub struct Panel {
     pub y: Axis,
     /// The series, drawn in this order.
     pub series: Vec<Series>,
-    /// Operating points, drawn over the series.
-    pub marks: Vec<Mark>,
 }
 
 /// An axis.
@@ -124,18 +121,6 @@ pub enum Style {
     Band,
 }
 
-/// A marked operating point: a ringed dot with a label.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(default)]
-pub struct Mark {
-    /// Place on the horizontal axis, in its unit.
-    pub x: f64,
-    /// Place on the vertical axis, in its unit.
-    pub y: f64,
-    /// Text beside the dot; may be empty.
-    pub label: String,
-}
-
 impl Figure {
     /// A figure with a title and nothing else.
     pub fn new(title: impl Into<String>) -> Self {
@@ -191,12 +176,6 @@ impl Panel {
 
     pub fn series(mut self, series: Series) -> Self {
         self.series.push(series);
-        self
-    }
-
-    /// Adds a marked operating point.
-    pub fn mark(mut self, mark: Mark) -> Self {
-        self.marks.push(mark);
         self
     }
 }
@@ -273,13 +252,6 @@ impl Series {
     }
 }
 
-impl Mark {
-    /// An operating point at (x, y), in the units of the axes.
-    pub fn new(x: f64, y: f64, label: impl Into<String>) -> Self {
-        Self { x, y, label: label.into() }
-    }
-}
-
 /// Points as data: what is not finite has no number in JSON and comes back as NaN.
 mod gaps {
     use serde::{Deserialize as _, Deserializer, Serializer};
@@ -307,10 +279,4 @@ pub enum FigureError {
     /// The file name ends in something no writer is known for.
     #[error("unknown format of {}: use a name ending in .svg, .png, .pdf or .html", .0.display())]
     UnknownExtension(PathBuf),
-    /// The folder the file should go to does not exist.
-    #[error("the folder {} does not exist", .0.display())]
-    NoFolder(PathBuf),
-    /// The operating system refused to write the file.
-    #[error("cannot write {path}: {1}", path = .0.display())]
-    Write(PathBuf, std::io::Error),
 }

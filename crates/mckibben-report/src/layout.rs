@@ -1,6 +1,6 @@
 //! Where everything of a figure goes: paper, grid of panels, titles, legend, caption.
 
-use crate::axes::{self, Placed};
+use crate::axes::{Grid, Placed};
 use crate::font::Metrics;
 use crate::legend::{self, Entry, Legend};
 use crate::rect::Rect;
@@ -121,8 +121,8 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
         w: cell_w,
         h: cell_h,
     };
-    let asked = axes::Asked { title: &figure.title, own_legends };
-    let panels = axes::place(&figure.panels, columns, &cell, &asked, metrics)?;
+    let Figure { title: name, panels, .. } = figure;
+    let panels = Grid { title: name, panels, columns, cell: &cell, own_legends, metrics }.place()?;
     Ok(Page { width, height, left: MARGIN, title, caption, caption_y, panels, legend })
 }
 

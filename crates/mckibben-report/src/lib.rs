@@ -1,6 +1,6 @@
 //! Figures for papers and pages.
 //!
-//! A [`Figure`] describes panels with axes, series and marks. It is plain data (serde), so that a page or another
+//! A [`Figure`] describes panels with axes and series. It is plain data (serde), so that a page or another
 //! language can draw it by its own means; the crate turns it into SVG ([`Figure::to_svg`]) or a self-contained HTML page
 //! ([`Figure::to_html`]). It knows nothing about muscles: quantities and
 //! units are texts of the caller. The same description gives the same bytes on every machine; the font (DejaVu Sans) is
@@ -20,7 +20,6 @@ mod font;
 mod labels;
 mod layout;
 mod legend;
-mod line_labels;
 #[cfg(feature = "png")]
 mod outlines;
 mod palette;
@@ -30,7 +29,6 @@ mod pdf;
 mod png;
 mod rect;
 mod room;
-#[cfg(feature = "files")]
 mod save;
 mod sheet;
 mod smooth;
@@ -40,7 +38,7 @@ mod ticks;
 mod xml;
 
 pub use document::{Body, Document, Part};
-pub use figure::{Axis, Figure, FigureError, Mark, Palette, Panel, Series, Style};
+pub use figure::{Axis, Figure, FigureError, Palette, Panel, Series, Style};
 #[cfg(feature = "png")]
 pub use outlines::texts_as_outlines;
 pub use sheet::{Anchor, Item, Pen, Sheet};

@@ -1,30 +1,10 @@
-//! Writing a figure to a file.
+//! A figure as the bytes of a file.
 
 use std::path::Path;
 
 use crate::{Figure, FigureError};
 
 impl Figure {
-    /// Writes the figure to `path` ([`Self::bytes`]), in the place of an older file.
-    ///
-    /// The content goes to a temporary file in the same folder first and takes the name
-    /// only when complete, so a failure leaves an older file as it was.
-    ///
-    /// # Errors
-    /// [`FigureError::NoFolder`] if the folder does not exist, [`FigureError::Write`] if the system refuses, and
-    /// those of [`Self::bytes`].
-    pub fn save(&self, path: &Path) -> Result<(), FigureError> {
-        let folder = match path.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => parent,
-            _ => Path::new("."),
-        };
-        if !folder.is_dir() {
-            return Err(FigureError::NoFolder(folder.to_owned()));
-        }
-        mckibben_io::files::put(path, &self.bytes(path)?, true)
-            .map_err(|source| FigureError::Write(path.to_owned(), source))
-    }
-
     /// What a file of this name has in it; its ending (`.svg`, `.png`, `.pdf`, `.html`) names the format.
     ///
     /// # Errors

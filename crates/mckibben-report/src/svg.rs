@@ -44,20 +44,23 @@ impl Pen<'_> {
     }
 }
 
-/// Writes a laid-out page.
-pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
-    let pen = Pen { figure, colours: layout::colour_count(figure) };
-    let mut out = String::new();
-    let (w, h) = (n(page.width), n(page.height));
-    let _ = write!(
-        out,
+/// The beginning of a drawing on white paper, in units of a quarter of a millimetre.
+pub(crate) fn head(title: &str, width: f64, height: f64) -> String {
+    let (w, h) = (n(width), n(height));
+    format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {w} {h}\" \
          font-family=\"{FAMILY}\" role=\"img\" aria-label=\"{}\">\n\
          <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n",
-        n(page.width / PER_MM),
-        n(page.height / PER_MM),
-        escape(&figure.title),
-    );
+        n(width / PER_MM),
+        n(height / PER_MM),
+        escape(title),
+    )
+}
+
+/// Writes a laid-out page.
+pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
+    let pen = Pen { figure, colours: layout::colour_count(figure) };
+    let mut out = head(&figure.title, page.width, page.height);
     for (i, line) in page.title.iter().enumerate() {
         let y = 10.0 + TITLE / 2.0 + i as f64 * (TITLE + 4.0);
         // a hair of outline in place of a second, bold face
@@ -123,7 +126,6 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
         let brush = if series.neutral { Brush { hex: INK.into(), ..brush } } else { brush };
         draw_series(out, &lines, &markers, series.style, brush);
     }
-    anything |= draw_marks(out, placed);
     if !anything {
         let plot = placed.axes.plot;
         let middle = (plot.x + plot.w / 2.0, plot.y + plot.h / 2.0);
@@ -193,24 +195,6 @@ fn draw_axes(out: &mut String, axes: &Axes) {
         let turned = format!(" transform=\"rotate(-90 {} {})\"", n(at.0), n(at.1));
         text(out, at, LABEL, INK, "middle", &turned, line);
     }
-}
-
-/// Draws the operating points; tells whether there was one to draw.
-fn draw_marks(out: &mut String, placed: &Placed<'_>) -> bool {
-    let frame = placed.axes.frame();
-    let mut any = false;
-    for mark in &placed.panel.marks {
-        let spot = frame.spot((mark.x, mark.y)).filter(|s| placed.axes.plot.grown(0.01).has(*s));
-        let Some((x, y)) = spot else { continue };
-        any = true;
-        let (x, y, r) = (n(x), n(y), n(labels::RING - 0.7));
-        let _ = writeln!(
-            out,
-            "<g><circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"#ffffff\" stroke=\"{INK}\" stroke-width=\"1.3\"/>\
-             <circle cx=\"{x}\" cy=\"{y}\" r=\"2.2\" fill=\"{INK}\"/></g>"
-        );
-    }
-    any
 }
 
 fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {

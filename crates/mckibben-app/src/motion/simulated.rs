@@ -3,7 +3,7 @@
 use super::{MotionRequest, Moved};
 use crate::{Problem, ProblemKind, finite};
 use mckibben::progress::Progress;
-use mckibben_motion::{Coordinate, Drive, DriveFile, Motion, Pushed, Simulation, SingleMuscle, Target};
+use mckibben_motion::{Coordinate, Drive, DriveFile, Motion, Simulation, SingleMuscle, Target};
 use std::sync::Arc;
 
 /// A drive that is stepped: each step holds its commands constant.
@@ -28,11 +28,10 @@ impl Setup {
         work: impl FnOnce(&Drive<'_>) -> Result<T, Problem>,
     ) -> Result<T, Problem> {
         let mechanism = self.moved.mechanism(self.single.as_ref())?;
-        let force = match mechanism.coordinate() {
+        let outside_force = match mechanism.coordinate() {
             Coordinate::Angle => -1e3 * outside,
             Coordinate::Shortening { .. } => outside,
         };
-        let pushed = Pushed { mechanism, force };
         let of_file = &self.file.target;
         let target = match commands {
             None => of_file.clone(),
@@ -51,7 +50,8 @@ impl Setup {
                 })?
             }
         };
-        work(&self.moved.drive(&self.file, target, self.single.as_ref(), &pushed))
+        let drive = self.moved.drive(&self.file, target, self.single.as_ref(), mechanism);
+        work(&Drive { outside_force, ..drive })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Muscles that move: balances, friction, oscillations, convergence.
 
-use super::ran;
+use super::{driven, opening, ran};
 use crate::{
     ATMOSPHERE_MPA, Actuated, Actuator, Air, Branch, Command, Drive, Fluid, Heat, Hysteresis, Linear,
     Orifice, Prony, SingleMuscle, Target, Valve, equilibrium,
@@ -49,9 +49,7 @@ fn balances() -> Option<Vec<VerificationRow>> {
         muscle.friction = Some(Hysteresis::of(&Friction::power_law(20.0, 0.7), None));
         muscle.rubber = Prony(vec![Branch { share: 0.2, time_constant_s: 0.05 }]);
         let steps = Command::Steps(vec![(0.0, 0.0), (0.1, 0.2), (0.8, 0.05)]);
-        let mut drive = Drive::new(&load, vec![muscle], Target::Pressure(vec![steps]), 1.5);
-        drive.tolerance.relative = 1e-9;
-        let motion = ran(&drive);
+        let motion = ran(&driven(&load, muscle, Target::Pressure(vec![steps]), (1.5, 1e-9)));
         let of = |value: &dyn Fn(&crate::motion::Energies) -> f64| {
             motion.as_ref().map(|m| (value(&m.energies) / m.energies.work_j).abs())
         };
@@ -72,43 +70,30 @@ fn balances() -> Option<Vec<VerificationRow>> {
 
 /// The frequency of a mass on shut air: closed form, linearised system, and crossings of a motion.
 fn shut() -> Vec<VerificationRow> {
-    [("isothermal", Heat::Isothermal, 1.0), ("adiabatic", Heat::Adiabatic, 1.4)]
-        .into_iter()
-        .flat_map(|(name, heat, index)| {
-            let row = |what: &str, f: &dyn Fn() -> Option<(f64, f64)>| {
-                let (exact, ours) = f().map_or((f64::NAN, None), |(exact, ours)| (exact, Some(ours)));
-                VerificationRow::new(
-                    format!("10 kg on shut {name} air: {what} (Hz)"),
-                    SHUT,
-                    exact,
-                    ours,
-                    1e-4,
-                )
-            };
-            let model = universal();
-            let linear = || {
-                let model = model.as_deref()?;
-                let load = SingleMuscle::hanging(model, 10.0);
-                let drive = shut_drive(model, &load, heat)?;
-                let (f, _) = Linear::new(&drive).ok()?.oscillation()?;
-                Some((closed_form(model, &drive, index)?, f))
-            };
-            let moving = || {
-                let model = model.as_deref()?;
-                let load = SingleMuscle::hanging(model, 10.0);
-                let drive = shut_drive(model, &load, heat)?;
-                Some((closed_form(model, &drive, index)?, crossings(&drive, 10.0)?))
-            };
-            [row("of the linearised system", &linear), row("of its motion", &moving)]
+    let values = |heat: Heat, index: f64| {
+        let model = universal()?;
+        let load = SingleMuscle::hanging(&*model, 10.0);
+        let mut muscle = Actuated::new(&*model, Actuator::Valve(valve()?));
+        muscle.fluid = Fluid::Air(Air { heat, dead_volume_mm3: 10e3, ..Air::default() });
+        muscle.initial_pressure_mpa = Some(0.2);
+        let drive = driven(&load, muscle, opening(0.0), (1.0, 1e-6));
+        let linear = Linear::new(&drive).ok()?;
+        Some((
+            closed_form(&*model, &drive, index)?,
+            linear.oscillation()?.0,
+            crossings(&drive, &linear, 10.0),
+        ))
+    };
+    let rows = [("isothermal", Heat::Isothermal, 1.0), ("adiabatic", Heat::Adiabatic, 1.4)];
+    let rows = rows.into_iter().flat_map(|(name, heat, index)| {
+        let values = values(heat, index);
+        let (exact, linear, moving) = values.map_or((f64::NAN, None, None), |v| (v.0, Some(v.1), v.2));
+        [("of the linearised system", linear), ("of its motion", moving)].map(|(what, ours)| {
+            let name = format!("10 kg on shut {name} air: {what} (Hz)");
+            VerificationRow::new(name, SHUT, exact, ours, 1e-4)
         })
-        .collect()
-}
-
-fn shut_drive<'a>(model: &'a dyn ForceModel, load: &'a SingleMuscle, heat: Heat) -> Option<Drive<'a>> {
-    let mut muscle = Actuated::new(model, Actuator::Valve(valve()?));
-    muscle.fluid = Fluid::Air(Air { heat, dead_volume_mm3: 10e3, ..Air::default() });
-    muscle.initial_pressure_mpa = Some(0.2);
-    Some(Drive::new(load, vec![muscle], Target::Opening(vec![Command::Constant(0.0)]), 1.0))
+    });
+    rows.collect()
 }
 
 /// (dP/dε)_m = −n p V_ε/(V + n p V_P); K = K_P − (1/L0) ∂F/∂P dP/dε; f = √(K/M)/2π
@@ -125,8 +110,7 @@ fn closed_form(model: &dyn ForceModel, drive: &Drive<'_>, index: f64) -> Option<
 }
 
 /// The frequency in Hz by the falling crossings of some periods after a displacement of a hundredth of a mm.
-fn crossings(drive: &Drive<'_>, periods: f64) -> Option<f64> {
-    let linear = Linear::new(drive).ok()?;
+fn crossings(drive: &Drive<'_>, linear: &Linear, periods: f64) -> Option<f64> {
     let (f, _) = linear.oscillation()?;
     let mut drive = drive.clone();
     drive.initial_coordinate = Some(linear.coordinate() + 0.01);
@@ -155,14 +139,10 @@ fn loops() -> Vec<VerificationRow> {
         };
         let until = |periods: f64| {
             let mut muscle = Actuated::new(&model, Actuator::Regulator { time_constant_s: 0.02 });
-            muscle.friction = Some(Hysteresis::of(
-                &Friction::power_law(LEVEL_N, 0.0),
-                Some(&Presliding::of(PRESLIDING_MM)),
-            ));
+            let level = Friction::power_law(LEVEL_N, 0.0);
+            muscle.friction = Some(Hysteresis::of(&level, Some(&Presliding::of(PRESLIDING_MM))));
             let sine = Command::Sine { mean: 0.15, amplitude: 0.08, frequency_hz: hz, phase_rad: 0.0 };
-            let mut drive = Drive::new(&spring, vec![muscle], Target::Pressure(vec![sine]), periods / hz);
-            drive.tolerance.relative = 1e-8;
-            ran(&drive)
+            ran(&driven(&spring, muscle, Target::Pressure(vec![sine]), (periods / hz, 1e-8)))
         };
         let (one, two) = (until(1.0)?, until(2.0)?);
         let x = &two.series.coordinate[two.series.coordinate.len() / 2..];
@@ -190,20 +170,14 @@ fn convergence() -> Vec<VerificationRow> {
         };
         let steps = Command::Steps(vec![(0.0, 0.0), (0.05, 0.2)]);
         let muscle = Actuated::new(&model, Actuator::Valve(valve()?));
-        let mut drive = Drive::new(&load, vec![muscle], Target::Pressure(vec![steps]), 0.5);
-        drive.tolerance.relative = relative;
+        let drive = driven(&load, muscle, Target::Pressure(vec![steps]), (0.5, relative));
         ran(&drive)?.series.coordinate.last().copied()
     };
     let exact = end(1e-12);
     let row = |relative: f64| {
         let error = end(relative).zip(exact).map(|(x, exact)| x / exact - 1.0);
-        VerificationRow::new(
-            format!("step of 10 kg, tolerance {relative:.0e}: error"),
-            ORDER,
-            0.0,
-            error,
-            10.0 * relative,
-        )
+        let name = format!("step of 10 kg, tolerance {relative:.0e}: error");
+        VerificationRow::new(name, ORDER, 0.0, error, 10.0 * relative)
     };
     [1e-6, 1e-8, 1e-10].map(row).into()
 }

@@ -8,7 +8,7 @@ mod vessel;
 
 pub use vessel::{Vessel, after, pressure};
 
-use crate::{Drive, Motion, run};
+use crate::{Actuated, Command, Drive, Motion, SingleMuscle, Target, run};
 use mckibben::progress::Silent;
 use mckibben::verification::VerificationRow;
 
@@ -23,4 +23,21 @@ pub fn cases() -> Vec<VerificationRow> {
 /// The motion, where it comes to its end.
 fn ran(drive: &Drive<'_>) -> Option<Motion> {
     run(drive, &Silent).ok()
+}
+
+/// A muscle under commands for a time in s, integrated with a relative tolerance.
+fn driven<'a>(
+    load: &'a SingleMuscle,
+    muscle: Actuated<'a>,
+    target: Target,
+    (until_s, relative): (f64, f64),
+) -> Drive<'a> {
+    let mut drive = Drive::new(load, vec![muscle], target, until_s);
+    drive.tolerance.relative = relative;
+    drive
+}
+
+/// Valves at an opening.
+fn opening(share: f64) -> Target {
+    Target::Opening(vec![Command::Constant(share)])
 }

@@ -4,10 +4,9 @@
 //! temperature is x = x0 + k t as long as it is choked (x ≤ b), then x = b + (1 − b) sin(k (t − t_b)/(1 − b)); without heat it ends at
 //! T = T0 κ/(1 + (κ − 1) x0). A choked discharge is an exponential of time, or a power without heat.
 
-use super::ran;
+use super::{driven, ran};
 use crate::{
-    ATMOSPHERE_MPA, Actuated, Actuator, Air, Command, Drive, Fluid, Heat, Motion, Orifice, SingleMuscle,
-    Target, Valve,
+    ATMOSPHERE_MPA, Actuated, Actuator, Air, Drive, Fluid, Heat, Motion, Orifice, SingleMuscle, Valve,
 };
 use mckibben::model::{ForceModel, ModelEntry, ModelError, ModelInfo, Response, Workspace};
 use mckibben::muscle::Muscle;
@@ -64,20 +63,13 @@ pub fn after(heat: Heat, opening: f64, from_mpa: f64, until_s: f64) -> Option<Mo
     let mut muscle = Actuated::new(&model, Actuator::Valve(valve));
     muscle.fluid = Fluid::Air(Air { heat, ..Air::default() });
     muscle.initial_pressure_mpa = Some(from_mpa);
-    let target = Target::Opening(vec![Command::Constant(opening)]);
-    let mut drive = Drive::new(&held, vec![muscle], target, until_s);
-    drive.tolerance.relative = 1e-11;
-    drive.output_step_s = until_s;
-    ran(&drive)
+    let drive = driven(&held, muscle, super::opening(opening), (until_s, 1e-11));
+    ran(&Drive { output_step_s: until_s, ..drive })
 }
 
 /// Absolute pressure in MPa at the end of a motion.
 pub fn pressure(motion: Option<&Motion>) -> Option<f64> {
     Some(motion?.series.muscles.first()?.pressure_mpa.last()? + ATMOSPHERE_MPA)
-}
-
-fn temperature(motion: Option<&Motion>) -> Option<f64> {
-    motion?.series.muscles.first()?.temperature_k.last().copied()
 }
 
 /// Charges, discharges and balances.
@@ -87,32 +79,31 @@ pub fn vessel() -> Vec<VerificationRow> {
     let row = |name: &str, reference: f64, ours, tolerance| {
         VerificationRow::new(format!("vessel: {name}"), SOURCE, reference, ours, tolerance)
     };
-    let charge = after(Heat::Isothermal, 1.0, 0.0, choked_s);
     // The standard's flow up to 0.99 p_s; beyond it the linear range about equal pressures.
     let late_s = choked_s + (1.0 - CRITICAL) * (0.69_f64 / 0.7).asin() / RATE_PER_S;
-    let late = after(Heat::Isothermal, 1.0, 0.0, late_s);
-    let warm = after(Heat::Adiabatic, 1.0, 0.0, 2.0);
-    let polytropic = after(Heat::Polytropic(1.4), 1.0, 0.0, 2.0);
-    let cold = after(Heat::Adiabatic, -1.0, 0.6, 0.2);
-    let out = after(Heat::Isothermal, -1.0, 0.6, 0.1);
+    let charge = |heat, until_s| after(heat, 1.0, 0.0, until_s);
+    let discharge = |heat, until_s| after(heat, -1.0, 0.6, until_s);
+    let p = |motion: Option<Motion>| pressure(motion.as_ref());
+    let k = |motion: Option<Motion>| motion?.series.muscles.first()?.temperature_k.last().copied();
+    let warm = charge(Heat::Adiabatic, 2.0);
+    let cold = discharge(Heat::Adiabatic, 0.2);
     let warm_k = 293.15 * 1.4 / (1.0 + 0.4 * from);
+    let choked = p(charge(Heat::Isothermal, choked_s));
+    let late = p(charge(Heat::Isothermal, late_s));
+    let polytropic = k(charge(Heat::Polytropic(1.4), 2.0));
+    let out = p(discharge(Heat::Isothermal, 0.1));
     let mut rows = vec![
-        row(
-            "p at the end of the choked charge (MPa)",
-            CRITICAL * SUPPLY_MPA,
-            pressure(charge.as_ref()),
-            1e-6,
-        ),
-        row("p of the charge at 0.99 p_s (MPa)", 0.99 * SUPPLY_MPA, pressure(late.as_ref()), 1e-6),
+        row("p at the end of the choked charge (MPa)", CRITICAL * SUPPLY_MPA, choked, 1e-6),
+        row("p of the charge at 0.99 p_s (MPa)", 0.99 * SUPPLY_MPA, late, 1e-6),
         row("p of the adiabatic charge at its end (MPa)", SUPPLY_MPA, pressure(warm.as_ref()), 1e-7),
-        row("T of the adiabatic charge at its end (K)", warm_k, temperature(warm.as_ref()), 1e-6),
-        row("T of a polytropic charge with n = κ (K)", warm_k, temperature(polytropic.as_ref()), 1e-6),
-        row("p of the isothermal discharge after 0.1 s (MPa)", 0.546_580_1, pressure(out.as_ref()), 2e-7),
+        row("T of the adiabatic charge at its end (K)", warm_k, k(warm), 1e-6),
+        row("T of a polytropic charge with n = κ (K)", warm_k, polytropic, 1e-6),
+        row("p of the isothermal discharge after 0.1 s (MPa)", 0.546_580_1, out, 2e-7),
         row("p of the adiabatic discharge after 0.2 s (MPa)", 0.360_541_2, pressure(cold.as_ref()), 2e-7),
-        row("T of the adiabatic discharge after 0.2 s (K)", 242.397_8, temperature(cold.as_ref()), 2e-7),
+        row("T of the adiabatic discharge after 0.2 s (K)", 242.397_8, k(cold), 2e-7),
     ];
     let heats = [Heat::Isothermal, Heat::Polytropic(1.2), Heat::Adiabatic, Heat::Transfer(30.0)];
-    let motions: Vec<Option<Motion>> = heats.into_iter().map(|heat| after(heat, 1.0, 0.0, 0.3)).collect();
+    let motions = heats.map(|heat| charge(heat, 0.3));
     let largest = |of: &dyn Fn(&Motion) -> f64| -> Option<f64> {
         motions.iter().try_fold(0.0, |most: f64, m| m.as_ref().map(|m| most.max(of(m).abs())))
     };
@@ -120,13 +111,11 @@ pub fn vessel() -> Vec<VerificationRow> {
         let e = m.energies;
         (e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j) / e.enthalpy_in_j
     });
-    let mass = largest(&|m| m.mass_defect);
-    let balance = |name: &str, ours, tolerance| {
-        VerificationRow::new(format!("vessel: {name}"), BALANCE, 0.0, ours, tolerance)
-    };
-    rows.extend([
-        balance("air that is lost, of that in it", mass, 1e-12),
-        balance("energy that is lost, of the enthalpy", energy, 1e-7),
-    ]);
+    let mass = ("air that is lost, of that in it", largest(&|m| m.mass_defect), 1e-12);
+    rows.extend([mass, ("energy that is lost, of the enthalpy", energy, 1e-7)].map(
+        |(name, ours, tolerance)| {
+            VerificationRow::new(format!("vessel: {name}"), BALANCE, 0.0, ours, tolerance)
+        },
+    ));
     rows
 }

@@ -55,8 +55,7 @@ fn a_step_that_fails_leaves_all_as_it_was() {
     let mut simulation = Simulation::new(&drive, &Silent).unwrap();
     stepped(&mut simulation, &drive, &COMMANDS[..3]);
     let before = (simulation.motion().series.clone(), simulation.time_s(&drive));
-    let pushed = Pushed { mechanism: &load, force: f64::NAN };
-    assert!(simulation.step(&Drive { mechanism: &pushed, ..drive.clone() }, &Silent).is_err());
+    assert!(simulation.step(&Drive { outside_force: f64::NAN, ..drive.clone() }, &Silent).is_err());
     assert_eq!((simulation.motion().series.clone(), simulation.time_s(&drive)), before);
     stepped(&mut simulation, &drive, &COMMANDS[3..]);
     assert_eq!(simulation.motion().series, ran(&drive).series);

@@ -1,9 +1,8 @@
 //! A technical drawing as SVG, and as PDF by way of it.
 
-use crate::font::FAMILY;
 use crate::layout::{PER_MM, check_paper};
 use crate::strokes::through;
-use crate::svg::INK;
+use crate::svg::{INK, head};
 use crate::xml::{escape, length as n};
 use crate::{Anchor, FigureError, Item, Pen, Sheet};
 use std::fmt::Write as _;
@@ -16,14 +15,7 @@ impl Sheet {
     pub fn to_svg(&self) -> Result<String, FigureError> {
         let Self { width_mm, height_mm, .. } = *self;
         check_paper(width_mm, height_mm)?;
-        let (w, h) = (n(width_mm * PER_MM), n(height_mm * PER_MM));
-        let mut out = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {w} {h}\" \
-             font-family=\"{FAMILY}\" role=\"img\" aria-label=\"{}\">\n<rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n",
-            n(width_mm),
-            n(height_mm),
-            escape(&self.title)
-        );
+        let mut out = head(&self.title, width_mm * PER_MM, height_mm * PER_MM);
         self.items.iter().try_for_each(|item| self.draw(item, &mut out))?;
         out.push_str("</svg>\n");
         Ok(out)

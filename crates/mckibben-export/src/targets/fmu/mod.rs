@@ -77,7 +77,7 @@ fn units(muscle: &ExportedMuscle, kind: Kind) -> Result<[File; 2], ExportError> 
         ("said", format!("{} {}", facts[0], facts[2]).replace('"', "'")),
         ("version", muscle.version.into()),
         ("units", include_str!("../../../templates/fmu_units.xml").trim_end().into()),
-        ("events", variables::events(kind).to_string()),
+        ("events", variables::events(&variables).to_string()),
     ];
     let described = |template: &str, (list, structure): (String, String)| {
         let own = [("variables", list), ("structure", structure)];

@@ -12,11 +12,25 @@ enum Role {
     Tunable,
     State,
     Local,
+    /// The indicator of an event.
+    Event,
     Output,
     /// The only integer.
     Status,
 }
-use Role::{Fixed, Input, Local, Output, State, Status, Tunable};
+use Role::{Event, Fixed, Input, Local, Output, State, Status, Tunable};
+
+/// The word of each role in the table, and what a description says of it.
+const ROLES: [(&str, Role, &str); 8] = [
+    ("input", Input, "causality=\"input\" variability=\"continuous\""),
+    ("fixed", Fixed, "causality=\"parameter\" variability=\"fixed\" initial=\"exact\""),
+    ("tunable", Tunable, "causality=\"parameter\" variability=\"tunable\" initial=\"exact\""),
+    ("state", State, "causality=\"local\" variability=\"continuous\" initial=\"calculated\""),
+    ("local", Local, "causality=\"local\" variability=\"continuous\" initial=\"calculated\""),
+    ("event", Event, "causality=\"local\" variability=\"continuous\" initial=\"calculated\""),
+    ("output", Output, "causality=\"output\" variability=\"continuous\" initial=\"calculated\""),
+    ("status", Status, "causality=\"output\" variability=\"discrete\" initial=\"calculated\""),
+];
 
 /// One variable; its value reference is the place of its name in the list at the beginning of fmu2.c.
 pub(super) struct Variable {
@@ -30,114 +44,50 @@ pub(super) struct Variable {
     /// The state whose derivative it is.
     derivative_of: Option<&'static str>,
     /// The inputs and states that it depends on at once.
-    on: &'static [&'static str],
+    on: Vec<&'static str>,
 }
 
-const ANY: (f64, f64) = (-f64::MAX, f64::MAX);
-const POSITIVE: (f64, f64) = (0.0, f64::MAX);
-
-/// The variables of a unit.
+/// The variables of a unit, by a table; `-` is none, `held` stands for pressure and length or what gives them.
 pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
-    let (form, volume_m3) = (&muscle.form, muscle.form.at(0.0, 0.0).volume_m3);
-    let found = |name, role, unit, on, about| {
-        let (start, range, nominal) = (f64::NAN, (f64::NAN, f64::NAN), f64::NAN);
-        Variable { name, role, unit, about, on, start, range, nominal, derivative_of: None }
+    let (form, is_valve) = (&muscle.form, kind == Kind::Valve);
+    let volume_m3 = form.at(0.0, 0.0).volume_m3;
+    let value = |text: &str| match text {
+        "max" => f64::MAX,
+        "-max" => -f64::MAX,
+        "length" => form.length_m,
+        "supply" => form.supply_pa,
+        "volume" => volume_m3,
+        "mass" => 1.2 * volume_m3,
+        number => number.parse().unwrap_or(f64::NAN),
     };
-    let held: &[&str] = if kind == Kind::Valve { &["length", "air"] } else { &["pressure", "length"] };
-    let (length_m, supply_pa) = (form.length_m, form.supply_pa);
-    let mut all = vec![
-        found("length", Input, "m", &[], "length between the terminals").within(length_m, ANY, length_m),
-        found("force_factor", Tunable, "1", &[], "multiplies the pull: to explore its uncertainty")
-            .within(1.0, POSITIVE, 1.0),
-    ];
-    if kind == Kind::Pressure {
-        all.insert(0, found("pressure", Input, "Pa", &[], "gauge pressure").within(0.0, ANY, supply_pa));
-    } else {
-        let air: &[&str] = &["length", "air", "air_mass"];
-        let flow: &[&str] = &["command", "length", "air", "air_mass"];
-        let state = |name, unit, nominal, about| Variable { nominal, ..found(name, State, unit, &[], about) };
-        let rate = |of, name, role, unit, about| Variable {
-            derivative_of: Some(of),
-            ..found(name, role, unit, flow, about)
+    let other = if is_valve { "pressure" } else { "valve" };
+    let table = include_str!("../../../templates/fmu_variables.tsv").lines().skip(1);
+    let one = |line: &'static str| {
+        let cells: Vec<&str> = line.split('\t').collect();
+        let &[of, name, word, state, unit, on, start, low, high, nominal, about] = &cells[..] else {
+            return None;
         };
-        let opening = "opening of the valve, limited to -1 to 1: above 0 from the supply into the muscle, below 0 into the atmosphere";
-        all.insert(0, found("command", Input, "1", &[], opening).within(0.0, ANY, 1.0));
-        for (c, b, of_c) in [
-            ("sonic_conductance", "critical_ratio", "sonic conductance from the supply (ISO 6358)"),
-            ("exhaust_conductance", "exhaust_critical_ratio", "sonic conductance into the atmosphere"),
-        ] {
-            all.push(found(c, Tunable, "m3/(s.Pa)", &[], of_c).within(5e-9, (0.0, 1e-2), 1e-8));
-            all.push(found(b, Tunable, "1", &[], "critical ratio of pressures there").within(
-                0.3,
-                (0.0, 0.98),
-                1.0,
-            ));
-        }
-        all.extend([
-            found("supply_pressure", Tunable, "Pa", &[], "gauge pressure of the supply")
-                .within(supply_pa, POSITIVE, supply_pa),
-            found("temperature", Fixed, "K", &[], "of the supply, the walls, and the air at the start")
-                .within(293.15, (50.0, 2000.0), 300.0),
-            found("dead_volume", Fixed, "m3", &[], "volume of the air outside of the cavity")
-                .within(0.0, POSITIVE, volume_m3),
-            found(
-                "polytropic_exponent",
-                Fixed,
-                "1",
-                &[],
-                "1 isothermal; 1.4 adiabatic, or with heat_conductance the balance of energy",
-            )
-            .within(1.0, (1.0, 1.4), 1.0),
-            found(
-                "heat_conductance",
-                Fixed,
-                "W/K",
-                &[],
-                "heat from the walls per kelvin, with the exponent 1.4",
-            )
-            .within(0.0, POSITIVE, 1.0),
-            found("initial_pressure", Fixed, "Pa", &[], "gauge pressure at the start").within(
-                0.0,
-                (-1e5, f64::MAX),
-                supply_pa,
-            ),
-            state("air", "m3", volume_m3, "volume that the air has at 101325 Pa without heat"),
-            state("air_mass", "kg", 1.2 * volume_m3, "mass of the air"),
-            rate("air", "air_rate", Local, "m3/s", "derivative of air"),
-            rate("air_mass", "air_flow", Output, "kg/s", "mass flow into the muscle"),
-            found("air_temperature", Output, "K", air, "temperature of the air"),
-            found("pressure", Output, "Pa", held, "gauge pressure"),
-        ]);
-        all.extend(EVENTS.map(|(name, on, about)| found(name, Local, "1", on, about)));
-    }
-    all.extend([
-        found("force", Output, "N", held, "pull; 0 where the muscle is slack"),
-        found("stiffness", Output, "N/m", held, "slope of the pull in the length at constant pressure"),
-        found("volume", Output, "m3", held, "volume of the cavity"),
-        found(
-            "force_per_pressure",
-            Output,
-            "m2",
-            held,
-            "slope of the pull in the pressure at constant length",
-        ),
-        found(
-            "status",
-            Status,
-            "",
-            held,
-            "0, or a sum: 1 slack, 2 pressure outside of the box, 4 contraction outside",
-        ),
-    ]);
-    all
+        let role = ROLES.iter().find(|role| role.0 == word)?.1;
+        let on = match on {
+            "held" if is_valve => "length air",
+            "held" => "pressure length",
+            on => on,
+        };
+        Some(Variable {
+            name,
+            role,
+            unit,
+            about,
+            start: value(start),
+            range: (value(low), value(high)),
+            nominal: value(nominal),
+            derivative_of: Some(state).filter(|state| *state != "-"),
+            on: on.split(' ').filter(|name| *name != "-").collect(),
+        })
+        .filter(|_| of != other)
+    };
+    table.filter_map(one).collect()
 }
-
-type Event = (&'static str, &'static [&'static str], &'static str);
-const EVENTS: [Event; 3] = [
-    ("command_sign", &["command"], "indicator of an event: another way of the valve opens"),
-    ("command_limit", &["command"], "indicator of an event: the valve is wide open"),
-    ("taut", &["length", "air"], "indicator of an event: the muscle becomes slack or taut"),
-];
 
 /// The names of fmu2.c: the place of each is its value reference, and those before `force` can be set or are states.
 pub(super) fn references() -> Vec<String> {
@@ -169,36 +119,10 @@ fn attribute(name: &str, value: Option<String>) -> String {
 
 impl Variable {
     /// With its value at the start, its least and largest value, and its usual size.
-    fn within(self, start: f64, range: (f64, f64), nominal: f64) -> Self {
-        Self { start, range, nominal, ..self }
+    fn nature(&self) -> &'static str {
+        ROLES.iter().find(|role| role.1 == self.role).map_or("", |role| role.2)
     }
 
-    fn causality(&self) -> &'static str {
-        match self.role {
-            Input => "input",
-            Fixed | Tunable => "parameter",
-            State | Local => "local",
-            Output | Status => "output",
-        }
-    }
-
-    /// Causality, variability and how it is initialised.
-    fn nature(&self) -> String {
-        let variability = match self.role {
-            Fixed => "fixed",
-            Tunable => "tunable",
-            Status => "discrete",
-            Input | State | Local | Output => "continuous",
-        };
-        let initial = match self.role {
-            Input => "",
-            Fixed | Tunable => " initial=\"exact\"",
-            _ => " initial=\"calculated\"",
-        };
-        format!("causality=\"{}\" variability=\"{variability}\"{initial}", self.causality())
-    }
-
-    /// Start, unit, range and nominal value.
     fn values(&self) -> String {
         if self.role == Status {
             return String::new();
@@ -288,15 +212,14 @@ pub(super) fn third(variables: &[Variable]) -> (String, String) {
                 writeln!(structure, "    <{element} valueReference=\"{}\"{dependencies}/>", place(v.name));
         }
     };
-    let is_event = |v: &Variable| EVENTS.iter().any(|(name, ..)| *name == v.name);
     unknowns("Output", &|v| matches!(v.role, Output | Status), true);
     unknowns("ContinuousStateDerivative", &|v| v.derivative_of.is_some(), true);
     unknowns("InitialUnknown", &Variable::is_unknown_at_the_start, false);
-    unknowns("EventIndicator", &is_event, true);
+    unknowns("EventIndicator", &|v| v.role == Event, true);
     (out.trim_end().into(), structure.trim_end().into())
 }
 
-/// How many event indicators there are.
-pub(super) fn events(kind: Kind) -> usize {
-    if kind == Kind::Valve { EVENTS.len() } else { 0 }
+/// How many of them indicate events.
+pub(super) fn events(variables: &[Variable]) -> usize {
+    variables.iter().filter(|v| v.role == Event).count()
 }
