@@ -32,7 +32,7 @@ mod tests;
 pub use error::CampaignError;
 #[cfg(feature = "store")]
 pub use merge::{Merged, merge};
-pub use plan::{Axis, Inputs, Measure, Plan, Sampling, Testing};
+pub use plan::{Inputs, Plan, Testing};
 #[cfg(feature = "store")]
 pub use read::{Rows, read, rows};
 #[cfg(feature = "store")]

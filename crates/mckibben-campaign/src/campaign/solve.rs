@@ -34,7 +34,7 @@ pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>, Ca
 /// All rows of muscle `number`, contraction by contraction.
 pub(super) fn rows(plan: &Plan, number: u64) -> Vec<PointRow> {
     let inputs = plan.inputs(number);
-    let testing = plan.testing();
+    let testing = &plan.testing;
     let model = inputs
         .muscle()
         .map_err(|e| e.to_string())
@@ -131,11 +131,11 @@ impl Plan {
     /// Points that one thread solves in a good second with the usual mesh; between curves that pull and walls that fold there is a factor
     /// of ten. The size of the parts follows from it: it depends on the plan alone.
     pub(super) fn points_per_second(&self) -> u64 {
-        match self.testing().elements {
+        match self.testing.elements {
             // Time grows with the elements along and with the square of those through the wall.
             Elements::Axisymmetric(mesh) => {
                 let (through, along) = (mesh.through.unwrap_or(1), mesh.along.unwrap_or(6));
-                let most = if self.testing().sensitivities { 512 } else { 4096 };
+                let most = if self.testing.sensitivities { 512 } else { 4096 };
                 6 * most / ((through * through * along) as u64).max(6)
             }
             // A hundred points of 600 bricks.
@@ -153,7 +153,7 @@ impl Plan {
         for number in (0..LOOKED_AT.min(self.muscles())).map(|i| i * step) {
             let Ok(muscle) = self.inputs(number).muscle() else { continue };
             // What is no mesh is a row without an answer.
-            if let Err(FemError::Large(large)) = self.testing().elements.admit(&muscle) {
+            if let Err(FemError::Large(large)) = self.testing.elements.admit(&muscle) {
                 return Err(large);
             }
         }

@@ -24,7 +24,6 @@ mod point;
 mod problem;
 mod runs;
 mod standing;
-mod table_of_fits;
 mod warning;
 
 pub use data::{ReadOptions, read_tension, read_tests};
@@ -37,8 +36,7 @@ pub use point::{Mode, TensionPoint};
 pub use problem::Measure;
 use problem::Problem;
 use serde::{Deserialize, Serialize};
-pub use standing::{DECIDED_AICC, TensionFit, windows_of};
-pub use table_of_fits::curve_of_fits;
+pub use standing::{DECIDED_AICC, TensionFit};
 use thiserror::Error;
 pub(crate) use warning::MODULI;
 

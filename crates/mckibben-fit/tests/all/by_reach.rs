@@ -7,9 +7,10 @@ use mckibben::rubber::library::{
     find_up_to, of_equal_standing, warnings,
 };
 use mckibben::rubber::{ExtendedTube, Law};
-use mckibben_fit::rubber::{
-    DECIDED_AICC, FitSettings, ReadOptions, TensionFit, curve_of_fits, fit_tension, read_tension,
-};
+use mckibben_fit::rubber::{DECIDED_AICC, FitSettings, ReadOptions, TensionFit, fit_tension, read_tension};
+
+#[path = "../../examples/rubber_laws/table_of_fits.rs"]
+mod table_of_fits;
 
 fn fitted() -> impl Iterator<Item = &'static RubberEntry> {
     entries().unwrap().iter().filter(|e| e.data.is_some())
@@ -212,7 +213,7 @@ fn number(record: &csv::StringRecord, column: usize) -> f64 {
 fn the_curve_of_a_table_of_fits_is_the_measured_one_within_5_percent() {
     for name in ["dragon-skin-30", "ecoflex-00-50", "mold-star-20t", "soloplast-150318"] {
         let path = format!("{}/../../data/{TABLE_OF_FITS}", env!("CARGO_MANIFEST_DIR"));
-        let points = curve_of_fits(std::fs::File::open(path).unwrap(), name).unwrap();
+        let points = table_of_fits::curve_of_fits(std::fs::File::open(path).unwrap(), name).unwrap();
         assert!(points.len() > 80 && points.is_sorted_by_key(|p| p.stretch), "{name}");
         for row in csv(entry(name).unwrap().data.as_deref().unwrap()) {
             let (end, measured) = (1.0 + number(&row, 0), number(&row, 1));

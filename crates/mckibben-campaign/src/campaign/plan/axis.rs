@@ -1,84 +1,46 @@
 //! What can vary, and the measures of a muscle that come of it.
 
-use mckibben::muscle::measures::{self, Parts};
-use mckibben::muscle::{BraidStiffness, Muscle, MuscleError};
+use mckibben::muscle::measures::{MEASURES, Parts};
+use mckibben::muscle::{BraidStiffness, Measure, Muscle, MuscleError};
 use mckibben::rubber::Law;
 use mckibben::rubber::library;
 use mckibben::units::Values;
-use std::sync::LazyLock;
 
-/// A measure that can vary.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Measure {
-    /// A measure of the muscle, by its key in the muscle file
-    Part(&'static str),
-    /// s/D0
-    WallRatio,
-    /// L0/D0
-    LengthRatio,
-    /// k/D0
-    StiffnessPerDiameter,
-    /// Factor of all moduli of the law
-    Scale,
-    /// A constant of the law
-    Constant(&'static str),
-}
-
-/// Those that have a column of their own in every table.
-const WITH_COLUMN: [(&str, Measure); 9] = [
-    ("tube.outer_diameter", Measure::Part("tube.outer_diameter")),
-    ("tube.wall_thickness", Measure::Part("tube.wall_thickness")),
-    ("tube.wall_ratio", Measure::WallRatio),
-    ("tube.length", Measure::Part("tube.length")),
-    ("tube.length_ratio", Measure::LengthRatio),
-    ("braid.angle", Measure::Part("braid.angle")),
-    ("braid.stiffness", Measure::Part("braid.stiffness")),
-    ("braid.stiffness_per_diameter", Measure::StiffnessPerDiameter),
-    ("tube.material.scale", Measure::Scale),
+/// Keys in `[vary]` of what has a column of its own in every table, ratios to D0 and the factor of all moduli with it.
+const WITH_COLUMN: [&str; 9] = [
+    "tube.outer_diameter",
+    "tube.wall_thickness",
+    "tube.wall_ratio",
+    "tube.length",
+    "tube.length_ratio",
+    "braid.angle",
+    "braid.stiffness",
+    "braid.stiffness_per_diameter",
+    SCALE,
 ];
+pub(super) const SCALE: &str = "tube.material.scale";
+/// What stands before the name of a constant of the law.
+pub(super) const CONSTANT: &str = "tube.material.";
 
-/// All of them in the order in which a factorial plan runs through them, with their keys in `[vary]`: the ones above, constants of laws,
-/// and every other measure of the muscle.
-pub(super) static ALL: LazyLock<Vec<(&'static str, Measure)>> = LazyLock::new(|| {
-    let constants = CONSTANTS.iter().map(|(key, name)| (key.as_str(), Measure::Constant(name)));
-    let others = measures::MEASURES.iter().map(|m| m.key).filter(|key| !has_column(key));
-    WITH_COLUMN.into_iter().chain(constants).chain(others.map(|key| (key, Measure::Part(key)))).collect()
-});
-
-fn has_column(key: &str) -> bool {
-    WITH_COLUMN.iter().any(|m| m.0 == key)
-}
-
-/// The constants of all laws with their keys, each name once; sums of terms have none that vary alone.
-static CONSTANTS: LazyLock<Vec<(String, &'static str)>> = LazyLock::new(|| {
-    let mut names: Vec<&'static str> = vec![];
-    for name in Law::KINDS.iter().filter(|k| !k.is_sum).flat_map(|k| k.names()) {
-        if !names.contains(&name) {
-            names.push(name);
+/// What can vary, in the order in which a factorial plan runs through it: the ones above, the constants of all laws (sums of terms have
+/// none that vary alone), and every other measure of the muscle.
+pub(super) fn keys() -> Vec<String> {
+    let laws = Law::KINDS.iter().filter(|kind| !kind.is_sum);
+    let constants = laws.flat_map(|kind| kind.names()).map(|name| format!("{CONSTANT}{name}"));
+    let measures = MEASURES.iter().map(|m| m.key.to_owned());
+    let mut keys: Vec<String> = vec![];
+    for key in WITH_COLUMN.into_iter().map(str::to_owned).chain(constants).chain(measures) {
+        if !keys.contains(&key) {
+            keys.push(key);
         }
     }
-    names.into_iter().map(|name| (format!("tube.material.{name}"), name)).collect()
-});
-
-impl Measure {
-    /// Its key in `[vary]`.
-    pub fn key(self) -> &'static str {
-        ALL.iter().find(|m| m.1 == self).map_or("", |m| m.0)
-    }
-
-    /// The column in which a table has it, where it varies: only of measures without one in every table.
-    pub fn column(self) -> Option<String> {
-        let Self::Part(key) = self else { return None };
-        let measure = measures::Measure::of_key(key).filter(|_| !has_column(key))?;
-        let unit = measure.dimension.end_of_name().filter(|_| !measure.is_plain());
-        let name = || [&key.replace('.', "_"), unit.unwrap_or_default()].join("_");
-        Some(measure.field.map_or_else(|| name().trim_end_matches('_').to_owned(), str::to_owned))
-    }
+    keys
 }
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    pub measure: Measure,
+    /// What varies, by its key in `[vary]`.
+    pub key: String,
     /// Its levels, or the interval it is taken from.
     pub values: Values,
     /// Whether the interval is sampled evenly in its logarithm.
@@ -86,6 +48,19 @@ pub struct Axis {
 }
 
 impl Axis {
+    /// The measure of the muscle that varies, where it is one.
+    pub(super) fn measure(&self) -> Option<&'static Measure> {
+        Measure::of_key(&self.key)
+    }
+
+    /// The column in which a table has it: only of measures without one in every table.
+    pub(super) fn column(&self) -> Option<String> {
+        let measure = self.measure().filter(|_| !WITH_COLUMN.contains(&self.key.as_str()))?;
+        let unit = measure.dimension.end_of_name().filter(|_| !measure.is_plain());
+        let name = || [&self.key.replace('.', "_"), unit.unwrap_or_default()].join("_");
+        Some(measure.field.map_or_else(|| name().trim_end_matches('_').to_owned(), str::to_owned))
+    }
+
     /// Number of levels; an interval has one.
     pub fn levels(&self) -> u64 {
         match &self.values {
@@ -126,38 +101,24 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// The base with a value on each axis; ratios are taken of the final diameter.
+    /// The base with a value on each axis.
     pub(super) fn of(base: &Muscle, axes: &[Axis], values: &[f64]) -> Self {
         let mut parts = base.parts().clone();
-        let all = || axes.iter().map(|a| a.measure).zip(values.iter().copied());
-        for (measure, value) in all() {
-            if let Measure::Part(key) = measure
-                && let Some(measure) = measures::Measure::of_key(key)
-            {
-                (measure.set)(&mut parts, value);
+        let mut given: Vec<(&Axis, f64)> = axes.iter().zip(values.iter().copied()).collect();
+        let measures = given.iter().filter_map(|(axis, value)| Some((axis.column()?, *value))).collect();
+        // Ratios are of the final diameter, and the factor of all moduli scales constants that vary too.
+        given.sort_by_key(|(axis, _)| (axis.measure().is_none(), axis.key == SCALE));
+        for (axis, value) in given {
+            match axis.measure() {
+                Some(measure) => (measure.set)(&mut parts, value),
+                None => set(&mut parts, &axis.key, value),
             }
         }
         let tube = &mut parts.tube;
-        // The factor of all moduli comes last, so that it scales constants that vary too.
-        let (last, first): (Vec<_>, Vec<_>) = all().partition(|v| v.0 == Measure::Scale);
-        for (measure, value) in first.into_iter().chain(last) {
-            match measure {
-                Measure::Part(_) => {}
-                Measure::WallRatio => tube.wall_mm = rounded(value * tube.outer_diameter_mm),
-                Measure::LengthRatio => tube.length_mm = rounded(value * tube.outer_diameter_mm),
-                Measure::StiffnessPerDiameter => {
-                    let k = rounded(value * tube.outer_diameter_mm);
-                    parts.braid.stiffness = BraidStiffness::NewtonPerMm(k);
-                }
-                Measure::Scale => tube.rubber.law = tube.rubber.law.scaled(value),
-                Measure::Constant(name) => tube.rubber.law = with_constant(&tube.rubber.law, name, value),
-            }
-        }
         // All muscles of a plan are made of one rubber, that of the base muscle; the law of a named one would follow the measures.
         if tube.rubber.law != base.tube().rubber.law || library::follows(&tube.rubber) {
             tube.rubber.name = None;
         }
-        let measures = all().filter_map(|(measure, value)| Some((measure.column()?, value))).collect();
         Self { parts, measures }
     }
 
@@ -173,8 +134,18 @@ impl Inputs {
     }
 }
 
-/// A law with one constant, by its name, replaced.
-fn with_constant(law: &Law, name: &str, value: f64) -> Law {
-    let at = law.constants().iter().position(|c| c.name == name);
-    law.with_constants(|i, old| if Some(i) == at { value } else { old })
+/// Puts in what is no measure of its own: a ratio, or a number of the law.
+fn set(Parts { tube, braid, .. }: &mut Parts, key: &str, value: f64) {
+    let times_diameter = rounded(value * tube.outer_diameter_mm);
+    let law = &tube.rubber.law;
+    match key {
+        "tube.wall_ratio" => tube.wall_mm = times_diameter,
+        "tube.length_ratio" => tube.length_mm = times_diameter,
+        "braid.stiffness_per_diameter" => braid.stiffness = BraidStiffness::NewtonPerMm(times_diameter),
+        SCALE => tube.rubber.law = law.scaled(value),
+        constant => {
+            let at = law.constants().iter().position(|c| constant.strip_prefix(CONSTANT) == Some(&c.name));
+            tube.rubber.law = law.with_constants(|i, old| if Some(i) == at { value } else { old });
+        }
+    }
 }

@@ -19,7 +19,7 @@ mod vary;
 mod tests;
 
 pub(super) use axis::rounded;
-pub use axis::{Axis, Inputs, Measure};
+pub use axis::{Axis, Inputs};
 pub use sampling::Sampling;
 
 use crate::hash;
@@ -47,46 +47,28 @@ pub struct Testing {
 
 #[derive(Debug, Clone)]
 pub struct Plan {
-    text: String,
-    base: Muscle,
-    axes: Vec<Axis>,
-    sampling: Sampling,
+    /// Its text, as it was written.
+    pub(super) text: String,
+    /// The muscle that is varied.
+    pub base: Muscle,
+    /// What varies; in a factorial plan the first changes slowest.
+    pub(super) axes: Vec<Axis>,
     design: Design,
-    testing: Testing,
+    pub(super) testing: Testing,
 }
 
 impl Plan {
-    /// Its text, as it was written.
-    pub fn text(&self) -> &str {
-        &self.text
-    }
-
     /// SHA-256 of its text, in hexadecimal digits.
     pub fn hash(&self) -> String {
         hash::hex(self.text.as_bytes())
     }
 
-    /// The muscle that is varied.
-    pub fn base(&self) -> &Muscle {
-        &self.base
-    }
-
-    /// What varies; in a factorial plan the first changes slowest.
-    pub fn axes(&self) -> &[Axis] {
-        &self.axes
-    }
-
-    pub fn sampling(&self) -> &Sampling {
-        &self.sampling
-    }
-
-    /// What every muscle is asked.
-    pub fn testing(&self) -> &Testing {
-        &self.testing
+    pub(super) fn sampling(&self) -> &Sampling {
+        &self.design.sampling
     }
 
     pub fn muscles(&self) -> u64 {
-        self.design.len()
+        self.design.muscles
     }
 
     /// Points each muscle is asked.
@@ -119,7 +101,7 @@ impl Plan {
 
     /// Columns of what varies and has none in every table: `seating_mm`.
     pub fn measures(&self) -> Vec<String> {
-        self.axes.iter().filter_map(|axis| axis.measure.column()).collect()
+        self.axes.iter().filter_map(|axis| axis.column()).collect()
     }
 
     /// Keys of the sensitivities that rows carry.

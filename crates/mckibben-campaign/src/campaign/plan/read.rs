@@ -13,7 +13,30 @@ const MOST_POINTS: usize = 100_000;
 impl Plan {
     /// Reads the text of a plan.
     pub fn parse(text: &str) -> Result<Self, FileError> {
-        plan(text)
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let source = Source::read(text, "muscle-file plan-file people")?;
+        let base = muscle_of(&source)?;
+        let root = source.root();
+        let sampling = sampling(&root.at("sampling"))?;
+        let axes = vary::axes(&root.at("vary"), &base, &sampling)?;
+        let testing = testing(&root.at("test"))?;
+        if base.tube().rubber.is_conditioned() {
+            let why =
+                "is not possible in a campaign, whose muscles are on their first inflation: leave it out";
+            return Err(source.error("tube.material.conditioned", why));
+        }
+        if sampling != Sampling::Factorial && axes.is_empty() {
+            let why = format!("a {} plan needs something to vary: add [vary]", sampling.name());
+            return Err(source.error("sampling.method", why));
+        }
+        let design = Design::new(sampling, &axes);
+        if design.muscles > MOST_MUSCLES {
+            let why = format!("makes {} muscles, more than {MOST_MUSCLES}", design.muscles);
+            return Err(source.error("vary", why));
+        }
+        let plan = Plan { text: text.to_owned(), base, axes, design, testing };
+        some_muscle(&plan).map_err(|why| source.error("vary", why))?;
+        Ok(plan)
     }
 
     /// Reads a plan file.
@@ -21,32 +44,6 @@ impl Plan {
         let path = path.as_ref();
         read_text(path).and_then(|text| Self::parse(&text)).map_err(|e| e.of(path))
     }
-}
-
-fn plan(text: &str) -> Result<Plan, FileError> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let source = Source::read(text, "muscle-file plan-file people")?;
-    let base = muscle_of(&source)?;
-    let root = source.root();
-    let sampling = sampling(&root.at("sampling"))?;
-    let axes = vary::axes(&root.at("vary"), &base, &sampling)?;
-    let testing = testing(&root.at("test"))?;
-    if base.tube().rubber.is_conditioned() {
-        let why = "is not possible in a campaign, whose muscles are on their first inflation: leave it out";
-        return Err(source.error("tube.material.conditioned", why));
-    }
-    if sampling != Sampling::Factorial && axes.is_empty() {
-        let why = format!("a {} plan needs something to vary: add [vary]", sampling.name());
-        return Err(source.error("sampling.method", why));
-    }
-    let design = Design::new(&sampling, &axes);
-    if design.len() > MOST_MUSCLES {
-        let why = format!("makes {} muscles, more than {MOST_MUSCLES}", design.len());
-        return Err(source.error("vary", why));
-    }
-    let plan = Plan { text: text.to_owned(), base, axes, sampling, design, testing };
-    some_muscle(&plan).map_err(|why| source.error("vary", why))?;
-    Ok(plan)
 }
 
 /// A plan none of whose first thousand muscles is one is a slip, not a campaign.

@@ -47,47 +47,36 @@ impl Sampling {
 
 /// Where the muscles of a plan lie in the unit cube of its axes.
 #[derive(Debug, Clone)]
-pub(super) enum Design {
-    Factorial { levels: Vec<u64>, muscles: u64 },
-    Points { shares: Vec<Vec<f64>>, muscles: u64 },
-    Sobol { muscles: u64, seed: u32 },
+pub(super) struct Design {
+    pub(super) sampling: Sampling,
+    pub(super) muscles: u64,
+    /// Of a Latin hypercube the shares of all muscles, axis by axis.
+    strata: Vec<Vec<f64>>,
 }
 
 impl Design {
-    pub(super) fn new(sampling: &Sampling, axes: &[Axis]) -> Self {
-        match *sampling {
-            Sampling::Factorial => {
-                let levels: Vec<u64> = axes.iter().map(Axis::levels).collect();
-                let muscles = levels.iter().fold(1_u64, |a, &b| a.saturating_mul(b));
-                Self::Factorial { levels, muscles }
-            }
+    pub(super) fn new(sampling: Sampling, axes: &[Axis]) -> Self {
+        let (muscles, strata) = match sampling {
+            Sampling::Factorial => (axes.iter().fold(1_u64, |all, a| all.saturating_mul(a.levels())), vec![]),
             Sampling::LatinHypercube { samples, seed } => {
-                let shares = (0..axes.len()).map(|axis| strata(samples, seed, axis as u64)).collect();
-                Self::Points { shares, muscles: samples }
+                (samples, (0..axes.len()).map(|axis| strata(samples, seed, axis as u64)).collect())
             }
-            Sampling::Sobol { samples, seed } => Self::Sobol { muscles: samples, seed },
-        }
-    }
-
-    pub(super) fn len(&self) -> u64 {
-        match self {
-            Self::Factorial { muscles, .. } | Self::Points { muscles, .. } | Self::Sobol { muscles, .. } => {
-                *muscles
-            }
-        }
+            Sampling::Sobol { samples, .. } => (samples, vec![]),
+        };
+        Self { sampling, muscles, strata }
     }
 
     /// The value of an axis for a muscle.
     pub(super) fn value(&self, axes: &[Axis], axis: usize, number: u64) -> f64 {
-        match self {
-            Self::Factorial { levels, .. } => {
+        match self.sampling {
+            Sampling::Factorial => {
                 // The first axis changes slowest.
-                let faster: u64 = levels[axis + 1..].iter().product();
-                axes[axis].level(number / faster % levels[axis])
+                let faster: u64 = axes[axis + 1..].iter().map(Axis::levels).product();
+                axes[axis].level(number / faster % axes[axis].levels())
             }
-            Self::Points { shares, .. } => axes[axis].at(shares[axis][number as usize]),
-            Self::Sobol { seed, .. } => {
-                axes[axis].at(f64::from(sobol_burley::sample(number as u32, axis as u32, *seed)))
+            Sampling::LatinHypercube { .. } => axes[axis].at(self.strata[axis][number as usize]),
+            Sampling::Sobol { seed, .. } => {
+                axes[axis].at(f64::from(sobol_burley::sample(number as u32, axis as u32, seed)))
             }
         }
     }

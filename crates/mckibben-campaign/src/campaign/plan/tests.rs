@@ -31,8 +31,8 @@ fn the_papers_plan_has_2600_points() {
         [section(0), section(4), section(5), section(19)],
         [(30., 1.), (30., 5.), (40., 1.), (50., 5.)]
     );
-    assert_eq!(plan.testing().contractions, [0.0, 0.05, 0.1, 0.15, 0.2]);
-    assert_eq!(plan.testing().pressures_mpa[25], 0.25);
+    assert_eq!(plan.testing.contractions, [0.0, 0.05, 0.1, 0.15, 0.2]);
+    assert_eq!(plan.testing.pressures_mpa[25], 0.25);
     let base = Muscle::prototype();
     assert_eq!(plan.inputs(13).muscle().unwrap(), base.with_section(45.0, 4.0).unwrap());
 }
@@ -139,7 +139,7 @@ fn keys_can_be_written_as_tables_too() {
     let dotted = plan("[vary]\ntube.outer_diameter = \"30,40\"\ntube.material.c10 = [0.1, \"200 kPa\"]");
     let tables =
         plan("[vary.tube]\nouter_diameter = [30, \"4 cm\"]\n[vary.tube.material]\nc10 = \"0.1,0.2 MPa\"");
-    assert_eq!(dotted.axes(), tables.axes());
+    assert_eq!(dotted.axes, tables.axes);
     assert_eq!(dotted.muscles(), 4);
     assert_ne!(dotted.hash(), tables.hash());
 }
@@ -256,7 +256,7 @@ fn parts_are_a_hundredth_of_the_plan_and_never_too_long() {
 fn a_plan_has_one_rubber() {
     let text = "[tube]\nrubber = \"dragon-skin-30\"\n[vary]\nbraid.angle = \"16,28,40 deg\"\n[test]\ncontractions = \"0\"\npressures = \"0.1\"\n";
     let plan = Plan::parse(text).unwrap();
-    let law = &plan.base().tube().rubber.law;
+    let law = &plan.base.tube().rubber.law;
     for number in 0..3 {
         let muscle = plan.inputs(number).muscle().unwrap();
         assert_eq!(muscle.tube().rubber.law, *law);

@@ -1,30 +1,30 @@
 //! The table `[vary]`.
 
-use super::axis::{ALL, Axis, Measure};
+use super::axis::{Axis, CONSTANT, SCALE, keys};
 use super::sampling::Sampling;
 use mckibben::muscle::file::{FileError, Section};
-use mckibben::muscle::measures::{self, Bounds};
+use mckibben::muscle::measures::{ANGLE, Bounds};
 use mckibben::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
 use mckibben::units::Values;
 
 /// Pairs of which a plan has one.
-const EITHER: [(Measure, Measure); 3] = [
-    (Measure::Part("tube.wall_thickness"), Measure::WallRatio),
-    (Measure::Part("tube.length"), Measure::LengthRatio),
-    (Measure::Part("braid.stiffness"), Measure::StiffnessPerDiameter),
+const EITHER: [(&str, &str); 3] = [
+    ("tube.wall_thickness", "tube.wall_ratio"),
+    ("tube.length", "tube.length_ratio"),
+    ("braid.stiffness", "braid.stiffness_per_diameter"),
 ];
 
 pub(super) fn axes(vary: &Section<'_>, base: &Muscle, sampling: &Sampling) -> Result<Vec<Axis>, FileError> {
     let mut axes: Vec<Axis> = vec![];
-    for &(dotted, measure) in ALL.iter() {
-        let (table, key) = dotted.rsplit_once('.').unwrap_or(("", dotted));
+    for dotted in keys() {
+        let (table, key) = dotted.rsplit_once('.').unwrap_or(("", &dotted));
         let table = table.split('.').fold(vary.clone(), |section, key| section.at(key));
         let Some((values, log)) = table.get(key) else { continue };
-        let axis = Axis { measure, values, log };
+        let axis = Axis { key: dotted.clone(), values, log };
         check(&axis, base, sampling).map_err(|why| table.error(key, why))?;
-        let other = EITHER.iter().find(|p| p.1 == measure).map(|p| p.0);
-        if let Some(other) = other.filter(|o| axes.iter().any(|a| a.measure == *o)) {
-            return Err(table.error(key, format!("vary either this or {}; both are given", other.key())));
+        let other = EITHER.iter().find(|p| p.1 == dotted).map(|p| p.0);
+        if let Some(other) = other.filter(|o| axes.iter().any(|a| a.key == *o)) {
+            return Err(table.error(key, format!("vary either this or {other}; both are given")));
         }
         axes.push(axis);
     }
@@ -42,7 +42,8 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
         return Err("is a list, and `log` goes with a range such as 0.04..0.4 log".into());
     }
     let mut least = 0.0;
-    if let Measure::Constant(name) = axis.measure {
+    let constant = axis.key.strip_prefix(CONSTANT).filter(|_| axis.key != SCALE);
+    if let Some(name) = constant {
         let law = &base.tube().rubber.law;
         let constants = law.constants();
         let Some(found) = constants.iter().find(|c| c.name == name) else {
@@ -55,8 +56,7 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
         };
         least = found.constant.bounds.0;
     }
-    if let Measure::Part(key) = axis.measure
-        && let Some(measure) = measures::Measure::of_key(key)
+    if let Some(measure) = axis.measure()
         && measure.bounds != Bounds::Positive
         && measure.bounds != Bounds::OfPart
     {
@@ -83,12 +83,12 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
         let least = if least == 0.0 { "zero".to_owned() } else { least.to_string() };
         return Err(format!("begins at {low}; it must be above {least}"));
     }
-    if axis.measure == Measure::Part("braid.angle") && high >= NEUTRAL_ANGLE_DEG {
+    if axis.key == ANGLE.key && high >= NEUTRAL_ANGLE_DEG {
         return Err(format!(
             "reaches {high} deg; a muscle that contracts needs an angle between 0 and {NEUTRAL_ANGLE_DEG:.4} deg to its axis"
         ));
     }
-    if axis.measure == Measure::WallRatio && high >= 0.5 {
+    if axis.key == "tube.wall_ratio" && high >= 0.5 {
         return Err(format!("reaches {high}; a wall of half the outer diameter leaves no bore"));
     }
     Ok(())

@@ -50,8 +50,8 @@ impl Provenance {
         Self {
             version: VERSION.into(),
             plan_sha256: plan.hash(),
-            plan: plan.text().into(),
-            model: plan.testing().elements.name().into(),
+            plan: plan.text.clone(),
+            model: plan.testing.elements.name().into(),
             sampling: plan.sampling().name().into(),
             seed: plan.sampling().seed(),
             muscles: plan.muscles(),

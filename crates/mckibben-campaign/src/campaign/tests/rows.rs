@@ -22,7 +22,7 @@ fn rows_are_what_the_model_says_and_derivatives_are_those_of_the_forces() {
     assert_eq!(rows.len(), 18);
     for (muscle, nine) in rows.chunks(9).enumerate() {
         let muscle = plan.inputs(muscle as u64).muscle().unwrap();
-        let model = plan.testing().elements.build(&muscle).unwrap();
+        let model = plan.testing.elements.build(&muscle).unwrap();
         let at = |e: usize, p: usize| nine[3 * e + p].force_n.unwrap();
         let here = &nine[4];
         let solution = model.solve(&mut Workspace::new(), Given::at(0.2, 0.1)).unwrap();
@@ -137,7 +137,7 @@ fn rows_of_a_plan_with_fe3d_are_what_that_model_says() {
     assert_eq!(rows.len(), 8);
     for row in rows {
         let muscle = plan.inputs(row.muscle).muscle().unwrap();
-        let model = plan.testing().elements.build(&muscle).unwrap();
+        let model = plan.testing.elements.build(&muscle).unwrap();
         assert_eq!((&*model.info().name, row.status), ("fe3d", Status::Ok));
         let force = model.force_n(&mut Workspace::new(), row.pressure_mpa, row.contraction).unwrap();
         assert!((row.force_n.unwrap() / force - 1.0).abs() < 1e-8);

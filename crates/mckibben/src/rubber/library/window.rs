@@ -1,6 +1,6 @@
 //! Laws fitted to the curve of a rubber up to one stretch, as `data/rubber-laws.json` has them.
 //!
-//! `mckibben_fit::rubber::windows_of` makes them, so that they are what `rubber DATA --up-to STRETCH` prints; `cargo xtask golds`
+//! The example `rubber_laws` of `mckibben-fit` makes them, so that they are what `rubber DATA --up-to STRETCH` prints; `cargo xtask golds`
 //! writes the file. It is read when a rubber with a curve is named: fits take 1 to 80 ms a window, reading takes none of it.
 
 use super::error::LibraryError;

@@ -1,10 +1,15 @@
 //! Fits the laws of the named rubbers with a measured curve or a table of fits, and prints `crates/mckibben/data/rubber-laws.json`: `cargo xtask golds`.
 
+mod table_of_fits;
+mod windows;
+
 use mckibben::rubber::library::{TABLE_OF_FITS, entries};
-use mckibben_fit::rubber::{ReadOptions, curve_of_fits, read_tension, windows_of};
+use mckibben_fit::rubber::{ReadOptions, read_tension};
 use std::error::Error;
 use std::fs::File;
 use std::path::Path;
+use table_of_fits::curve_of_fits;
+use windows::windows_of;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");

@@ -7,9 +7,9 @@
 //! gives is off by at most 1.2 % up to 50 %, 2.2 % up to 100 %, 1.0 % up to 150 % and 4.3 % up to 200 % (RTV615, which breaks at 193 %: 1.2, 4.6,
 //! 2.6 and 14 %).
 
-use super::{Mode, TensionPoint};
 use mckibben::rubber::library::{LibraryError, TABLE_OF_FITS, plain};
 use mckibben::rubber::{MooneyRivlin, RubberLaw};
+use mckibben_fit::rubber::{Mode, TensionPoint};
 use std::io::Read;
 
 /// A row: one range of strain.
