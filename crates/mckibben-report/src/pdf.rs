@@ -1,10 +1,12 @@
-//! The figure as PDF (ISO 32000-1): the same SVG as one page of vectors of the figure's size, its texts as outlines.
+//! The figure as PDF: the same SVG as one page of vectors of the figure's size, its texts as outlines.
 
-use std::fmt::Write as _;
 use std::io::Write as _;
 
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
+use pdf_writer::types::{LineCapStyle, LineJoinStyle};
+use pdf_writer::writers::ExtGraphicsState;
+use pdf_writer::{Content, Filter, Name, Pdf, Rect, Ref, TextStr};
 use resvg::tiny_skia::{PathSegment, Point};
 use resvg::usvg::{self, Fill, FillRule, Group, LineCap, LineJoin, Node, Paint, Stroke, Transform};
 
@@ -25,65 +27,44 @@ impl Figure {
 pub(crate) fn render(svg: &str, title: &str) -> Result<Vec<u8>, FigureError> {
     let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default()).map_err(raster)?;
     let (width, height) = (tree.size().width() * POINTS, tree.size().height() * POINTS);
+    let mut drawn = Drawn { content: Content::new(), opacities: vec![] };
     // From pixels below the upper edge to points above the lower one.
-    let mut page =
-        Page { content: format!("{POINTS} 0 0 -{POINTS} 0 {} cm\n", number(height)), opacities: vec![] };
-    page.group(tree.root())?;
+    drawn.content.transform([POINTS, 0.0, 0.0, -POINTS, 0.0, rounded(height)]);
+    drawn.group(tree.root())?;
     let mut stream = ZlibEncoder::new(vec![], Compression::default());
-    let content = stream.write_all(page.content.as_bytes()).and_then(|()| stream.finish());
+    let content = stream.write_all(&drawn.content.finish()).and_then(|()| stream.finish());
     let content = content.map_err(raster)?;
-    let states = page.opacities.iter().enumerate();
-    let states = states
-        .map(|(i, (fill, stroke))| format!("/G{i} << /ca {} /CA {} >> ", number(*fill), number(*stroke)));
-    let title: String = title.encode_utf16().map(|unit| format!("{unit:04X}")).collect();
-    let objects: [Vec<u8>; 5] = [
-        format!("<< /Producer (mckibben figure) /Title <FEFF{title}> >>").into(),
-        b"<< /Type /Catalog /Pages 3 0 R >>".into(),
-        b"<< /Type /Pages /Kids [4 0 R] /Count 1 >>".into(),
-        format!(
-            "<< /Type /Page /Parent 3 0 R /MediaBox [0 0 {} {}] /Contents 5 0 R /Resources << /ExtGState << {}>> >> >>",
-            number(width),
-            number(height),
-            states.collect::<String>()
-        )
-        .into(),
-        [
-            format!("<< /Length {} /Filter /FlateDecode >>\nstream\n", content.len()).as_bytes(),
-            &content,
-            b"\nendstream",
-        ]
-        .concat(),
-    ];
-    Ok(file(&objects))
-}
-
-/// The file of numbered objects, the first of which are its information and its catalogue.
-fn file(objects: &[Vec<u8>]) -> Vec<u8> {
-    // Bytes beyond ASCII, so that no program takes it for text.
-    let mut out = b"%PDF-1.4\n%\xe2\xe3\xcf\xd3\n".to_vec();
-    let mut places = String::new();
-    for (i, object) in objects.iter().enumerate() {
-        // Writing into a string does not fail.
-        let _ = writeln!(places, "{:010} 00000 n ", out.len());
-        out.extend(format!("{} 0 obj\n", i + 1).bytes());
-        out.extend(object);
-        out.extend(b"\nendobj\n");
+    let [info, catalog, pages, sheet, body] = [1, 2, 3, 4, 5].map(Ref::new);
+    let mut pdf = Pdf::new();
+    pdf.document_info(info).producer(TextStr("mckibben figure")).title(TextStr(title));
+    pdf.catalog(catalog).pages(pages);
+    pdf.pages(pages).kids([sheet]).count(1);
+    let mut page = pdf.page(sheet);
+    page.parent(pages).media_box(Rect::new(0.0, 0.0, rounded(width), rounded(height))).contents(body);
+    let mut resources = page.resources();
+    let mut states = resources.ext_g_states();
+    for (i, (fill, stroke)) in drawn.opacities.iter().enumerate() {
+        let mut state = states.insert(Name(state_name(i).as_bytes())).start::<ExtGraphicsState<'_>>();
+        state.non_stroking_alpha(*fill).stroking_alpha(*stroke);
     }
-    let (size, start) = (objects.len() + 1, out.len());
-    let end = format!(
-        "xref\n0 {size}\n0000000000 65535 f \n{places}trailer\n<< /Size {size} /Root 2 0 R /Info 1 0 R >>\nstartxref\n{start}\n%%EOF\n"
-    );
-    out.extend(end.bytes());
-    out
+    drop(states);
+    drop(resources);
+    drop(page);
+    pdf.stream(body, &content).filter(Filter::FlateDecode);
+    Ok(pdf.finish())
 }
 
 /// What is drawn, and the pairs of opacities (fill, stroke) in it.
-struct Page {
-    content: String,
+struct Drawn {
+    content: Content,
     opacities: Vec<(f32, f32)>,
 }
 
-impl Page {
+fn state_name(i: usize) -> String {
+    format!("G{i}")
+}
+
+impl Drawn {
     fn group(&mut self, group: &Group) -> Result<(), FigureError> {
         for node in group.children() {
             match node {
@@ -99,10 +80,10 @@ impl Page {
     }
 
     fn path(&mut self, path: &usvg::Path) -> Result<(), FigureError> {
-        self.content.push_str("q\n");
+        self.content.save_state();
         let Transform { sx, ky, kx, sy, tx, ty } = path.abs_transform();
         if !path.abs_transform().is_identity() {
-            self.operator(&[sx, ky, kx, sy, tx, ty], "cm");
+            self.content.transform([sx, ky, kx, sy, tx, ty].map(rounded));
         }
         let opacity = (
             path.fill().map_or(1.0, |fill| fill.opacity().get()),
@@ -110,56 +91,50 @@ impl Page {
         );
         if opacity != (1.0, 1.0) {
             let known = self.opacities.iter().position(|o| *o == opacity);
-            let i = known.unwrap_or_else(|| {
-                self.opacities.push(opacity);
-                self.opacities.len() - 1
-            });
-            // Writing into a string does not fail.
-            let _ = writeln!(self.content, "/G{i} gs");
+            let i = known.unwrap_or(self.opacities.len());
+            self.opacities.extend(known.is_none().then_some(opacity));
+            self.content.set_parameters(Name(state_name(i).as_bytes()));
         }
         if let Some(fill) = path.fill() {
-            let colour = colour(fill.paint())?;
-            self.operator(&colour, "rg");
+            let [r, g, b] = colour(fill.paint())?;
+            self.content.set_fill_rgb(r, g, b);
         }
         if let Some(stroke) = path.stroke() {
             self.pen(stroke)?;
         }
         self.outline(path.data().segments());
-        self.content.push_str(match (path.fill().map(Fill::rule), path.stroke()) {
-            (Some(FillRule::NonZero), None) => "f\n",
-            (Some(FillRule::EvenOdd), None) => "f*\n",
-            (Some(FillRule::NonZero), Some(_)) => "B\n",
-            (Some(FillRule::EvenOdd), Some(_)) => "B*\n",
-            (None, Some(_)) => "S\n",
-            (None, None) => "n\n",
-        });
-        self.content.push_str("Q\n");
+        match (path.fill().map(Fill::rule), path.stroke()) {
+            (Some(FillRule::NonZero), None) => self.content.fill_nonzero(),
+            (Some(FillRule::EvenOdd), None) => self.content.fill_even_odd(),
+            (Some(FillRule::NonZero), Some(_)) => self.content.fill_nonzero_and_stroke(),
+            (Some(FillRule::EvenOdd), Some(_)) => self.content.fill_even_odd_and_stroke(),
+            (None, Some(_)) => self.content.stroke(),
+            (None, None) => self.content.end_path(),
+        };
+        self.content.restore_state();
         Ok(())
     }
 
     fn pen(&mut self, stroke: &Stroke) -> Result<(), FigureError> {
-        let colour = colour(stroke.paint())?;
-        self.operator(&colour, "RG");
-        self.operator(&[stroke.width().get()], "w");
+        let [r, g, b] = colour(stroke.paint())?;
         let cap = match stroke.linecap() {
-            LineCap::Butt => 0,
-            LineCap::Round => 1,
-            LineCap::Square => 2,
+            LineCap::Butt => LineCapStyle::ButtCap,
+            LineCap::Round => LineCapStyle::RoundCap,
+            LineCap::Square => LineCapStyle::ProjectingSquareCap,
         };
         let join = match stroke.linejoin() {
-            LineJoin::Miter | LineJoin::MiterClip => 0,
-            LineJoin::Round => 1,
-            LineJoin::Bevel => 2,
+            LineJoin::Miter | LineJoin::MiterClip => LineJoinStyle::MiterJoin,
+            LineJoin::Round => LineJoinStyle::RoundJoin,
+            LineJoin::Bevel => LineJoinStyle::BevelJoin,
         };
-        let limit = number(stroke.miterlimit().get());
-        let dashes: Vec<String> = stroke.dasharray().unwrap_or_default().iter().map(|v| number(*v)).collect();
-        // Writing into a string does not fail.
-        let _ = writeln!(
-            self.content,
-            "{cap} J {join} j {limit} M [{}] {} d",
-            dashes.join(" "),
-            number(stroke.dashoffset())
-        );
+        let dashes = stroke.dasharray().unwrap_or_default().iter().copied().map(rounded);
+        self.content
+            .set_stroke_rgb(r, g, b)
+            .set_line_width(rounded(stroke.width().get()))
+            .set_line_cap(cap)
+            .set_line_join(join)
+            .set_miter_limit(rounded(stroke.miterlimit().get()))
+            .set_dash_pattern(dashes, rounded(stroke.dashoffset()));
         Ok(())
     }
 
@@ -168,52 +143,46 @@ impl Page {
         for segment in segments {
             match segment {
                 PathSegment::MoveTo(to) => {
-                    self.operator(&[to.x, to.y], "m");
+                    self.content.move_to(rounded(to.x), rounded(to.y));
                     (from, start) = (to, to);
                 }
                 PathSegment::LineTo(to) => {
-                    self.operator(&[to.x, to.y], "l");
+                    self.content.line_to(rounded(to.x), rounded(to.y));
                     from = to;
                 }
                 // PDF has cubic curves alone.
                 PathSegment::QuadTo(by, to) => {
-                    let towards = |end: f32, by: f32| end + 2.0 / 3.0 * (by - end);
-                    let (a, b) = (
-                        (towards(from.x, by.x), towards(from.y, by.y)),
-                        (towards(to.x, by.x), towards(to.y, by.y)),
-                    );
-                    self.operator(&[a.0, a.1, b.0, b.1, to.x, to.y], "c");
+                    let part = |end: f32, by: f32| end + 2.0 / 3.0 * (by - end);
+                    let towards = |end: Point| Point::from_xy(part(end.x, by.x), part(end.y, by.y));
+                    self.curve(towards(from), towards(to), to);
                     from = to;
                 }
                 PathSegment::CubicTo(a, b, to) => {
-                    self.operator(&[a.x, a.y, b.x, b.y, to.x, to.y], "c");
+                    self.curve(a, b, to);
                     from = to;
                 }
                 PathSegment::Close => {
-                    self.content.push_str("h\n");
+                    self.content.close_path();
                     from = start;
                 }
             }
         }
     }
 
-    fn operator(&mut self, numbers: &[f32], name: &str) {
-        numbers.iter().for_each(|v| self.content.push_str(&(number(*v) + " ")));
-        self.content.push_str(name);
-        self.content.push('\n');
+    fn curve(&mut self, a: Point, b: Point, to: Point) {
+        let [x1, y1, x2, y2, x3, y3] = [a.x, a.y, b.x, b.y, to.x, to.y].map(rounded);
+        self.content.cubic_to(x1, y1, x2, y2, x3, y3);
     }
 }
 
 fn colour(paint: &Paint) -> Result<[f32; 3], FigureError> {
     match paint {
-        Paint::Color(c) => Ok([c.red, c.green, c.blue].map(|part| f32::from(part) / 255.0)),
+        Paint::Color(c) => Ok([c.red, c.green, c.blue].map(|part| rounded(f32::from(part) / 255.0))),
         _ => Err(raster("it has gradients or patterns")),
     }
 }
 
-/// A number as PDF has it: no exponent, at most four decimals.
-fn number(v: f32) -> String {
-    let text = format!("{v:.4}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".into() } else { text.into() }
+/// At most four decimals.
+fn rounded(v: f32) -> f32 {
+    (v * 1e4).round() / 1e4
 }
