@@ -3,8 +3,8 @@
 use mckibben::cancel::Cancel;
 use mckibben::{
     analysis::AnalysisError, cancel::Cancelled, formula::FormulaError, load::LoadError, model::ModelError,
-    muscle::file::FileError, rubber::library::LibraryError, size::TooLarge,
-    study::StudyError, units::short_numbers,
+    muscle::file::FileError, rubber::library::LibraryError, size::TooLarge, study::StudyError,
+    units::short_numbers,
 };
 use mckibben_campaign::{campaign::CampaignError, fit::FitError};
 use mckibben_design::{SpecError, SpreadError, ToleranceError};

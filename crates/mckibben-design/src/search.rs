@@ -8,7 +8,7 @@ use crate::limit::{Check, Score, burst_margin, probe, probe_with, strands};
 use crate::line::{self, Found, Merit, NO_SCORE, Sample};
 use crate::spec::THICK_WALL;
 use crate::trial::Trial;
-use crate::{BraidChoice, Build, Limit, Models, Objective, Reason, Spec, TubePart};
+use crate::{BraidChoice, Build, Limit, Models, Objective, OperatingPoint, Reason, Spec, TubePart};
 use mckibben::analysis::Evaluation;
 use mckibben::model::{ModelError, ThickWall, Workspace};
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};

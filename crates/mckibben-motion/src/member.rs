@@ -298,8 +298,7 @@ impl<'a> Member<'a> {
                 // Below zero where the ends give way or the sleeve is wider than the tube: it then hangs longer than at rest.
                 let options = Options { two_sided: true, ..Options::extrapolating() };
                 let (model, workspace) = (self.muscle.model, &self.memory.workspace);
-                let search =
-                    Evaluation::new(model, &mut workspace.borrow_mut(), options).free_contraction(p);
+                let search = Evaluation::new(model, &mut workspace.borrow_mut(), options).free_contraction(p);
                 let e = search.map_err(|error| ModelError::NoEquilibrium {
                     reason: format!("a slack muscle has no free contraction: {error}"),
                 })?;
