@@ -2,7 +2,7 @@
 
 use crate::muscle_fields::STIFFNESS_FIELD;
 use crate::problem::{Problem, ProblemKind};
-use mckibben::muscle::measures::{MEASURES, STIFFNESS, Written};
+use mckibben::muscle::measures::{MEASURES, STIFFNESS};
 use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_values};
 use mckibben::{muscle::Measure, size};
 use schemars::JsonSchema;
@@ -199,7 +199,7 @@ impl From<&'static Measure> for MeasureEntry {
             label: m.label,
             symbol: Some(m.symbol).filter(|s| !s.is_empty()),
             // A strain may be a percentage.
-            quantity: Some(m.dimension).filter(|_| !m.is_plain() || m.written == Written::Quantity),
+            quantity: Some(m.dimension).filter(|_| !m.is_plain() || m.kind.is_none()),
             unit: Some(m.unit()).filter(|unit| !unit.is_empty()),
             above: end("above"),
             minimum: end("minimum"),

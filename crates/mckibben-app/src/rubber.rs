@@ -94,8 +94,8 @@ fn columns<S: Serializer>(law: &Law, serializer: S) -> Result<S::Ok, S::Error> {
 pub struct FittedToCurve {
     /// Number of points.
     pub points: usize,
-    /// `recommended`, `equal` where the data do not tell it from that one, or `behind`.
-    pub standing: String,
+    /// Against the law that is recommended.
+    pub standing: Standing,
     /// Whether it was held among the laws that are stable in a muscle.
     pub held: bool,
     /// Akaike's criterion less that of the recommended law.
@@ -166,12 +166,7 @@ fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
         r_squared: Some(l.r_squared),
         fitted: Some(FittedToCurve {
             points: window.points,
-            standing: match l.standing {
-                Standing::Recommended => "recommended",
-                Standing::Equal => "equal",
-                Standing::Behind => "behind",
-            }
-            .into(),
+            standing: l.standing,
             held: l.held,
             delta_aicc: l.delta_aicc,
             rms_mpa: l.rms_mpa,

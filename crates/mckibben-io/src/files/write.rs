@@ -5,9 +5,6 @@ use std::io::{Error, ErrorKind, Result, Write as _};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
-/// What names of unfinished files begin with.
-const UNFINISHED: &str = ".unfinished-";
-
 /// Puts `bytes` at `path`, whole or not at all; an existing file is overwritten only with `overwrite`. A device or pipe (`/dev/stdout`) is
 /// written in place.
 ///
@@ -141,7 +138,7 @@ pub struct Unfinished {
 
 impl Unfinished {
     /// What names of unfinished files begin with.
-    pub const PREFIX: &'static str = UNFINISHED;
+    pub const PREFIX: &'static str = ".unfinished-";
 
     /// Begins a file that is to stand at `path`; where that is a link, at the file that it points to. The mode of an older
     /// file is kept, a new one gets the usual one.
@@ -231,7 +228,7 @@ impl Unfinished {
 }
 
 fn prefix(target: &Path) -> String {
-    format!("{UNFINISHED}{}-", target.file_name().unwrap_or_default().to_string_lossy())
+    format!("{}{}-", Unfinished::PREFIX, target.file_name().unwrap_or_default().to_string_lossy())
 }
 
 /// Brings the names in a folder to the disk, where the system can.

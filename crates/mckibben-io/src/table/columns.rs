@@ -59,10 +59,7 @@ impl Vocabulary {
         let choice = |(name, text): (&String, &String)| {
             let word = plain(name);
             let by_name = self.entries().find(|e| e.name == word);
-            let by_word = || {
-                let says = |e: &&Entry| e.own.contains(&word) || e.people.contains(&word);
-                self.entries().find(says)
-            };
+            let by_word = || self.entries().find(|e| e.all().any(|known| known == word));
             let entry = by_name.or_else(by_word).ok_or_else(|| {
                 let names: Vec<&str> = self.entries().map(|e| e.name.as_str()).collect();
                 let meant = meant(nearest(name, names.iter().copied()));

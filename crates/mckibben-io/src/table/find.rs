@@ -4,7 +4,7 @@ use super::Table;
 use super::columns::{Choice, Columns, listed};
 use super::delimited::{Separator, Sheet, TableRow};
 use super::error::{TableError, short};
-use super::heading::{self, HeadingUnit};
+use super::heading;
 use super::number::{self, Decimal};
 use super::vocabulary::{Meaning, Need, Vocabulary};
 use crate::units::Unit;
@@ -288,16 +288,12 @@ impl Search {
             if decided.contains(&found.meaning) {
                 continue;
             }
-            let unit = match found.unit {
-                HeadingUnit::Known(unit) => Some(unit),
-                _ => None,
-            };
             columns.push(Column {
                 meaning: found.meaning,
                 index,
                 heading: short(text),
-                unit,
-                unknown_unit: found.unit == HeadingUnit::Unknown,
+                unit: found.unit,
+                unknown_unit: found.unknown_unit,
                 negated: heading::is_negated(text),
                 chosen: false,
             });

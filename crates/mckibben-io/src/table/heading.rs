@@ -7,19 +7,13 @@ use crate::units::{Dimension, Unit};
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Heading {
     pub(crate) meaning: Meaning,
-    pub(crate) unit: HeadingUnit,
+    pub(crate) unit: Option<Unit>,
+    /// Whether something else is in brackets in place of a unit.
+    pub(crate) unknown_unit: bool,
     /// Its words without the unit, in plain form.
     pub(crate) label: String,
     /// Small for our own headings, then those of people, then those with words left out.
     pub(crate) rank: usize,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum HeadingUnit {
-    None,
-    Known(Unit),
-    /// In brackets, but not one of this quantity.
-    Unknown,
 }
 
 /// Ranks of the words of people.
@@ -145,43 +139,42 @@ impl Vocabulary {
         if heading.is_empty() || heading.chars().count() > 200 {
             return None;
         }
-        self.with_unit(heading)
-            .or_else(|| self.without_unit(heading))
-            .or_else(|| self.with_unknown_unit(heading))
+        let known = |entry: &Entry, behind: &str| {
+            let (meaning, unit) = self.unit_of(entry, behind)?;
+            Some((meaning, Some(unit)))
+        };
+        let unknown = |entry: &Entry, behind: &str| {
+            let is_bracketed = unbracketed(behind).is_some_and(|unit| !unit.is_empty());
+            (is_bracketed && entry.dimension.is_some()).then_some((entry.meaning, None))
+        };
+        let with_unit = self.cut(heading, known).or_else(|| self.without_unit(heading));
+        with_unit.or_else(|| Some(Heading { unknown_unit: true, ..self.cut(heading, unknown)? }))
     }
 
-    fn with_unit(&self, heading: &str) -> Option<Heading> {
+    /// A heading cut into words for a quantity and what is behind them, which `meant` tells.
+    fn cut(
+        &self,
+        heading: &str,
+        meant: impl Fn(&Entry, &str) -> Option<(Meaning, Option<Unit>)>,
+    ) -> Option<Heading> {
         cuts(heading).find_map(|(words, behind)| {
             let label = label(words);
             self.entries().find_map(|entry| {
-                let named = rank(heading, &label, entry)?;
-                let (meaning, unit) = self.unit_of(entry, behind)?;
-                Some(Heading { meaning, unit: HeadingUnit::Known(unit), label: label.clone(), rank: named })
+                let rank = rank(heading, &label, entry)?;
+                let (meaning, unit) = meant(entry, behind)?;
+                Some(Heading { meaning, unit, unknown_unit: false, label: label.clone(), rank })
             })
         })
     }
 
     fn without_unit(&self, heading: &str) -> Option<Heading> {
-        let plain = plain(heading);
+        let label = plain(heading);
         let found = self.entries().filter_map(|entry| {
-            let rank = rank(heading, &plain, entry)?;
-            let label = plain.clone();
-            Some(Heading { meaning: entry.meaning, unit: HeadingUnit::None, label, rank })
+            let rank = rank(heading, &label, entry)?;
+            let (meaning, label) = (entry.meaning, label.clone());
+            Some(Heading { meaning, unit: None, unknown_unit: false, label, rank })
         });
         found.min_by_key(|h| h.rank)
-    }
-
-    fn with_unknown_unit(&self, heading: &str) -> Option<Heading> {
-        let mut bracketed =
-            cuts(heading).filter(|(_, unit)| unbracketed(unit).is_some_and(|u| !u.is_empty()));
-        bracketed.find_map(|(words, _)| {
-            let label = label(words);
-            self.entries().filter(|e| e.dimension.is_some()).find_map(|entry| {
-                let rank = rank(heading, &label, entry)?;
-                let label = label.clone();
-                Some(Heading { meaning: entry.meaning, unit: HeadingUnit::Unknown, label, rank })
-            })
-        })
     }
 
     /// The unit of a text for a quantity, and the quantity that it then is.
@@ -216,11 +209,8 @@ mod tests {
 
     fn said(vocabulary: &Vocabulary, heading: &str) -> Option<(Meaning, Option<&'static str>)> {
         let found = vocabulary.understand(heading)?;
-        Some(match found.unit {
-            HeadingUnit::Known(unit) => (found.meaning, Some(unit.name)),
-            HeadingUnit::None => (found.meaning, None),
-            HeadingUnit::Unknown => (found.meaning, Some("?")),
-        })
+        let unit = found.unit.map(|unit| unit.name);
+        Some((found.meaning, unit.or(found.unknown_unit.then_some("?"))))
     }
 
     #[test]

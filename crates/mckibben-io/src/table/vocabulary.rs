@@ -10,7 +10,6 @@ use serde::de::value::{Error as ValueError, StrDeserializer};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 use std::sync::LazyLock;
-use toml_edit::{DocumentMut, TableLike};
 
 /// What a column means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
@@ -95,7 +94,8 @@ impl Meaning {
 }
 
 /// The words of a quantity, and what they mean.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
 pub(crate) struct Words {
     /// Its name in `columns` and in answers.
     pub(crate) name: String,
@@ -105,10 +105,12 @@ pub(crate) struct Words {
     pub(crate) otherwise: Option<Meaning>,
     /// Headings of our own, the best liked first; they go before all others.
     pub(crate) own: Vec<String>,
-    /// Words of people for it; two columns of the same quantity are ambiguous.
-    pub(crate) people: Vec<String>,
     last: Vec<String>,
+    /// Words of people for it, by their language; two columns of the same quantity are ambiguous.
+    #[serde(flatten)]
+    people: BTreeMap<String, Vec<String>>,
     /// All of them without the joints between words.
+    #[serde(skip)]
     joined: BTreeSet<String>,
 }
 
@@ -160,51 +162,26 @@ fn named<'a, T: Deserialize<'a>>(word: &'a str) -> Option<T> {
 }
 
 /// The words of `data/words.toml`, of all languages together.
-static WORDS: LazyLock<BTreeMap<String, Words>> =
-    LazyLock::new(|| read(include_str!("../../data/words.toml")).unwrap_or_default());
+static WORDS: LazyLock<BTreeMap<String, Words>> = LazyLock::new(|| {
+    let text = include_str!("../../data/words.toml");
+    let mut all: BTreeMap<String, Words> = toml_edit::de::from_str(text).unwrap_or_default();
+    for (key, words) in &mut all {
+        if words.name.is_empty() {
+            words.name.clone_from(key);
+        }
+        words.joined = words.all().map(joined).collect();
+    }
+    all
+});
 
 static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
     let entry = |(key, words): (&String, &'static Words)| Some(Entry { meaning: named(key)?, words });
     WORDS.iter().filter_map(entry).collect()
 });
 
-fn read(text: &str) -> Option<BTreeMap<String, Words>> {
-    let table: DocumentMut = text.parse().ok()?;
-    let words = |key: &str, lists: &dyn TableLike| {
-        let mut words = Words { name: key.to_owned(), ..Words::default() };
-        for (language, list) in lists.iter() {
-            let list = match (language, list.as_str()) {
-                ("name", Some(name)) => {
-                    words.name = name.to_owned();
-                    continue;
-                }
-                ("dimension", Some(word)) => {
-                    words.dimension = Some(named(word)?);
-                    continue;
-                }
-                ("otherwise", Some(word)) => {
-                    words.otherwise = Some(named(word)?);
-                    continue;
-                }
-                _ => list.as_array()?,
-            };
-            let said = list.iter().map(|word| word.as_str().map(str::to_owned));
-            let list = match language {
-                "own" => &mut words.own,
-                "last" => &mut words.last,
-                _ => &mut words.people,
-            };
-            list.extend(said.collect::<Option<Vec<_>>>()?);
-        }
-        words.joined = words.own.iter().chain(&words.people).map(|word| joined(word)).collect();
-        Some(words)
-    };
-    table.iter().map(|(key, lists)| Some((key.to_owned(), words(key, lists.as_table_like()?)?))).collect()
-}
-
 /// Words for a value of a column of words, such as `branch_contraction`, in plain form.
 pub fn spoken(value: &str) -> impl Iterator<Item = &'static str> + use<> {
-    WORDS.get(value).into_iter().flat_map(|words| words.own.iter().chain(&words.people)).map(String::as_str)
+    WORDS.get(value).into_iter().flat_map(Words::all)
 }
 
 /// Whether a plain word is one of those for a value.
@@ -213,6 +190,11 @@ pub(crate) fn is_spoken(value: &str, word: &str) -> bool {
 }
 
 impl Words {
+    /// Our own headings and the words of people.
+    pub(crate) fn all(&self) -> impl Iterator<Item = &str> {
+        self.own.iter().chain(self.people.values().flatten()).map(String::as_str)
+    }
+
     /// Whether a plain label is a word for it where no other column is it: a weight hangs on a muscle beside a load cell.
     pub(crate) fn knows_last(&self, label: &str) -> bool {
         self.last.iter().any(|word| word == label)
@@ -282,8 +264,8 @@ mod tests {
             let mut seen = vec![];
             for entry in vocabulary.entries() {
                 assert!(vocabulary.entry(entry.meaning).is_some_and(|e| e.name == entry.name));
-                for word in entry.own.iter().chain(&entry.people) {
-                    assert_eq!(plain(word), *word, "{word}");
+                for word in entry.all() {
+                    assert_eq!(plain(word), word, "{word}");
                     // `deformation` is a mode in our own tables, a strain with a unit in French ones.
                     assert!(!seen.contains(&word) || word == "deformation", "{word} is there twice");
                     seen.push(word);

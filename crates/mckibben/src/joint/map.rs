@@ -201,10 +201,7 @@ impl JointModel<'_> {
             before = Some((angle, slope));
             angle = next.clamp(low, high);
         }
-        let rests = match self.rests_at(fixed, 0.0) {
-            Err(error) if error.is_of_point() => self.rests_beside_gaps(fixed)?,
-            found => found?,
-        };
+        let rests = self.rests_beside_gaps(fixed)?;
         let from = near_deg.unwrap_or(0.0);
         let far = |r: &&Rest| (r.angle_deg() - from).abs();
         let Some(rest) = rests.iter().filter(|r| r.is_stable()).min_by(|a, b| far(a).total_cmp(&far(b)))

@@ -140,11 +140,12 @@ impl Joint {
         if !(1..=2).contains(&self.muscles.len()) {
             return Err(JointError::Muscles(self.muscles.len()));
         }
+        let wrong = |message: String| Err(JointError::Refused(message));
         let (low, high) = self.range_deg;
         if !(low < high && low >= -180.0 && high <= 180.0) {
-            return Err(JointError::Refused(format!(
+            return wrong(format!(
                 "the joint's range {low}..{high} deg must rise and lie between -180 and 180 deg"
-            )));
+            ));
         }
         let link = &self.link;
         let values = [
@@ -156,43 +157,36 @@ impl Joint {
             ("damping", link.damping_nm_s_per_rad),
         ];
         if let Some((what, value)) = values.into_iter().find(|(_, v)| !(v.is_finite() && *v >= 0.0)) {
-            return Err(JointError::Refused(format!(
-                "{what} of the link is {value}; it must be zero or above"
-            )));
+            return wrong(format!("{what} of the link is {value}; it must be zero or above"));
         }
-        for (i, m) in self.muscles.iter().enumerate() {
-            m.muscle
-                .check_contracts()
-                .map_err(|error| JointError::Refused(format!("muscle {} of the joint: {error}", i + 1)))?;
+        for (i, m) in (1..).zip(&self.muscles) {
+            let of_muscle = |error| JointError::Refused(format!("muscle {i} of the joint: {error}"));
+            m.muscle.check_contracts().map_err(of_muscle)?;
             let e = m.contraction_at_neutral;
             if !(e.is_finite() && e.abs() < 1.0) {
-                return Err(JointError::Refused(format!(
-                    "muscle {muscle}: {e} is not a valid contraction at the neutral angle; it lies below 1",
-                    muscle = i + 1
-                )));
+                return wrong(format!(
+                    "muscle {i}: {e} is not a valid contraction at the neutral angle; it lies below 1"
+                ));
             }
             self.check_path(i, &m.path)?;
             let apart = m.path.length_mm(0.0);
             let long = m.muscle.length_mm() * (1.0 - e);
             if matches!(m.path, Path::Points { .. }) && apart < long {
-                return Err(JointError::Refused(format!(
-                    "muscle {muscle}: its attachment points are {apart:.1} mm apart at the neutral angle, and the muscle is {long:.1} mm long there; move them apart, shorten the muscle or contract it further",
-                    muscle = i + 1
-                )));
+                return wrong(format!(
+                    "muscle {i}: its attachment points are {apart:.1} mm apart at the neutral angle, and the muscle is {long:.1} mm long there; move them apart, shorten the muscle or contract it further"
+                ));
             }
         }
         Ok(())
     }
 
     /// The two points of a muscle do not meet, and a pulley has a radius.
-    fn check_path(&self, i: usize, path: &Path) -> Result<(), JointError> {
+    fn check_path(&self, muscle: usize, path: &Path) -> Result<(), JointError> {
         if let Path::Pulley { radius_mm } = path
             && !(radius_mm.is_finite() && *radius_mm != 0.0)
         {
             return Err(JointError::Refused(format!(
-                "muscle {muscle}: a pulley of {radius_mm} mm; its radius must be above zero",
-                muscle = i + 1,
-                radius_mm = *radius_mm
+                "muscle {muscle}: a pulley of {radius_mm} mm; its radius must be above zero"
             )));
         }
         let (low, high) = self.range_deg;
@@ -201,7 +195,11 @@ impl Joint {
         let past = (0..=180)
             .map(|k| low + (high - low) * f64::from(k) / 180.0)
             .find(|deg| matches!(path, Path::Points { .. }) && path.length_mm(deg.to_radians()) <= least);
-        past.map_or(Ok(()), |angle_deg| Err(JointError::Refused(format!("muscle {muscle}: its two attachment points meet at {angle_deg:.1} deg; narrow the joint's range or move them", muscle = i + 1))))
+        past.map_or(Ok(()), |angle_deg| {
+            Err(JointError::Refused(format!(
+                "muscle {muscle}: its two attachment points meet at {angle_deg:.1} deg; narrow the joint's range or move them"
+            )))
+        })
     }
 
     /// Its muscles: one or two.

@@ -57,7 +57,10 @@ impl JointModel<'_> {
         pressures_mpa: &[f64],
         outside_nm: f64,
     ) -> Result<Vec<Rest>> {
-        self.rests_at(&mut self.fixed(workspaces, pressures_mpa)?, outside_nm)
+        match self.scan(&mut self.fixed(workspaces, pressures_mpa)?, outside_nm)? {
+            (_, Some(error)) => Err(error),
+            (rests, None) => Ok(rests),
+        }
     }
 
     /// The rests between neighbouring angles at which every muscle has a state.
@@ -65,86 +68,57 @@ impl JointModel<'_> {
     /// # Errors
     /// That of the first angle without a state, where no stable rest is found.
     pub(super) fn rests_beside_gaps(&self, fixed: &mut Fixed<'_>) -> Result<Vec<Rest>> {
-        let (low, high) = self.joint().range_deg();
-        let angle = |i: usize| (low + (high - low) * i as f64 / SCAN as f64).to_radians();
-        // First and last of the angles of each part with states.
-        let mut parts: Vec<(usize, usize)> = vec![];
-        let mut without = None;
-        for i in 0..=SCAN {
-            match self.torque(fixed, angle(i)) {
-                Ok(_) => match parts.last_mut() {
-                    Some(part) if part.1 + 1 == i => part.1 = i,
-                    _ => parts.push((i, i)),
-                },
-                Err(error) if error.is_of_point() => without = without.or(Some(error)),
-                Err(error) => return Err(error),
-            }
-        }
-        let mut found = vec![];
-        for (first, last) in parts.into_iter().filter(|(first, last)| first < last) {
-            let ends = (angle(first), angle(last));
-            // A part ends at a gap or at a limit of the joint's range.
-            let (low_deg, high_deg) = (ends.0.to_degrees(), ends.1.to_degrees());
-            let at_gap = |rest: &Rest| match *rest {
-                Rest::Limit { angle_deg } => {
-                    (first > 0 && angle_deg == low_deg) || (last < SCAN && angle_deg == high_deg)
-                }
-                _ => false,
-            };
-            let rests = self.rests_between(fixed, ends, 0.0)?;
-            found.extend(rests.into_iter().filter(|rest| !at_gap(rest)));
-        }
-        match without {
-            Some(error) if !found.iter().any(Rest::is_stable) => Err(error),
-            _ => Ok(found),
+        match self.scan(fixed, 0.0)? {
+            (rests, Some(error)) if !rests.iter().any(Rest::is_stable) => Err(error),
+            (rests, _) => Ok(rests),
         }
     }
 
-    pub(super) fn rests_at(&self, fixed: &mut Fixed<'_>, outside_nm: f64) -> Result<Vec<Rest>> {
+    /// The rests between neighbouring angles, and the error of the first angle without a state.
+    fn scan(&self, fixed: &mut Fixed<'_>, outside_nm: f64) -> Result<(Vec<Rest>, Option<JointError>)> {
         let (low, high) = self.joint().range_deg();
-        self.rests_between(fixed, (low.to_radians(), high.to_radians()), outside_nm)
-    }
-
-    fn rests_between(
-        &self,
-        fixed: &mut Fixed<'_>,
-        (low, high): (f64, f64),
-        outside_nm: f64,
-    ) -> Result<Vec<Rest>> {
+        let (low, high) = (low.to_radians(), high.to_radians());
         let mut at = |angle: f64| Ok::<_, JointError>(self.torque(fixed, angle)?.0 + outside_nm);
-        let mut found = vec![];
-        let mut before = (low, at(low)?);
+        let (mut found, mut without) = (vec![], None);
+        let mut before: Option<(f64, f64)> = None;
         // Start of a stretch in which nothing acts.
-        let mut loose = (before.1 == 0.0).then_some(low);
-        if before.1 < 0.0 {
-            found.push(Rest::Limit { angle_deg: low.to_degrees() });
-        }
-        for i in 1..=SCAN {
+        let mut loose: Option<f64> = None;
+        for i in 0..=SCAN {
             let angle = if i == SCAN { high } else { low + (high - low) * i as f64 / SCAN as f64 };
-            let torque = at(angle)?;
-            match (loose, torque == 0.0) {
-                (None, true) => loose = Some(edge(&mut at, angle, before.0)?),
-                (Some(from), false) => {
-                    found.push(stretch(from, edge(&mut at, before.0, angle)?, torque));
+            let torque = match at(angle) {
+                Err(error) if error.is_of_point() => {
+                    let ended = loose.take().zip(before.take());
+                    found.extend(ended.map(|(from, (to, _))| stretch(from, to, 0.0)));
+                    without = without.or(Some(error));
+                    continue;
+                }
+                torque => torque?,
+            };
+            if i == 0 && torque < 0.0 {
+                found.push(Rest::Limit { angle_deg: low.to_degrees() });
+            }
+            match (before, loose) {
+                (None, _) => loose = (torque == 0.0).then_some(angle),
+                (Some((last, _)), None) if torque == 0.0 => loose = Some(edge(&mut at, angle, last)?),
+                (Some((last, _)), Some(from)) if torque != 0.0 => {
+                    found.push(stretch(from, edge(&mut at, last, angle)?, torque));
                     loose = None;
                 }
                 _ => {}
             }
-            if before.1 * torque < 0.0 {
-                let root = find_root(&mut at, before.0, angle, TOLERANCE)?;
+            if let Some((last, _)) = before.filter(|(_, was)| was * torque < 0.0) {
+                let root = find_root(&mut at, last, angle, TOLERANCE)?;
                 found.extend(
                     root.map(|at| Rest::Balance { angle_deg: at.to_degrees(), stable: torque < 0.0 }),
                 );
             }
-            before = (angle, torque);
+            before = Some((angle, torque));
         }
-        if let Some(from) = loose {
-            found.push(stretch(from, high, 0.0));
-        }
-        if before.1 > 0.0 {
+        found.extend(loose.map(|from| stretch(from, high, 0.0)));
+        if before.is_some_and(|(_, torque)| torque > 0.0) {
             found.push(Rest::Limit { angle_deg: high.to_degrees() });
         }
-        Ok(found)
+        Ok((found, without))
     }
 }
 

@@ -20,10 +20,7 @@ pub enum MuscleKind {
 
 impl fmt::Display for MuscleKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Contractile => "contractile",
-            Self::Extensile => "extensile",
-        })
+        self.serialize(f)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The keys of files, as `data/keys.txt` lists them: from one list follow the reader, the writer and the JSON Schemas.
 
 use crate::muscle::Measure;
-use crate::muscle::measures::{END_FACTOR, STIFFNESS, Written, of_section};
+use crate::muscle::measures::of_section;
 use crate::rubber::{Constant, Law, LawKind};
 use crate::units::Dimension;
 use serde::Deserialize;
@@ -101,12 +101,7 @@ impl Key {
 }
 
 fn of_measure(measure: &'static Measure) -> Key {
-    let kind = match (measure.written, measure.dimension) {
-        _ if *measure == STIFFNESS => "or paper/inextensible >0 stiffness".into(),
-        _ if *measure == END_FACTOR => "end-factor".into(),
-        (Written::Number, _) | (Written::Special, Dimension::Ratio) => "number".into(),
-        (_, dimension) => name_of(dimension),
-    };
+    let kind = measure.kind.map_or_else(|| name_of(measure.dimension), Cow::Borrowed);
     let made = Key::made(measure.name(), kind, measure.about);
     Key { measure: Some(measure), comment: measure.comment, ..made }
 }

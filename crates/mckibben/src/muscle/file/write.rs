@@ -2,7 +2,7 @@
 
 use super::keys::{Key, keys};
 use super::text::{Text, number, quantity, text};
-use crate::muscle::measures::{Written, of_section};
+use crate::muscle::measures::of_section;
 use crate::muscle::{Braid, BraidStiffness, EndFactor, Measure, Muscle, Rubber};
 use crate::rubber::library;
 use crate::sleeve::{self, Sleeve};
@@ -133,7 +133,7 @@ impl Text {
 
 /// The measures of a table that are stated and have no rules of their own.
 fn written(muscle: &Muscle, section: &str) -> impl Iterator<Item = (&'static Measure, f64)> {
-    let plain = of_section(section).filter(|m| m.written != Written::Special);
+    let plain = of_section(section).filter(|m| !m.has_rules);
     plain.filter_map(|m| Some((m, muscle.measure(m)?)))
 }
 

@@ -88,19 +88,6 @@ impl Bounds {
     }
 }
 
-/// How a value is written in a muscle file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Written {
-    /// A quantity with its unit.
-    #[default]
-    Quantity,
-    /// A plain number.
-    Number,
-    /// By rules of its own, in the code of its table.
-    Special,
-}
-
 /// What the numbers of [`Identify`] are multiples of.
 #[derive(Debug, Clone, Copy, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -185,8 +172,10 @@ pub struct Facts {
     pub short: Option<char>,
     /// What it measures.
     pub dimension: Dimension,
-    /// How it is written in a muscle file.
-    pub written: Written,
+    /// Its kind in the list of keys of muscle files, where that is not the name of its dimension.
+    pub kind: Option<&'static str>,
+    /// Whether muscle files write it by rules of its own, in the code of its table.
+    pub has_rules: bool,
     /// Its unit, where that is not the one of its dimension.
     pub unit: Option<&'static str>,
     /// The values that it may have by itself.
@@ -432,7 +421,7 @@ mod tests {
     #[test]
     fn every_measure_is_written_and_read_again() {
         let mut parts = Muscle::prototype().parts.clone();
-        for m in MEASURES.iter().filter(|m| m.written != Written::Special) {
+        for m in MEASURES.iter().filter(|m| !m.has_rules) {
             let other = match m.key {
                 "braid.diameter" => 31.0,
                 "braid.strand_length" => 400.0,
@@ -445,7 +434,7 @@ mod tests {
         let muscle = Muscle::from_parts(parts).unwrap();
         let text = to_toml(&muscle);
         assert_eq!(parse_muscle(&text).unwrap(), muscle, "{text}");
-        for m in MEASURES.iter().filter(|m| m.written != Written::Special) {
+        for m in MEASURES.iter().filter(|m| !m.has_rules) {
             assert!(text.contains(&format!("\n{} = ", m.name())), "{} in\n{text}", m.key);
         }
     }

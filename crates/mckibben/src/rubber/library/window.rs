@@ -42,12 +42,12 @@ pub struct WindowLaw {
 }
 
 /// What `rubber` says of a law.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Standing {
     /// The one to take.
     Recommended,
-    /// The data do not tell it from that one (`TensionFit::of_equal_standing`).
+    /// The data do not tell it from that one.
     Equal,
     /// It follows the data worse, or carries tests in one axis over into two less safely.
     Behind,
