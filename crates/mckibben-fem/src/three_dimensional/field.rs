@@ -6,10 +6,11 @@
 
 use super::Body;
 use super::discretisation::{Discretisation, Material};
-use super::kinematics::{dot, gradient, largest_principal, left, now};
+use super::kinematics::{gradient, largest_principal, left, now};
 use super::mesh::{Brick, BrickMesh};
 use super::model::ThreeDimensional;
 use super::muscle::MuscleInBricks;
+use super::saddle::dot;
 use crate::FemError;
 use crate::element::brick::{ShapePoint, determinant};
 use crate::element::hexahedron::at;
@@ -152,7 +153,7 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
 fn stretches(f: &[[f64; 3]; 3], at: [f64; 3]) -> NodeField {
     let radius = at[0].hypot(at[1]).max(f64::MIN_POSITIVE);
     let hoop = [-at[1] / radius, at[0] / radius, 0.0];
-    let length = |v: [f64; 3]| f.map(|row| dot(row, v)).map(|x| x * x).iter().sum::<f64>().sqrt();
+    let length = |v: [f64; 3]| f.map(|row| dot(&row, &v)).map(|x| x * x).iter().sum::<f64>().sqrt();
     NodeField {
         hoop_stretch: length(hoop),
         meridional_stretch: length([0.0, 0.0, 1.0]),
