@@ -9,7 +9,8 @@ use super::layout::Layout;
 use super::model::Axisymmetric;
 use super::results::{elements, strands};
 use crate::FemError;
-use crate::element::plane::{self, AnyPlaneLaw, Gradient};
+use crate::element::law;
+use crate::element::plane::{AnyPlaneLaw, Gradient};
 use crate::element::q2::{GAUSS2, GAUSS3, NODES, Point, quadratic};
 use crate::element::softened::soften;
 use crate::element::solid::{Unknowns, gradient};
@@ -83,7 +84,7 @@ impl Section {
         Self {
             through: d.layout.through,
             along: d.layout.along,
-            nodes: plane::with(&d.problem.law, |law| section(law, d, s)),
+            nodes: law::with(&d.problem.law, |law| section(law.plane, d, s)),
             strands: strands(d, s, muscle),
             angle_rad: muscle.braid().angle_rad(),
             count: muscle.braid().strands.map(|n| n.count),

@@ -12,7 +12,7 @@ pub use super::tensor::{AT, PAIRS, Spatial, Symmetric};
 
 use super::lanes::{MOST, Real};
 use super::spatial_stretches::{Stretches, by_stretches};
-use mckibben::rubber::{InvariantDerivatives, InvariantLaw, Law, LawVisitor, RubberLaw};
+use mckibben::rubber::{InvariantDerivatives, InvariantLaw};
 
 /// A law in I1 and I2, asked at several places at once.
 pub trait Invariants: Sync {
@@ -45,25 +45,6 @@ impl SpatialLaw<'_> {
             Self::Invariants(law) => by_invariants::<R, TANGENT>(*law, b, j),
             Self::Stretches(law) => by_stretches(*law, b),
         }
-    }
-}
-
-/// Gives `work` the law.
-pub fn with<T>(law: &Law, work: impl FnOnce(SpatialLaw<'_>) -> T) -> T {
-    law.visit(InSpace(work))
-}
-
-struct InSpace<W>(W);
-
-impl<T, W: FnOnce(SpatialLaw<'_>) -> T> LawVisitor for InSpace<W> {
-    type Output = T;
-
-    fn law<L: RubberLaw>(self, law: &L) -> T {
-        self.0(SpatialLaw::Stretches(law))
-    }
-
-    fn invariant_law<L: InvariantLaw>(self, law: &L) -> T {
-        self.0(SpatialLaw::Invariants(law))
     }
 }
 

@@ -208,7 +208,11 @@ impl<B: Body> Continuation<B> {
                 Some(led) => led,
                 None if B::SETTINGS.take_unstable => {
                     let found = c.long_way(pressure, terminal, true);
-                    found.or_else(|end| c.straight(pressure, terminal).map_err(|_| end))
+                    found.or_else(|end| {
+                        // In a straight line of pressure and length.
+                        c.body.rest();
+                        c.walk(pressure, terminal, B::SETTINGS.first_step).map_err(|_| end)
+                    })
                 }
                 None => c.lead_down(pressure, terminal),
             };

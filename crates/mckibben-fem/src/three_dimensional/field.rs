@@ -14,8 +14,9 @@ use super::saddle::dot;
 use crate::FemError;
 use crate::element::brick::{ShapePoint, determinant};
 use crate::element::hexahedron::at;
+use crate::element::law::with;
 use crate::element::q2::GAUSS2;
-use crate::element::spatial::{SpatialLaw, with};
+use crate::element::spatial::SpatialLaw;
 use mckibben::model::Workspace;
 use std::collections::HashMap;
 
@@ -198,7 +199,7 @@ fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
     let mut shares = vec![0.0; out.len()];
     for e in bricks.clone() {
         let stress: Vec<[f64; 6]> =
-            at_points.iter().map(|p| with(law, |law| stress(body, law, e, p))).collect();
+            at_points.iter().map(|p| with(law, |law| stress(body, law.space, e, p))).collect();
         for (a, node) in problem.bricks[e].iter().enumerate() {
             let k = *node as usize;
             let Some((f, at)) = gradient(body, e, &at_nodes[a]) else { continue };

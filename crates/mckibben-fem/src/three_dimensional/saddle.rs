@@ -75,9 +75,7 @@ impl Constraints<'_> {
             if value != 0.0 {
                 for (node, g) in nodes.iter().zip(g.chunks_exact(3)) {
                     let at = 3 * *node as usize;
-                    out[at] += value * g[0];
-                    out[at + 1] += value * g[1];
-                    out[at + 2] += value * g[2];
+                    (0..3).for_each(|i| out[at + i] += value * g[i]);
                 }
             }
         });
