@@ -157,7 +157,7 @@ impl Body {
         self.linearised = false;
         self.totals = assemble::<true>(&self.discretisation, &self.state, &mut self.assembled)?;
         let m = self.discretisation.layout.station();
-        self.end.factorise(self.assembled.chain.end(), m).map_err(|_| Stopped::Singular)?;
+        self.end.factorise(&self.assembled.chain.end, m).map_err(|_| Stopped::Singular)?;
         self.linearised = true;
         Ok(self.totals)
     }

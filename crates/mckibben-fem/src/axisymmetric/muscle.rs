@@ -64,7 +64,7 @@ impl body::Body for Body {
         let negative_end =
             (0..self.end.free.len()).filter(|&i| self.end.matrix[i * (self.end.size() + 1)] < 0.0).count();
         let multipliers = l.inside() - l.station();
-        (self.assembled.chain.negative() + negative_end).saturating_sub(multipliers * l.along)
+        (self.assembled.chain.negative + negative_end).saturating_sub(multipliers * l.along)
     }
 
     fn terminal_stiffness(&mut self) -> f64 {

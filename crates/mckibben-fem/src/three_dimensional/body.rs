@@ -104,7 +104,7 @@ impl Body {
 
     /// Negative eigenvalues of the last tangent with the terminal held: zero for a stable equilibrium.
     pub fn unstable_directions(&self) -> usize {
-        self.cholesky.negative_pivots()
+        self.cholesky.negative
     }
 
     /// The terminal's column of the tangent, and its own entry.
