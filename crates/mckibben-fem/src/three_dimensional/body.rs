@@ -141,14 +141,15 @@ impl Body {
         for &i in &d.terminal {
             out.u[i as usize] = dw;
         }
-        let constraints = Constraints { d, assembled: &self.assembled };
-        constraints.solve(&mut self.cholesky, &mut b, &mut out.u, &mut dm, tolerance);
-        gather(d, &out.u, &mut b);
-        let (column, _) = self.terminal_column();
-        let mut change = own * dw + dot(column, &b);
+        let (assembled, cholesky) = (&self.assembled, &mut self.cholesky);
+        let mut constraints = Constraints { d, assembled, cholesky, tolerance };
+        constraints.solve(&mut b, &mut out.u, &mut dm);
         // What the iterated multipliers do to the terminal.
         let mut forces = vec![0.0; out.u.len()];
         constraints.forces(&dm, &mut forces);
+        gather(d, &out.u, &mut b);
+        let (column, _) = self.terminal_column();
+        let mut change = own * dw + dot(column, &b);
         change += d.terminal.iter().map(|&i| forces[i as usize]).sum::<f64>();
         if cause == Cause::PRESSURE {
             change -= d.terminal.iter().map(|&i| self.assembled.cavity[i as usize]).sum::<f64>();
