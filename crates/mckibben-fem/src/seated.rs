@@ -133,31 +133,6 @@ fn whole_point(of: &Whole, asked: Option<f64>, mut point: CurvePoint) -> CurvePo
     CurvePoint { contraction, volume_mm3, ..point }
 }
 
-/// Pressures and contractions of a test of ends that slip, each with an end state of its own: in the order of the test, as the elements go from one to the next.
-fn slipped(
-    of: &Whole,
-    w: &mut Workspace,
-    test: Test,
-    values: &[f64],
-    detail: Detail,
-    progress: &dyn Progress,
-) -> Curve {
-    let mut out: Curve = vec![Err(Cancelled.into()); values.len()];
-    for (turn, i) in test.order(values).into_iter().enumerate() {
-        progress.report(turn, values.len());
-        if progress.cancelled() {
-            break;
-        }
-        let (p, held) = match test {
-            Test::Isobaric(p) => (p, values[i]),
-            Test::Isometric(held) | Test::Isotonic(held) => (values[i], held),
-        };
-        let x = between(of, w, p, held);
-        out[i] = x.and_then(|x| Ok(whole_point(of, Some(held), inner(of, w, p, x, detail)?)));
-    }
-    out
-}
-
 impl Simulation for Whole {
     fn solve(&self, workspace: &mut Workspace, given: Given) -> Result<Solution, FemError> {
         let (given, displacement, asked) = given_between(self, workspace, given)?;
@@ -189,12 +164,27 @@ impl Simulation for Whole {
         progress: &dyn Progress,
     ) -> Curve {
         let ends = self.ends();
-        let slips = ends.slip_mm_per_n > 0.0;
+        if ends.slip_mm_per_n > 0.0 && !matches!(test, Test::Isotonic(_)) {
+            // Each with an end state of its own: in the order of the test, as the elements go from one to the next.
+            let mut out: Curve = vec![Err(Cancelled.into()); values.len()];
+            for (turn, i) in test.order(values).into_iter().enumerate() {
+                progress.report(turn, values.len());
+                if progress.cancelled() {
+                    break;
+                }
+                let (p, e) = match test {
+                    Test::Isobaric(p) => (p, values[i]),
+                    Test::Isometric(e) | Test::Isotonic(e) => (values[i], e),
+                };
+                let point = between(self, workspace, p, e).and_then(|x| inner(self, workspace, p, x, detail));
+                out[i] = point.map(|point| whole_point(self, Some(e), point));
+            }
+            return out;
+        }
         let seated = |e: f64| ends.between(e, ends.seating_mm);
         let mut at: Vec<f64> = values.to_vec();
         let between = match test {
             Test::Isotonic(_) => test,
-            _ if slips => return slipped(self, workspace, test, values, detail, progress),
             Test::Isometric(e) => Test::Isometric(seated(e)),
             Test::Isobaric(_) => {
                 at.iter_mut().for_each(|e| *e = seated(*e));

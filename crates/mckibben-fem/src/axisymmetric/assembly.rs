@@ -1,7 +1,8 @@
 //! Forces, volume defects and tangent of the whole body.
 
 use super::discretisation::{BraidSpec, Discretisation};
-use crate::element::plane::{self, AnyPlaneLaw};
+use crate::element::law;
+use crate::element::plane::AnyPlaneLaw;
 use crate::element::q2::{MODES, NODES, PADDED};
 use crate::element::solid::{self, Contribution, Material, NodalRow};
 use crate::element::strand::STRAND_POINTS;
@@ -55,7 +56,7 @@ pub fn assemble<const TANGENT: bool>(
 ) -> Result<Totals, Stopped> {
     let totals = Totals { smallest_j: f64::INFINITY, ..Totals::default() };
     let mut work = Assembly { d, s, w, totals };
-    plane::with(&d.problem.law, |law| work.sum::<TANGENT>(law))?;
+    law::with(&d.problem.law, |law| work.sum::<TANGENT>(law.plane))?;
     Ok(work.totals)
 }
 

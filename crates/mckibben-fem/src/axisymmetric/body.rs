@@ -109,10 +109,8 @@ pub struct Body {
     pub totals: Totals,
     pub(crate) assembled: Assembled,
     pub(super) end: EndSystem,
-    step: Vec<f64>,
-    step_q: Vec<f64>,
-    /// Last step of (terminal, pressure).
-    step_load: [f64; 2],
+    /// The last step.
+    step: State,
     /// For sensitivities and pressure control.
     second: Vec<f64>,
     /// Whether the tangent is that of the present state.
@@ -131,9 +129,7 @@ impl Body {
         Self {
             assembled: Assembled::new(&discretisation),
             end: EndSystem::new(&discretisation),
-            step: vec![0.0; state.u.len()],
-            step_q: vec![0.0; state.q.len()],
-            step_load: [0.0; 2],
+            step: state.clone(),
             second: vec![0.0; state.u.len()],
             linearised: false,
             endless: None,
@@ -161,7 +157,7 @@ impl Body {
         self.linearised = false;
         self.totals = assemble::<true>(&self.discretisation, &self.state, &mut self.assembled)?;
         let m = self.discretisation.layout.station();
-        self.end.factorise(self.assembled.chain.end(), m).map_err(|_| Stopped::Singular)?;
+        self.end.factorise(&self.assembled.chain.end, m).map_err(|_| Stopped::Singular)?;
         self.linearised = true;
         Ok(self.totals)
     }
@@ -262,14 +258,7 @@ impl Body {
     /// Adds `share` of the last step.
     fn add_step(&mut self, share: f64) {
         self.linearised = false;
-        for (x, dx) in self.state.u.iter_mut().zip(&self.step) {
-            *x += share * dx;
-        }
-        for (q, dq) in self.state.q.iter_mut().zip(&self.step_q) {
-            *q += share * dq;
-        }
-        self.state.terminal += share * self.step_load[0];
-        self.state.pressure += share * self.step_load[1];
+        self.state.add(share, &self.step);
     }
 
     /// q := k (c + ∂λf/∂u du), or the force of a crimp at that strain, at every strand point, with the derivatives of the last tangent.
@@ -283,10 +272,10 @@ impl Body {
                 let index = slab * STRAND_POINTS + g;
                 let first = &self.assembled.strand[index];
                 let change: f64 =
-                    (0..6).map(|i| first[i] * self.step[stations[i / 2] + 4 * l.through + i % 2]).sum();
+                    (0..6).map(|i| first[i] * self.step.u[stations[i / 2] + 4 * l.through + i % 2]).sum();
                 let strain = point.stretch(&u).value - 1.0 + change;
                 let q = k * Crimp::force(braid.crimp.as_ref(), strain);
-                self.step_q[index] = q - self.state.q[index];
+                self.step.q[index] = q - self.state.q[index];
             }
         }
     }
@@ -304,7 +293,7 @@ impl NewtonSystem for Body {
     }
 
     fn correct(&mut self) -> Result<f64, Stopped> {
-        let mut rhs = std::mem::take(&mut self.step);
+        let mut rhs = std::mem::take(&mut self.step.u);
         for (x, r) in rhs.iter_mut().zip(&self.assembled.residual) {
             *x = -r;
         }
@@ -332,14 +321,14 @@ impl NewtonSystem for Body {
         self.end.forward(&rhs[last..]);
         self.end.backward(&mut rhs[last..], dw);
         self.assembled.chain.backward(&mut rhs);
-        self.step = rhs;
-        self.step_load = [dw, dp];
+        self.step.u = rhs;
+        (self.step.terminal, self.step.pressure) = (dw, dp);
         self.extrapolate_tensions();
         self.add_step(1.0);
         let l = self.discretisation.layout;
         let m = l.station();
         let largest = (0..l.along)
-            .flat_map(|slab| &self.step[slab * l.stride()..][..2 * m])
+            .flat_map(|slab| &self.step.u[slab * l.stride()..][..2 * m])
             .fold(0.0_f64, |a, x| a.max(x.abs()));
         let size = largest / self.discretisation.radius;
         if size.is_finite() && dw.is_finite() && dp.is_finite() { Ok(size) } else { Err(Stopped::Diverged) }
@@ -347,8 +336,6 @@ impl NewtonSystem for Body {
 
     fn retreat(&mut self, keep: f64) {
         self.add_step(keep - 1.0);
-        for x in self.step.iter_mut().chain(&mut self.step_q).chain(&mut self.step_load) {
-            *x *= keep;
-        }
+        self.step.scale(keep);
     }
 }

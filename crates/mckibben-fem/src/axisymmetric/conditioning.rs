@@ -8,7 +8,8 @@ use super::body::Body;
 use super::discretisation::{Discretisation, Memory};
 use super::results::elements;
 use crate::FemError;
-use crate::element::plane::{self, AnyPlaneLaw};
+use crate::element::law;
+use crate::element::plane::AnyPlaneLaw;
 use crate::element::q2::{Geometry, POINTS};
 use crate::element::solid::gradient;
 use crate::solver::body::State;
@@ -37,8 +38,7 @@ impl Memory {
         let failed = |error| match error {
             FemError::Cancelled(_) => error,
             error => FemError::Refused(format!(
-                "the muscle cannot have been cycled at {pressure_mpa} MPa between rest length and free contraction: {reason}; state another tube.material.conditioned",
-                reason = error
+                "the muscle cannot have been cycled at {pressure_mpa} MPa between rest length and free contraction: {error}; state another tube.material.conditioned"
             )),
         };
         let mut memory = Self::new(softening, d);
@@ -52,7 +52,7 @@ impl Memory {
 
     /// Takes in what a state of the body shows.
     pub fn see(&mut self, d: &Discretisation, state: &State) {
-        let here = plane::with(&d.problem.law, |law| energies(law, d, state));
+        let here = law::with(&d.problem.law, |law| energies(law.plane, d, state));
         for (seen, here) in self.seen_mpa.iter_mut().flatten().zip(here.iter().flatten()) {
             *seen = seen.max(*here);
         }

@@ -88,13 +88,7 @@ fn place(d: &Discretisation, u: &[f64], by: &[f64], (slab, g): (usize, usize)) -
     let [v_r, v_z, v_hoop] = stretch.vector;
     let meridian = v_r.hypot(v_z);
     // dθ of tanθ = v_hoop/meridian
-    let change = l.line(by, slab, 2 * l.through);
-    let (mut d_r, mut d_z, mut d_hoop) = (0.0, 0.0, 0.0);
-    for a in 0..3 {
-        d_r += point.slope[a] * change[2 * a];
-        d_z += point.slope[a] * change[2 * a + 1];
-        d_hoop += point.hoop[a] * change[2 * a];
-    }
+    let [d_r, d_z, d_hoop] = point.moved([0.0; 3], &l.line(by, slab, 2 * l.through));
     let d_meridian = (v_r * d_r + v_z * d_z) / meridian;
     let square = stretch.value * stretch.value;
     let turning = (meridian * d_hoop - v_hoop * d_meridian) / square;

@@ -25,12 +25,14 @@ const STEPS: usize = 4;
 const NET: usize = 24;
 
 /// How the outer line runs from the middle to the terminal.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Outline {
     /// In a layer of the same length whatever the bulge.
     Layer,
     /// As strands alone would.
     Net,
+    /// Likewise in a layer, to this outer radius in mm in the middle: the strands are slack.
+    Slack(f64),
 }
 
 /// Tensions and pressures of the ideal muscle.
@@ -77,7 +79,7 @@ impl Line {
         self.net.clear();
         // A neck has no end zone of this kind.
         let middle = self.radius * (1.0 + bulge);
-        if outline == Outline::Layer || middle <= self.end {
+        if outline != Outline::Net || middle <= self.end {
             return;
         }
         let square = |r: f64| {
@@ -154,15 +156,8 @@ impl Line {
     }
 }
 
-/// Fills the displacements of `state`, whose pressure is set, for a displacement of the terminal and, where the strands
-/// are slack, the outer radius in the middle; `false` where no bulge brings the terminal there.
-pub(super) fn shape(
-    d: &Discretisation,
-    state: &mut State,
-    terminal: f64,
-    outline: Outline,
-    slack: Option<f64>,
-) -> bool {
+/// Fills the displacements of `state`, whose pressure is set, for a displacement of the terminal; `false` where no bulge brings the terminal there.
+pub(super) fn shape(d: &Discretisation, state: &mut State, terminal: f64, outline: Outline) -> bool {
     let Some(BraidSpec { lay, stiffness, .. }) = d.problem.braid else { return false };
     let angle_rad = lay.angle_rad;
     let (sin2, half, l) = (angle_rad.sin().powi(2), d.half_length(), d.layout);
@@ -185,8 +180,8 @@ pub(super) fn shape(
     let length =
         |line: &Line| (0..2 * l.along).map(|j| line.advance(station(j), station(j + 1))).sum::<f64>();
     let wanted = half + terminal;
-    if let Some(radius) = slack {
-        line.set(radius / d.radius - 1.0, Outline::Layer);
+    if let Outline::Slack(radius) = outline {
+        line.set(radius / d.radius - 1.0, outline);
         state.q.fill(0.0);
         if l.multipliers {
             (0..l.along).for_each(|slab| state.u[l.tension(slab)..][..STRAND_POINTS].fill(0.0));

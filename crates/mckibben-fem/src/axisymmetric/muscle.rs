@@ -64,7 +64,7 @@ impl body::Body for Body {
         let negative_end =
             (0..self.end.free.len()).filter(|&i| self.end.matrix[i * (self.end.size() + 1)] < 0.0).count();
         let multipliers = l.inside() - l.station();
-        (self.assembled.chain.negative() + negative_end).saturating_sub(multipliers * l.along)
+        (self.assembled.chain.negative + negative_end).saturating_sub(multipliers * l.along)
     }
 
     fn terminal_stiffness(&mut self) -> f64 {
@@ -94,7 +94,7 @@ impl body::Body for Body {
 
     fn guess_taut(&mut self, pressure: f64, terminal: f64) -> bool {
         self.guess_ideal(pressure, terminal);
-        guess::shape(&self.discretisation, &mut self.state, terminal, Outline::Layer, None)
+        guess::shape(&self.discretisation, &mut self.state, terminal, Outline::Layer)
     }
 
     fn guess_loads(&mut self) {
@@ -203,7 +203,7 @@ impl Body {
         });
         let Some(radius) = radius else { return false };
         self.guess_ideal(pressure, terminal);
-        guess::shape(&self.discretisation, &mut self.state, terminal, Outline::Layer, Some(radius))
+        guess::shape(&self.discretisation, &mut self.state, terminal, Outline::Slack(radius))
     }
 
     /// The shape of strands alone, where the infinitely long muscle pulls.
@@ -214,6 +214,6 @@ impl Body {
             return false;
         }
         self.guess_ideal(pressure, terminal);
-        guess::shape(&self.discretisation, &mut self.state, terminal, Outline::Net, None)
+        guess::shape(&self.discretisation, &mut self.state, terminal, Outline::Net)
     }
 }

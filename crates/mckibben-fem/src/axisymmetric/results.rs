@@ -129,21 +129,15 @@ pub(super) fn elements<'a>(
     d: &'a Discretisation,
     s: &'a State,
 ) -> impl Iterator<Item = ([[f64; 2]; NODES], Unknowns)> + 'a {
-    let l = d.layout;
-    (0..l.along).flat_map(move |slab| (0..l.through).map(move |i| from_cylinder(d, s, slab, i)))
-}
-
-pub(super) fn from_cylinder(
-    d: &Discretisation,
-    s: &State,
-    slab: usize,
-    element: usize,
-) -> ([[f64; 2]; NODES], Unknowns) {
-    let [cylinder, drawn] = [&d.cylinder, &d.mesh].map(|mesh| nodes(mesh, slab, element));
-    let mut u = d.layout.element(&s.u, slab, element);
-    for a in 0..NODES {
-        u.r[a] += drawn[a][0] - cylinder[a][0];
-        u.z[a] += drawn[a][1] - cylinder[a][1];
-    }
-    (cylinder, u)
+    let through = d.layout.through;
+    (0..d.elements.len()).map(move |index| {
+        let (slab, element) = (index / through, index % through);
+        let [cylinder, drawn] = [&d.cylinder, &d.mesh].map(|mesh| nodes(mesh, slab, element));
+        let mut u = d.layout.element(&s.u, slab, element);
+        for a in 0..NODES {
+            u.r[a] += drawn[a][0] - cylinder[a][0];
+            u.z[a] += drawn[a][1] - cylinder[a][1];
+        }
+        (cylinder, u)
+    })
 }

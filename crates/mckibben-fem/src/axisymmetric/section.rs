@@ -7,9 +7,10 @@
 use super::discretisation::{Discretisation, nodes};
 use super::layout::Layout;
 use super::model::Axisymmetric;
-use super::results::{from_cylinder, strands};
+use super::results::{elements, strands};
 use crate::FemError;
-use crate::element::plane::{self, AnyPlaneLaw, Gradient};
+use crate::element::law;
+use crate::element::plane::{AnyPlaneLaw, Gradient};
 use crate::element::q2::{GAUSS2, GAUSS3, NODES, Point, quadratic};
 use crate::element::softened::soften;
 use crate::element::solid::{Unknowns, gradient};
@@ -83,7 +84,7 @@ impl Section {
         Self {
             through: d.layout.through,
             along: d.layout.along,
-            nodes: plane::with(&d.problem.law, |law| section(law, d, s)),
+            nodes: law::with(&d.problem.law, |law| section(law.plane, d, s)),
             strands: strands(d, s, muscle),
             angle_rad: muscle.braid().angle_rad(),
             count: muscle.braid().strands.map(|n| n.count),
@@ -111,28 +112,25 @@ impl Axisymmetric {
 
 fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionNode> {
     let l = d.layout;
-    let per_station = l.nodes();
     let mut out = vec![SectionNode::default(); d.mesh.nodes.len()];
     let mut shares = vec![0.0; out.len()];
-    for slab in 0..l.along {
-        for e in 0..l.through {
-            let stress = stresses(law, d, s, slab, e);
-            let (rest, u) = from_cylinder(d, s, slab, e);
-            for a in 0..NODES {
-                let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
-                let Some(p) = d.point(&rest, x, y) else { continue };
-                let f = gradient(&p, &u);
-                let k = Layout::numbers(slab)[a / 3] * per_station + 2 * e + a % 3;
-                let node = &mut out[k];
-                shares[k] += 1.0;
-                node.rest_mm = rest[a];
-                node.now_mm = [rest[a][0] + u.r[a], rest[a][1] + u.z[a]];
-                node.hoop_stretch += f.t;
-                node.meridional_stretch += f.b.hypot(f.d);
-                node.max_stretch += f.principal().into_iter().fold(0.0, f64::max);
-                let at = bilinear(&stress, x, y);
-                (0..4).for_each(|c| node.stress_mpa[c] += at[c]);
-            }
+    for (index, (rest, u)) in elements(d, s).enumerate() {
+        let (slab, e) = (index / l.through, index % l.through);
+        let stress = stresses(law, d, s, slab, e);
+        for a in 0..NODES {
+            let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
+            let Some(p) = d.point(&rest, x, y) else { continue };
+            let f = gradient(&p, &u);
+            let k = Layout::numbers(slab)[a / 3] * l.nodes() + 2 * e + a % 3;
+            let node = &mut out[k];
+            shares[k] += 1.0;
+            node.rest_mm = rest[a];
+            node.now_mm = [rest[a][0] + u.r[a], rest[a][1] + u.z[a]];
+            node.hoop_stretch += f.t;
+            node.meridional_stretch += f.b.hypot(f.d);
+            node.max_stretch += f.principal().into_iter().fold(0.0, f64::max);
+            let at = bilinear(&stress, x, y);
+            (0..4).for_each(|c| node.stress_mpa[c] += at[c]);
         }
     }
     for (node, share) in out.iter_mut().zip(shares) {

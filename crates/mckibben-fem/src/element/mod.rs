@@ -3,6 +3,7 @@
 pub mod brick;
 pub mod hexahedron;
 pub mod lanes;
+pub mod law;
 pub mod plane;
 mod plane_law;
 pub mod q2;

@@ -15,8 +15,7 @@
 pub use super::plane_law::{AnyPlaneLaw, Gradient, PlaneLaw, Stress};
 
 use super::spatial::inverse_cube_root;
-use super::stretches::ByStretches;
-use mckibben::rubber::{InvariantLaw, Law, LawVisitor, RubberLaw};
+use mckibben::rubber::InvariantLaw;
 
 /// A law in I1 and I2.
 #[derive(Debug, Clone, Copy)]
@@ -86,25 +85,6 @@ impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {
     }
 }
 
-/// Gives `work` the law: those in the invariants take the short way, others the way through principal stretches.
-pub fn with<T>(law: &Law, work: impl FnOnce(&dyn AnyPlaneLaw) -> T) -> T {
-    law.visit(InPlane(work))
-}
-
-struct InPlane<W>(W);
-
-impl<T, W: FnOnce(&dyn AnyPlaneLaw) -> T> LawVisitor for InPlane<W> {
-    type Output = T;
-
-    fn law<L: RubberLaw>(self, law: &L) -> T {
-        self.0(&ByStretches(law))
-    }
-
-    fn invariant_law<L: InvariantLaw>(self, law: &L) -> T {
-        self.0(&ByInvariants(law))
-    }
-}
-
 #[cfg(test)]
 pub(super) fn tangent(law: &dyn AnyPlaneLaw, f: Gradient, p: f64) -> Stress {
     let mut out = [Stress::default()];
@@ -114,7 +94,9 @@ pub(super) fn tangent(law: &dyn AnyPlaneLaw, f: Gradient, p: f64) -> Stress {
 
 #[cfg(test)]
 mod tests {
+    use super::super::law::with;
     use super::*;
+    use mckibben::rubber::Law;
 
     #[test]
     fn the_inverse_cube_root_is_one() {
@@ -134,7 +116,7 @@ mod tests {
                 let p = 0.3;
                 let at = |x: [f64; 5]| {
                     let f = Gradient { a: x[0], b: x[1], t: x[2], c: x[3], d: x[4] };
-                    let s = with(&law, |law| tangent(law, f, p));
+                    let s = with(&law, |law| tangent(law.plane, f, p));
                     (s, s.w + p * (f.volume() - 1.0), [s.r[0], s.r[1], s.r[2], s.z[0], s.z[1]])
                 };
                 // Order (a, b, t, c, d).

@@ -65,7 +65,8 @@ fn volume<const TANGENT: bool>(f: &Gradient, p: f64, s: &mut Stress) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::plane::{tangent, with};
+    use super::super::law::with;
+    use super::super::plane::tangent;
     use super::*;
     use mckibben::rubber::Law;
 
@@ -75,6 +76,7 @@ mod tests {
         let [a, b, t, c, d] = x;
         let f = Gradient { a, b, c, d, t };
         with(law, |law| {
+            let law = law.plane;
             let mut soft = tangent(law, f, 0.0);
             soften::<true>(&SOFTENING, seen, &f, p, &mut soft);
             [soft, tangent(law, f, p)]

@@ -12,7 +12,7 @@ pub use super::tensor::{AT, PAIRS, Spatial, Symmetric};
 
 use super::lanes::{MOST, Real};
 use super::spatial_stretches::{Stretches, by_stretches};
-use mckibben::rubber::{InvariantDerivatives, InvariantLaw, Law, LawVisitor, RubberLaw};
+use mckibben::rubber::{InvariantDerivatives, InvariantLaw};
 
 /// A law in I1 and I2, asked at several places at once.
 pub trait Invariants: Sync {
@@ -45,25 +45,6 @@ impl SpatialLaw<'_> {
             Self::Invariants(law) => by_invariants::<R, TANGENT>(*law, b, j),
             Self::Stretches(law) => by_stretches(*law, b),
         }
-    }
-}
-
-/// Gives `work` the law.
-pub fn with<T>(law: &Law, work: impl FnOnce(SpatialLaw<'_>) -> T) -> T {
-    law.visit(InSpace(work))
-}
-
-struct InSpace<W>(W);
-
-impl<T, W: FnOnce(SpatialLaw<'_>) -> T> LawVisitor for InSpace<W> {
-    type Output = T;
-
-    fn law<L: RubberLaw>(self, law: &L) -> T {
-        self.0(SpatialLaw::Stretches(law))
-    }
-
-    fn invariant_law<L: InvariantLaw>(self, law: &L) -> T {
-        self.0(SpatialLaw::Invariants(law))
     }
 }
 
@@ -109,21 +90,18 @@ fn by_invariants<R: Real, const TANGENT: bool>(law: &dyn Invariants, b: &Symmetr
     }
     let i1 = x[0] + x[1] + x[2];
     let i2 = s(0.5) * (i1 * i1 - (y[0] + y[1] + y[2]));
-    let o = s(0.0);
-    let (mut w, mut w1, mut w2, mut w11, mut w12, mut w22) = (o, o, o, o, o, o);
+    let mut derivatives = [s(0.0); 6];
     let (mut at, mut values) = ([[0.0; 2]; MOST], [InvariantDerivatives::default(); MOST]);
     for l in 0..R::LANES {
         at[l] = [i1.lane(l), i2.lane(l)];
     }
     law.invariants(&at[..R::LANES], &mut values[..R::LANES]);
     for (l, d) in values[..R::LANES].iter().enumerate() {
-        w.set_lane(l, d.w);
-        w1.set_lane(l, d.w1);
-        w2.set_lane(l, d.w2);
-        w11.set_lane(l, d.w11);
-        w12.set_lane(l, d.w12);
-        w22.set_lane(l, d.w22);
+        for (to, from) in derivatives.iter_mut().zip([d.w, d.w1, d.w2, d.w11, d.w12, d.w22]) {
+            to.set_lane(l, from);
+        }
     }
+    let [w, w1, w2, w11, w12, w22] = derivatives;
     let (a1, a2) = (s(2.0) * (w1 + i1 * w2), s(-2.0) * w2);
     let mut out = Spatial::zero();
     out.w = w;

@@ -76,15 +76,21 @@ pub fn points(nodes: [[f64; 2]; 3], radius: f64, lay: &StrandLay) -> [StrandPoin
 }
 
 impl StrandPoint {
-    /// λf for the displacements `u` = (r, z of middle, left, right).
+    /// v with what displacements `u` = (r, z of middle, left, right) add.
     #[inline(always)]
-    pub fn stretch(&self, u: &[f64; 6]) -> Stretch {
-        let mut v = self.rest;
+    pub fn moved(&self, mut v: [f64; 3], u: &[f64; 6]) -> [f64; 3] {
         for a in 0..3 {
             v[0] += self.slope[a] * u[2 * a];
             v[1] += self.slope[a] * u[2 * a + 1];
             v[2] += self.hoop[a] * u[2 * a];
         }
+        v
+    }
+
+    /// λf for the displacements `u` = (r, z of middle, left, right).
+    #[inline(always)]
+    pub fn stretch(&self, u: &[f64; 6]) -> Stretch {
+        let v = self.moved(self.rest, u);
         let value = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
         let e = v.map(|x| x / value);
         let mut first = [0.0; 6];

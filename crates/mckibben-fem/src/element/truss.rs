@@ -5,6 +5,8 @@
 //! The tension in the second part may be one that is carried along as a variable of its own: with stiff strands
 //! Newton's method then does not slow down (Magisano, Leonetti & Garcea 2017 \[magisano2017\]).
 
+use super::tensor::PAIRS;
+
 /// A strand at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Truss {
@@ -49,14 +51,7 @@ impl Truss {
             direction: n,
             tension: force,
             carries: true,
-            tangent: [
-                along * n[0] * n[0] + across,
-                along * n[1] * n[1] + across,
-                along * n[2] * n[2] + across,
-                along * n[0] * n[1],
-                along * n[1] * n[2],
-                along * n[2] * n[0],
-            ],
+            tangent: PAIRS.map(|(i, j)| along * n[i] * n[j] + if i == j { across } else { 0.0 }),
         }
     }
 }

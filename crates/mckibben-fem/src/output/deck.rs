@@ -18,26 +18,43 @@ const FILL: f64 = 0.05;
 /// Largest step of the contraction.
 const CONTRACTION: f64 = 0.005;
 
-/// Increments of equal size to a contraction and a pressure.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Step {
-    increments: usize,
-    contraction: f64,
-    pressure_mpa: f64,
+/// A contraction and a pressure in MPa.
+type Point = (f64, f64);
+
+/// Every increment of a deck: where it ends.
+pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<Point>, FemError> {
+    let first_mpa = pressures_mpa.first().copied().unwrap_or(0.0);
+    let rising = pressures_mpa.windows(2).all(|p| p[1] > p[0]);
+    if !(first_mpa > 0.0 && rising && pressures_mpa.iter().all(|p| p.is_finite())) {
+        return Err(FemError::Refused(format!(
+            "an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here"
+        )));
+    }
+    if contraction == 0.0 {
+        return Ok(pressures_mpa.iter().map(|p| (0.0, *p)).collect());
+    }
+    let filled = pressures_mpa.iter().position(|p| *p >= FILL - 1e-12).unwrap_or(pressures_mpa.len() - 1);
+    let turns = (contraction.abs() / CONTRACTION - 1e-9).ceil().max(1.0);
+    let shortened = (1..=turns as usize).map(|i| (contraction * (i as f64 / turns), pressures_mpa[filled]));
+    let (before, after) = pressures_mpa.split_at(filled + 1);
+    let before = before.iter().map(|p| (0.0, *p));
+    Ok(before.chain(shortened).chain(after.iter().map(|p| (contraction, *p))).collect())
 }
 
-/// Every increment of a deck: contraction and pressure in MPa at its end.
-pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<(f64, f64)>, FemError> {
-    let mut out = vec![];
-    let (mut e, mut p) = (0.0, 0.0);
-    for s in steps(contraction, pressures_mpa)? {
-        for i in 1..=s.increments {
-            let share = i as f64 / s.increments as f64;
-            out.push((e + share * (s.contraction - e), p + share * (s.pressure_mpa - p)));
+/// Increments of equal size together: how many, and where the last one ends.
+fn steps(increments: &[Point]) -> Vec<(usize, Point)> {
+    let mut out: Vec<(usize, Point)> = vec![];
+    let (mut before, mut size) = ((0.0, 0.0), (f64::NAN, f64::NAN));
+    for &end in increments {
+        let here = (end.0 - before.0, end.1 - before.1);
+        let off = (here.0 - size.0).abs() + (here.1 - size.1).abs();
+        match out.last_mut() {
+            Some(last) if off < 1e-9 * end.1 => *last = (last.0 + 1, end),
+            _ => out.push((1, end)),
         }
-        (e, p) = (s.contraction, s.pressure_mpa);
+        (before, size) = (end, here);
     }
-    Ok(out)
+    out
 }
 
 /// The deck of an isometric test: filled up to 0.05 MPa (or the next of the pressures), shortened, filled further.
@@ -55,7 +72,7 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     if let Some((_, why)) = refused.into_iter().find(|(stated, _)| *stated) {
         return Err(FemError::Refused(format!("an input deck {why}")));
     }
-    let steps = steps(contraction, pressures_mpa)?;
+    let increments = increments(contraction, pressures_mpa)?;
     let version = env!("CARGO_PKG_VERSION");
     let mut out = format!("*HEADING\nOne eighth of a McKibben muscle: mm, MPa, N; mckibben {version}\n");
     for (key, value) in [
@@ -84,53 +101,13 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     sets(&mut out, model);
     rubber(&mut out, &muscle.rubber().law, muscle.rubber().bulk)?;
     out += "*BOUNDARY\nSX, 1, 1\nSY, 2, 2\nSZ, 3, 3\nNEND, 1, 2\n";
-    for s in steps {
-        let (share, end, p) = (1.0 / s.increments as f64, -s.contraction * mesh.tube.half_mm, s.pressure_mpa);
+    for (count, (contraction, p)) in steps(&increments) {
+        let (share, end) = (1.0 / count as f64, -contraction * mesh.tube.half_mm);
         out += &format!("*STEP, NLGEOM, INC=2000\n*STATIC, DIRECT\n{share:?}, 1.\n");
         out += "*CONTROLS, PARAMETERS=FIELD\n1e-5, 1e-5\n";
         out += &format!("*BOUNDARY\nNEND, 3, 3, {end:?}\n*DLOAD\nEIN, P6, {p:?}\n");
         out += "*NODE PRINT, NSET=NEND, TOTALS=ONLY\nRF\n*NODE PRINT, NSET=NIN\nU\n*END STEP\n";
     }
-    Ok(out)
-}
-
-/// Pressures in steps of equal increments.
-fn rising(pressures: &[f64], contraction: f64, start: f64, out: &mut Vec<Step>) {
-    let mut before = start;
-    let mut size = f64::NAN;
-    for &p in pressures {
-        match out.last_mut() {
-            Some(last) if ((p - before) - size).abs() < 1e-9 * p => {
-                last.increments += 1;
-                last.pressure_mpa = p;
-            }
-            _ => out.push(Step { increments: 1, contraction, pressure_mpa: p }),
-        }
-        size = p - before;
-        before = p;
-    }
-}
-
-fn steps(contraction: f64, pressures: &[f64]) -> Result<Vec<Step>, FemError> {
-    let first_mpa = pressures.first().copied().unwrap_or(0.0);
-    let fine = first_mpa > 0.0
-        && pressures.windows(2).all(|p| p[1] > p[0])
-        && pressures.iter().all(|p| p.is_finite());
-    if !fine {
-        return Err(FemError::Refused(format!(
-            "an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here"
-        )));
-    }
-    let mut out = vec![];
-    if contraction == 0.0 {
-        rising(pressures, 0.0, 0.0, &mut out);
-        return Ok(out);
-    }
-    let filled = pressures.iter().position(|p| *p >= FILL - 1e-12).unwrap_or(pressures.len() - 1);
-    rising(&pressures[..=filled], 0.0, 0.0, &mut out);
-    let turns = (contraction.abs() / CONTRACTION - 1e-9).ceil().max(1.0);
-    out.push(Step { increments: turns as usize, contraction, pressure_mpa: pressures[filled] });
-    rising(&pressures[filled + 1..], contraction, pressures[filled], &mut out);
     Ok(out)
 }
 
@@ -232,20 +209,16 @@ fn known() -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Step, steps};
+    use super::{increments, steps};
 
     /// The path of a test at ε = .10 by 0.01 MPa: five increments of filling, twenty of shortening, twenty of filling.
     #[test]
     fn a_muscle_is_filled_before_it_is_shortened() {
         let pressures: Vec<f64> = (1..=25).map(|i| 0.01 * f64::from(i)).collect();
-        let one = |increments, contraction, pressure_mpa| Step { increments, contraction, pressure_mpa };
-        assert_eq!(steps(0.0, &pressures).unwrap(), [one(25, 0.0, 0.25)]);
-        assert_eq!(
-            steps(0.1, &pressures).unwrap(),
-            [one(5, 0.0, 0.05), one(20, 0.1, 0.05), one(20, 0.1, 0.25)]
-        );
-        assert!(
-            steps(0.1, &[0.0, 0.1]).is_err() && steps(0.1, &[]).is_err() && steps(0.1, &[0.2, 0.1]).is_err()
-        );
+        let at = |contraction: f64, pressures: &[f64]| increments(contraction, pressures).map(|i| steps(&i));
+        assert_eq!(at(0.0, &pressures).unwrap(), [(25, (0.0, 0.25))]);
+        let filled = [(5, (0.0, 0.05)), (20, (0.1, 0.05)), (20, (0.1, 0.25))];
+        assert_eq!(at(0.1, &pressures).unwrap(), filled);
+        assert!(at(0.1, &[0.0, 0.1]).is_err() && at(0.1, &[]).is_err() && at(0.1, &[0.2, 0.1]).is_err());
     }
 }

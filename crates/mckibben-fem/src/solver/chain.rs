@@ -14,10 +14,11 @@ pub struct Chain {
     inside: usize,
     slabs: usize,
     matrices: Vec<f64>,
-    /// Schur complement of the last station, upper triangle.
-    end: Vec<f64>,
+    /// Schur complement of the last station by rows, upper triangle.
+    pub end: Vec<f64>,
     scratch: Vec<f64>,
-    negative: usize,
+    /// Negative pivots so far.
+    pub negative: usize,
 }
 
 impl Chain {
@@ -68,16 +69,6 @@ impl Chain {
             }
         }
         Ok(())
-    }
-
-    /// Schur complement of the last station by rows, upper triangle.
-    pub fn end(&self) -> &[f64] {
-        &self.end
-    }
-
-    /// Negative pivots so far.
-    pub fn negative(&self) -> usize {
-        self.negative
     }
 
     fn exchange(&mut self, slab: usize, rhs: &mut [f64], whole: fn(&[f64], usize, usize, &mut [f64])) {
@@ -174,6 +165,6 @@ mod tests {
         solve(&mut chain, &mut rhs);
         let worst = rhs.iter().zip(&x).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(worst < 1e-13, "{worst:e}");
-        assert!(chain.negative() > 0);
+        assert!(chain.negative > 0);
     }
 }

@@ -15,7 +15,7 @@
 use super::body::{Body, Control, State};
 use super::descent::Descent;
 use super::newton::{self, Effort, Interrupted, NewtonOptions, Stopped};
-use super::trail::{Along, Trail};
+use super::trail::Trail;
 use crate::error::FemError;
 use mckibben::cancel;
 use mckibben::status::Status;
@@ -61,8 +61,6 @@ pub struct Continuation<B: Body> {
     kept: Vec<State>,
     oldest: usize,
     pub(super) trail: Trail,
-    /// Along what the last increment went.
-    pub(super) direction: Option<Along>,
     pub(super) base: State,
     pub(super) before: State,
     /// Steps of the present walk from rest.
@@ -84,7 +82,6 @@ impl<B: Body> Continuation<B> {
             kept: Vec::with_capacity(B::SETTINGS.kept),
             oldest: 0,
             trail: Trail::default(),
-            direction: None,
             base: rest.clone(),
             before: rest,
             steps: None,
@@ -208,7 +205,11 @@ impl<B: Body> Continuation<B> {
                 Some(led) => led,
                 None if B::SETTINGS.take_unstable => {
                     let found = c.long_way(pressure, terminal, true);
-                    found.or_else(|end| c.straight(pressure, terminal).map_err(|_| end))
+                    found.or_else(|end| {
+                        // In a straight line of pressure and length.
+                        c.body.rest();
+                        c.walk(pressure, terminal, B::SETTINGS.first_step).map_err(|_| end)
+                    })
                 }
                 None => c.lead_down(pressure, terminal),
             };

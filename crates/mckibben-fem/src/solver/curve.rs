@@ -85,16 +85,6 @@ impl Test {
         order
     }
 
-    /// (place on the path, what is held) at a value.
-    fn at<B: Body>(self, c: &Continuation<B>, value: f64) -> (f64, Control) {
-        let half = c.body.half_length();
-        match self {
-            Self::Isometric(contraction) => (value, Control::Length(-contraction * half)),
-            Self::Isotonic(force) => (value, Control::Force(force)),
-            Self::Isobaric(_) => (-value * half, Control::Length(-value * half)),
-        }
-    }
-
     fn afresh<B: Body>(self, c: &mut Continuation<B>, value: f64) -> Result<(), FemError> {
         match self {
             Self::Isometric(contraction) => c.reach(value, contraction),
@@ -105,8 +95,14 @@ impl Test {
 
     /// From the last points of the path to the next; whether that is the answer there.
     fn go_on<B: Body>(self, c: &mut Continuation<B>, value: f64) -> bool {
-        let (place, held) = self.at(c, value);
-        c.advance(self.along(), place, held).is_ok() && c.stable_under(held) && c.body.certain()
+        let half = c.body.half_length();
+        let (place, held) = match self {
+            Self::Isometric(contraction) => (value, Control::Length(-contraction * half)),
+            Self::Isotonic(force) => (value, Control::Force(force)),
+            Self::Isobaric(_) => (-value * half, Control::Length(-value * half)),
+        };
+        let predicted = c.trail.predict(self.along(), place, c.body.state_mut());
+        predicted && c.solve(held).is_ok() && c.stable_under(held) && c.body.certain()
     }
 }
 

@@ -95,10 +95,7 @@ impl<B: Body> Continuation<B> {
         if self.tight_guess(pressure, terminal) {
             return Ok(());
         }
-        self.body.rest();
-        self.steps = Some(0);
-        self.walk(pressure, 0.0, B::SETTINGS.first_step)?;
-        self.walk(pressure, terminal, B::SETTINGS.first_step)?;
+        self.restart(pressure, terminal)?;
         if self.stable() && self.body.taut() {
             return Ok(());
         }

@@ -2,7 +2,7 @@
 
 use super::body::{Body, Control};
 use super::continuation::Continuation;
-use super::newton::{Interrupted, Stopped};
+use super::newton::Interrupted;
 use super::trail::Along;
 
 impl<B: Body> Continuation<B> {
@@ -12,17 +12,16 @@ impl<B: Body> Continuation<B> {
         self.trail.push(self.body.state());
     }
 
-    /// Goes on to a pressure in MPa and a displacement of the terminal in mm in one increment, predicted from those before it in the
-    /// same direction; in smaller ones where that does not lead to an equilibrium.
+    /// Goes on to a pressure in MPa and a displacement of the terminal in mm in one increment, predicted from those before it; in
+    /// smaller ones where that does not lead to an equilibrium, or where pressures and lengths take turns.
     ///
     /// # Errors
     /// [`Interrupted`]; the body then is back at the last equilibrium.
     pub fn increment(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
         let now = self.body.state();
         let along = if now.terminal == terminal { Along::Pressure } else { Along::Length };
-        if self.trail.last() != Some(now) || self.direction != Some(along) {
+        if self.trail.last() != Some(now) {
             self.begin_trail();
-            self.direction = Some(along);
         }
         let value = if along == Along::Pressure { pressure } else { terminal };
         if self.trail.predict(along, value, self.body.state_mut()) {
@@ -39,17 +38,6 @@ impl<B: Body> Continuation<B> {
         let walked = self.walk(pressure, terminal, 0.5);
         self.begin_trail();
         walked
-    }
-
-    /// Solves for the next point of a path from what its last points predict.
-    ///
-    /// # Errors
-    /// [`Stopped`]; the body then holds no equilibrium.
-    pub fn advance(&mut self, along: Along, value: f64, control: Control) -> Result<(), Stopped> {
-        if !self.trail.predict(along, value, self.body.state_mut()) {
-            return Err(Stopped::Diverged);
-        }
-        self.solve(control)
     }
 
     /// Adds the present equilibrium to the path.

@@ -31,7 +31,8 @@ pub struct SparseCholesky {
     memory: Vec<f64>,
     /// What the last factorisation was; `None` where it failed.
     form: Option<Form>,
-    negative: usize,
+    /// Negative pivots of the last factorisation.
+    pub negative: usize,
 }
 
 impl Analysis {
@@ -77,11 +78,6 @@ impl SparseCholesky {
             let factor = Factor { form, symbolic: &self.analysis.symbolic, values: &self.factor };
             substitution::solve(self.width, factor, rhs, &mut self.memory);
         }
-    }
-
-    /// Number of negative pivots of the last factorisation.
-    pub fn negative_pivots(&self) -> usize {
-        self.negative
     }
 }
 

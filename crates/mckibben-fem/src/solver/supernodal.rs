@@ -29,6 +29,7 @@ pub(super) struct Numeric {
     /// Those of the rows of a product.
     places: Vec<u32>,
     product: Vec<f64>,
+    form: Form,
     work: usize,
 }
 
@@ -42,7 +43,8 @@ impl Numeric {
         let mut local = vec![];
         local.try_reserve_exact(unknowns).ok()?;
         local.resize(unknowns, 0);
-        Some(Self { kernel: Kernel::new(width), local, places: vec![], product: vec![], work: 0 })
+        let (places, product, form) = (vec![], vec![], Form::Positive);
+        Some(Self { kernel: Kernel::new(width), local, places, product, form, work: 0 })
     }
 
     /// Fills `factor`, supernode after supernode: its memory comes as it is needed, since zeros for all of it take a second and more.
@@ -53,6 +55,7 @@ impl Numeric {
         (pattern, values): (&Pattern, &[f64]),
         factor: &mut Vec<f64>,
     ) -> Result<(), Stopped> {
+        self.form = form;
         factor.clear();
         for i in 0..s.count() {
             let (columns, height) = (s.columns(i), s.height(i));
@@ -72,9 +75,9 @@ impl Numeric {
                 let first = rows.partition_point(|r| (*r as usize) < columns.start);
                 let inside = first + rows[first..].partition_point(|r| (*r as usize) < columns.end);
                 let from = (&head[s.values(d)], s.columns(d).len());
-                self.take_off(form, from, (rows, first..inside), (own, height))?;
+                self.take_off(from, (rows, first..inside), (own, height))?;
             }
-            self.eliminate(form, (own, height, columns.len()))?;
+            self.eliminate((own, height, columns.len()))?;
         }
         Ok(())
     }
@@ -91,7 +94,6 @@ impl Numeric {
     /// Takes off what an earlier supernode `from` of so many columns, whose rows `inside` lie in this one's columns, adds to it.
     fn take_off(
         &mut self,
-        form: Form,
         (from, wide): (&[f64], usize),
         (names, inside): (&[u32], Range<usize>),
         (own, height): (&mut [f64], usize),
@@ -107,7 +109,7 @@ impl Numeric {
                     let (a, b) =
                         (part(wide + rows.start, depth.start), part(wide + columns.start, depth.start));
                     let d = Matrix { stride: stride + 1, ..part(depth.start, depth.start) };
-                    let d = (form == Form::Indefinite).then_some(d);
+                    let d = (self.form == Form::Indefinite).then_some(d);
                     let (keep, depth) = (depth.start > 0, depth.len());
                     let of = Product { a, b, d, rows: size, columns: count, depth, keep, lower };
                     self.kernel.product((&mut self.product, size), of);
@@ -128,11 +130,8 @@ impl Numeric {
     }
 
     /// Factorises the columns of a supernode.
-    fn eliminate(
-        &mut self,
-        form: Form,
-        (own, height, width): (&mut [f64], usize, usize),
-    ) -> Result<(), Stopped> {
+    fn eliminate(&mut self, (own, height, width): (&mut [f64], usize, usize)) -> Result<(), Stopped> {
+        let form = self.form;
         for columns in pieces(0..width, COLUMNS) {
             let (first, count) = (columns.start, columns.len());
             let (done, own) = own.split_at_mut(first * height);
@@ -219,7 +218,7 @@ mod tests {
             let off = b.iter().zip(&wanted).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
             assert!(off < 1e-12, "{off}");
             let expected = if negative > 0 { n.div_ceil(negative) } else { 0 };
-            assert_eq!(cholesky.negative_pivots(), expected);
+            assert_eq!(cholesky.negative, expected);
         }
     }
 
@@ -287,7 +286,7 @@ mod tests {
                 cholesky.solve(&mut x);
                 let off = x.iter().zip(&wanted).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
                 assert!(off < 1e-12 * wanted.amax(), "{width:?} {n}: {off}");
-                assert_eq!(cholesky.negative_pivots(), negative);
+                assert_eq!(cholesky.negative, negative);
             });
         }
     }

@@ -23,41 +23,36 @@ impl Along {
 /// Equilibria through which a polynomial is laid.
 const MOST: usize = 4;
 
-/// The last equilibria along a path, newest last. Memory is taken once.
+/// The last equilibria along a path, newest last.
 #[derive(Debug, Clone, Default)]
 pub struct Trail {
     states: Vec<State>,
-    used: usize,
 }
 
 impl Trail {
     /// Forgets every equilibrium.
     pub fn clear(&mut self) {
-        self.used = 0;
+        self.states.clear();
     }
 
     /// Adds an equilibrium.
     pub fn push(&mut self, state: &State) {
-        if self.used == MOST {
-            self.states.rotate_left(1);
-            self.used -= 1;
+        if self.states.len() < MOST {
+            return self.states.push(state.clone());
         }
-        match self.states.get_mut(self.used) {
-            Some(old) => old.copy_from(state),
-            None => self.states.push(state.clone()),
-        }
-        self.used += 1;
+        self.states.rotate_left(1);
+        self.states[MOST - 1].copy_from(state);
     }
 
     /// The newest equilibrium.
     pub fn last(&self) -> Option<&State> {
-        self.states[..self.used].last()
+        self.states.last()
     }
 
     /// Fills `out` with what Lagrange's polynomial through the equilibria predicts at `value`; `false` where two of them stand at one
     /// place.
     pub fn predict(&self, along: Along, value: f64, out: &mut State) -> bool {
-        let trail = &self.states[..self.used];
+        let trail = &self.states;
         let mut weights = [0.0; MOST];
         for (i, weight) in weights[..trail.len()].iter_mut().enumerate() {
             *weight = 1.0;

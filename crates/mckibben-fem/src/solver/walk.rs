@@ -13,9 +13,11 @@ const SMALLEST: f64 = 1.0 / 1024.0;
 const AIMED: f64 = 0.1;
 
 impl<B: Body> Continuation<B> {
-    /// From rest in a straight line of pressure and length.
-    pub(super) fn straight(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
+    /// From rest to a pressure at rest length, and from there to a displacement of the terminal.
+    pub(super) fn restart(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
         self.body.rest();
+        self.steps = Some(0);
+        self.walk(pressure, 0.0, B::SETTINGS.first_step)?;
         self.walk(pressure, terminal, B::SETTINGS.first_step)
     }
 
@@ -29,10 +31,7 @@ impl<B: Body> Continuation<B> {
             && self.solve(Control::Length(terminal)).is_ok()
             && self.stable();
         if !there {
-            self.body.rest();
-            self.steps = Some(0);
-            self.walk(taut, 0.0, B::SETTINGS.first_step)?;
-            self.walk(taut, terminal, B::SETTINGS.first_step)?;
+            self.restart(taut, terminal)?;
         }
         // Strands go slack one after the other: small steps.
         if taut > pressure { self.walk(pressure, terminal, B::SETTINGS.first_step_down) } else { Ok(()) }

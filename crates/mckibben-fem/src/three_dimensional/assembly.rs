@@ -6,7 +6,8 @@ use crate::element::brick::{Input, Output, ShapePoint, run};
 use crate::element::hexahedron::points;
 use crate::element::lanes::Real;
 use crate::element::lanes::on_lanes;
-use crate::element::spatial::{AT, SpatialLaw, with};
+use crate::element::law::with;
+use crate::element::spatial::{AT, SpatialLaw};
 use crate::load::cavity_faces::{self, FacePoint, skew, volume};
 use crate::solver::body::{State, Totals};
 use crate::solver::newton::Stopped;
@@ -71,7 +72,10 @@ pub fn assemble<const TANGENT: bool>(
         for first in (start..end).step_by(PIECE) {
             cancel::check()?;
             let bricks = first..(first + PIECE).min(end);
-            with(&m.law, |law| add::<TANGENT>(Piece { d, s, m, law, bricks }, work, &mut totals))?;
+            with(&m.law, |law| {
+                let piece = Piece { d, s, m, law: law.space, bricks };
+                add::<TANGENT>(piece, work, &mut totals)
+            })?;
         }
     }
     trusses::<TANGENT>(d, s, work, &mut totals);

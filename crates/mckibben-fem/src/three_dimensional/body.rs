@@ -42,13 +42,18 @@ pub struct Body {
 
 /// What moves a body away from its present state, as far as its tangent tells.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Cause {
-    /// Its residual, with the terminal moved by so much (mm).
-    Residual(f64),
-    /// The terminal alone, by 1 mm.
-    Terminal,
-    /// The pressure, by 1 MPa.
-    Pressure,
+struct Cause {
+    /// Whether its residual.
+    residual: bool,
+    /// By how much the terminal moves, in mm.
+    terminal: f64,
+    /// Change of the pressure in MPa.
+    pressure: f64,
+}
+
+impl Cause {
+    const TERMINAL: Self = Self { residual: false, terminal: 1.0, pressure: 0.0 };
+    const PRESSURE: Self = Self { residual: false, terminal: 0.0, pressure: 1.0 };
 }
 
 impl Body {
@@ -99,7 +104,7 @@ impl Body {
 
     /// Negative eigenvalues of the last tangent with the terminal held: zero for a stable equilibrium.
     pub fn unstable_directions(&self) -> usize {
-        self.cholesky.negative_pivots()
+        self.cholesky.negative
     }
 
     /// The terminal's column of the tangent, and its own entry.
@@ -113,28 +118,20 @@ impl Body {
     fn respond(&mut self, cause: Cause, tolerance: f64) -> (f64, State) {
         let mut out = self.state.clone();
         let d = &self.discretisation;
-        let dw = match cause {
-            Cause::Residual(dw) => dw,
-            Cause::Terminal => 1.0,
-            Cause::Pressure => 0.0,
-        };
+        let dw = cause.terminal;
         let bricks = d.bricks() * d.modes;
         let mut b = vec![0.0; d.free];
         let mut dm = vec![0.0; bricks + d.problem.trusses.len()];
-        match cause {
-            Cause::Residual(_) => {
-                gather(d, &self.assembled.force, &mut b);
-                b.iter_mut().for_each(|x| *x = -*x);
-                constraint_residual(d, &self.state, &self.assembled, &mut dm);
+        if cause.residual {
+            gather(d, &self.assembled.force, &mut b);
+            b.iter_mut().for_each(|x| *x = -*x);
+            constraint_residual(d, &self.state, &self.assembled, &mut dm);
+        } else if cause == Cause::PRESSURE {
+            let mut all = self.assembled.cavity.clone();
+            for (v, dead) in all.iter_mut().zip(d.problem.dead.iter().flatten()) {
+                *v += dead;
             }
-            Cause::Pressure => {
-                let mut all = self.assembled.cavity.clone();
-                for (v, dead) in all.iter_mut().zip(d.problem.dead.iter().flatten()) {
-                    *v += dead;
-                }
-                gather(d, &all, &mut b);
-            }
-            Cause::Terminal => {}
+            gather(d, &all, &mut b);
         }
         let (column, own) = self.terminal_column();
         for (b, k) in b.iter_mut().zip(column) {
@@ -144,24 +141,24 @@ impl Body {
         for &i in &d.terminal {
             out.u[i as usize] = dw;
         }
-        let constraints = Constraints { d, assembled: &self.assembled };
-        constraints.solve(&mut self.cholesky, &mut b, &mut out.u, &mut dm, tolerance);
-        gather(d, &out.u, &mut b);
-        let (column, _) = self.terminal_column();
-        let mut change = own * dw + dot(column, &b);
+        let (assembled, cholesky) = (&self.assembled, &mut self.cholesky);
+        let mut constraints = Constraints { d, assembled, cholesky, tolerance };
+        constraints.solve(&mut b, &mut out.u, &mut dm);
         // What the iterated multipliers do to the terminal.
         let mut forces = vec![0.0; out.u.len()];
         constraints.forces(&dm, &mut forces);
+        gather(d, &out.u, &mut b);
+        let (column, _) = self.terminal_column();
+        let mut change = own * dw + dot(column, &b);
         change += d.terminal.iter().map(|&i| forces[i as usize]).sum::<f64>();
-        if cause == Cause::Pressure {
+        if cause == Cause::PRESSURE {
             change -= d.terminal.iter().map(|&i| self.assembled.cavity[i as usize]).sum::<f64>();
             change -= d.problem.cap_mm2 / 3.0;
         }
         out.p.copy_from_slice(&dm[..bricks]);
         out.q.copy_from_slice(&dm[bricks..]);
-        out.terminal = dw;
-        out.pressure = if cause == Cause::Pressure { 1.0 } else { 0.0 };
-        if cause != Cause::Terminal && cause != Cause::Pressure {
+        (out.terminal, out.pressure) = (dw, cause.pressure);
+        if cause.residual {
             // Strands that do not carry forget their tension.
             for ((q, s), (_, _, carries)) in out.q.iter_mut().zip(&self.state.q).zip(&self.assembled.strands)
             {
@@ -175,20 +172,20 @@ impl Body {
 
     /// ∂F/∂P at fixed length in mm², of the last tangent.
     pub fn force_per_pressure(&mut self) -> f64 {
-        4.0 * self.respond(Cause::Pressure, TIGHT).0
+        4.0 * self.respond(Cause::PRESSURE, TIGHT).0
     }
 
     /// dF/dw of the whole muscle for a displacement of one terminal, in N/mm: twice the stiffness ∂F/∂L; and −∂V/∂L at fixed pressure in mm²,
     /// by Maxwell's relation the same as ∂F/∂P; of the last tangent.
     pub fn terminal_response(&mut self) -> (f64, f64) {
-        let (change, out) = self.respond(Cause::Terminal, TIGHT);
+        let (change, out) = self.respond(Cause::TERMINAL, TIGHT);
         let volume = dot(&self.assembled.cavity, &out.u) + self.discretisation.problem.cap_mm2 / 3.0;
         (4.0 * change, -4.0 * volume)
     }
 
     /// ∂V/∂P of the whole cavity at fixed length in mm³/MPa, of the last tangent.
     pub fn volume_per_pressure(&mut self) -> f64 {
-        let (_, out) = self.respond(Cause::Pressure, TIGHT);
+        let (_, out) = self.respond(Cause::PRESSURE, TIGHT);
         8.0 * dot(&self.assembled.cavity, &out.u)
     }
 
@@ -228,12 +225,13 @@ impl NewtonSystem for Body {
         let reaction = 0.25 * self.totals.pull;
         let (dw, held) = match self.control {
             Control::Length(w) => (w - self.state.terminal, None),
-            Control::Force(f) => (0.0, Some((f, Cause::Terminal))),
+            Control::Force(f) => (0.0, Some((f, Cause::TERMINAL))),
             Control::Pressure { terminal, force } => {
-                (terminal - self.state.terminal, Some((force, Cause::Pressure)))
+                (terminal - self.state.terminal, Some((force, Cause::PRESSURE)))
             }
         };
-        let (change, mut step) = self.respond(Cause::Residual(dw), self.tolerance);
+        let cause = Cause { residual: true, terminal: dw, pressure: 0.0 };
+        let (change, mut step) = self.respond(cause, self.tolerance);
         if let Some((force, cause)) = held {
             let (per, unit) = self.respond(cause, self.tolerance);
             step.add((0.25 * force - reaction - change) / per, &unit);

@@ -116,7 +116,7 @@ impl Discretisation {
         let rest = rest_modes(&problem)?;
         let (unknown, place, terminal) = number(&problem);
         let free = place.len();
-        let pattern = pattern(&problem, &unknown, free)?;
+        let pattern = pattern(&problem, &unknown, &place)?;
         cancel::check()?;
         let analysis = Arc::new(Analysis::new(pattern).ok_or_else(|| FemError::too_large(free))?);
         let shear = problem.law.shear_modulus_mpa();
@@ -310,7 +310,8 @@ fn number(problem: &Problem) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
 }
 
 /// The lower half: unknowns of a node meet those of every node with which it shares a brick or a strand.
-fn pattern(problem: &Problem, unknown: &[[u32; 3]], free: usize) -> Result<Pattern, Cancelled> {
+fn pattern(problem: &Problem, unknown: &[[u32; 3]], place: &[u32]) -> Result<Pattern, Cancelled> {
+    let free = place.len();
     let mut near: Vec<Vec<u32>> = vec![vec![]; problem.nodes.len()];
     for (e, nodes) in problem.bricks.iter().enumerate() {
         look(e)?;
@@ -322,24 +323,19 @@ fn pattern(problem: &Problem, unknown: &[[u32; 3]], free: usize) -> Result<Patte
         near[*a as usize].push(*b);
         near[*b as usize].push(*a);
     }
-    let mut columns = vec![0u32; free + 1];
-    let mut lists: Vec<Vec<u32>> = vec![vec![]; free];
     for (node, around) in near.iter_mut().enumerate() {
         look(node)?;
         around.sort_unstable();
         around.dedup();
-        for &c in unknown[node].iter().filter(|c| (**c as usize) < free) {
-            let list = &mut lists[c as usize];
-            for &other in around.iter() {
-                list.extend(unknown[other as usize].iter().filter(|r| **r >= c && (**r as usize) < free));
-            }
-            list.sort_unstable();
-        }
     }
-    let mut rows = Vec::with_capacity(lists.iter().map(Vec::len).sum());
-    for (c, list) in lists.iter().enumerate() {
-        rows.extend_from_slice(list);
-        columns[c + 1] = rows.len() as u32;
+    let (mut columns, mut rows) = (vec![0], vec![]);
+    for (c, &place) in place.iter().enumerate() {
+        look(c)?;
+        let all = near[place as usize / 3].iter().flat_map(|other| unknown[*other as usize]);
+        rows.extend(all.filter(|r| (c..free).contains(&(*r as usize))));
+        let start = columns[c] as usize;
+        rows[start..].sort_unstable();
+        columns.push(rows.len() as u32);
     }
     Ok(Pattern { columns, rows })
 }

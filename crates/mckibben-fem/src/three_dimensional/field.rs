@@ -6,15 +6,17 @@
 
 use super::Body;
 use super::discretisation::{Discretisation, Material};
-use super::kinematics::{dot, gradient, largest_principal, left, now};
+use super::kinematics::{gradient, largest_principal, left, now};
 use super::mesh::{Brick, BrickMesh};
 use super::model::ThreeDimensional;
 use super::muscle::MuscleInBricks;
+use super::saddle::dot;
 use crate::FemError;
 use crate::element::brick::{ShapePoint, determinant};
 use crate::element::hexahedron::at;
+use crate::element::law::with;
 use crate::element::q2::GAUSS2;
-use crate::element::spatial::{SpatialLaw, with};
+use crate::element::spatial::SpatialLaw;
 use mckibben::model::Workspace;
 use std::collections::HashMap;
 
@@ -152,7 +154,7 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
 fn stretches(f: &[[f64; 3]; 3], at: [f64; 3]) -> NodeField {
     let radius = at[0].hypot(at[1]).max(f64::MIN_POSITIVE);
     let hoop = [-at[1] / radius, at[0] / radius, 0.0];
-    let length = |v: [f64; 3]| f.map(|row| dot(row, v)).map(|x| x * x).iter().sum::<f64>().sqrt();
+    let length = |v: [f64; 3]| f.map(|row| dot(&row, &v)).map(|x| x * x).iter().sum::<f64>().sqrt();
     NodeField {
         hoop_stretch: length(hoop),
         meridional_stretch: length([0.0, 0.0, 1.0]),
@@ -197,7 +199,7 @@ fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
     let mut shares = vec![0.0; out.len()];
     for e in bricks.clone() {
         let stress: Vec<[f64; 6]> =
-            at_points.iter().map(|p| with(law, |law| stress(body, law, e, p))).collect();
+            at_points.iter().map(|p| with(law, |law| stress(body, law.space, e, p))).collect();
         for (a, node) in problem.bricks[e].iter().enumerate() {
             let k = *node as usize;
             let Some((f, at)) = gradient(body, e, &at_nodes[a]) else { continue };

@@ -3,11 +3,9 @@
 //! It only says where Newton's method begins. What comes out is an equilibrium of the three-dimensional body by its own
 //! residual; where the guess does not lead to one, [`crate::solver::continuation`] walks from rest.
 
-use super::discretisation::Discretisation;
-use super::mesh::BrickMesh;
+use super::muscle::MuscleInBricks;
 use crate::axisymmetric::Section;
 use crate::output::helices;
-use crate::solver::body::State;
 use std::cmp::Ordering;
 
 /// Lagrange's weights through three places.
@@ -52,52 +50,49 @@ impl<'a> Finder<'a> {
     }
 }
 
-/// Fills displacements, pressures and tensions of `state`; `scale` is the length at rest over that of the section, and
-/// `width` that of one strand of the mesh in mm.
-pub(super) fn carry_over(
-    d: &Discretisation,
-    mesh: &BrickMesh,
-    section: &Section,
-    width: f64,
-    state: &mut State,
-) {
-    let find = Finder::new(section);
-    let tube = mesh.plug.as_ref().map_or(d.problem.nodes.len(), |p| p.base);
-    for (node, x) in d.problem.nodes.iter().enumerate() {
-        let r = x[0].hypot(x[1]);
-        let (mut dr, mut dz) = (0.0, 0.0);
-        // What lies behind the beginning of the bond, and the plug, moves with the terminal.
-        let bonded = node >= tube || x[2] > mesh.tube.half_mm;
-        let z = x[2].min(mesh.tube.half_mm);
-        find.at(r, z, |n, w| {
-            dr += w * (n.now_mm[0] - n.rest_mm[0]);
-            dz += w * (n.now_mm[1] - n.rest_mm[1]);
-        });
-        let u = if bonded { [0.0, 0.0, state.terminal] } else { [dr * x[0] / r, dr * x[1] / r, dz] };
-        for i in 0..3 {
-            let number = d.unknown[node][i] as usize;
-            state.u[3 * node + i] = match number.cmp(&d.free) {
-                Ordering::Less => u[i],
-                Ordering::Equal => state.terminal,
-                Ordering::Greater => 0.0,
-            };
+impl MuscleInBricks {
+    /// Fills displacements, pressures and tensions of the state.
+    pub(super) fn carry_over(&mut self, section: &Section) {
+        let (d, mesh, width, state) =
+            (&self.bricks.discretisation, &self.mesh, self.width, &mut self.bricks.state);
+        let find = Finder::new(section);
+        let tube = mesh.plug.as_ref().map_or(d.problem.nodes.len(), |p| p.base);
+        for (node, x) in d.problem.nodes.iter().enumerate() {
+            let r = x[0].hypot(x[1]);
+            let (mut dr, mut dz) = (0.0, 0.0);
+            // What lies behind the beginning of the bond, and the plug, moves with the terminal.
+            let bonded = node >= tube || x[2] > mesh.tube.half_mm;
+            let z = x[2].min(mesh.tube.half_mm);
+            find.at(r, z, |n, w| {
+                dr += w * (n.now_mm[0] - n.rest_mm[0]);
+                dz += w * (n.now_mm[1] - n.rest_mm[1]);
+            });
+            let u = if bonded { [0.0, 0.0, state.terminal] } else { [dr * x[0] / r, dr * x[1] / r, dz] };
+            for i in 0..3 {
+                let number = d.unknown[node][i] as usize;
+                state.u[3 * node + i] = match number.cmp(&d.free) {
+                    Ordering::Less => u[i],
+                    Ordering::Equal => state.terminal,
+                    Ordering::Greater => 0.0,
+                };
+            }
         }
-    }
-    for (e, modes) in d.rest.iter().enumerate() {
-        let c = modes.centre;
-        let mut mean = 0.0;
-        state.p[e * d.modes..(e + 1) * d.modes].fill(0.0);
-        if e >= d.materials[0].bricks.end {
-            continue;
+        for (e, modes) in d.rest.iter().enumerate() {
+            let c = modes.centre;
+            let mut mean = 0.0;
+            state.p[e * d.modes..(e + 1) * d.modes].fill(0.0);
+            if e >= d.materials[0].bricks.end {
+                continue;
+            }
+            find.at(c[0].hypot(c[1]), c[2].min(mesh.tube.half_mm), |n, w| {
+                mean += w * (n.stress_mpa[0] + n.stress_mpa[1] + n.stress_mpa[2]) / 3.0;
+            });
+            state.p[e * d.modes] = mean;
         }
-        find.at(c[0].hypot(c[1]), c[2].min(mesh.tube.half_mm), |n, w| {
-            mean += w * (n.stress_mpa[0] + n.stress_mpa[1] + n.stress_mpa[2]) / 3.0;
-        });
-        state.p[e * d.modes] = mean;
-    }
-    for (q, (ends, _)) in state.q.iter_mut().zip(&d.problem.trusses) {
-        let z = 0.5 * (d.problem.nodes[ends[0] as usize][2] + d.problem.nodes[ends[1] as usize][2]);
-        let [.., per_width, _] = helices::state(&section.strands, z);
-        *q = width * per_width;
+        for (q, (ends, _)) in state.q.iter_mut().zip(&d.problem.trusses) {
+            let z = 0.5 * (d.problem.nodes[ends[0] as usize][2] + d.problem.nodes[ends[1] as usize][2]);
+            let [.., per_width, _] = helices::state(&section.strands, z);
+            *q = width * per_width;
+        }
     }
 }

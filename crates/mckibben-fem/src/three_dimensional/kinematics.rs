@@ -1,6 +1,7 @@
 //! Where nodes are now, and what bricks and strands do between them.
 
 use super::body::Body;
+use super::saddle::dot;
 use crate::element::brick::{ShapePoint, adjugate, determinant, jacobian};
 use crate::element::spatial::PAIRS;
 use crate::element::spatial_stretches::principal_axes;
@@ -11,13 +12,9 @@ pub(super) fn now(body: &Body, node: usize) -> [f64; 3] {
     [x[0] + u[0], x[1] + u[1], x[2] + u[2]]
 }
 
-pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
-}
-
 /// b = F Fᵀ
 pub(super) fn left(f: &[[f64; 3]; 3]) -> [f64; 6] {
-    PAIRS.map(|(i, j)| dot(f[i], f[j]))
+    PAIRS.map(|(i, j)| dot(&f[i], &f[j]))
 }
 
 /// Largest principal stretch at F.

@@ -116,15 +116,14 @@ impl BrickSpec {
     /// the text is none of them.
     pub fn parse(text: &str) -> Option<Self> {
         let mut words = text.split(':').map(str::trim);
-        let problem: Vec<usize> =
-            words.next()?.split('x').map(|t| t.trim().parse().ok()).collect::<Option<Vec<usize>>>()?;
-        let spec = |through, around, along| Self { through, around, along, ..Self::default() };
-        let mut out = match problem.as_slice() {
-            [a] => spec(None, Some(*a), None),
-            [t, a] => spec(Some(*t), Some(*a), None),
-            [t, a, l] => spec(Some(*t), Some(*a), Some(*l)),
+        let counts = words.next()?.split('x').map(|t| t.trim().parse().ok()).collect::<Option<Vec<_>>>()?;
+        let [through, around, along] = match counts[..] {
+            [a] => [None, Some(a), None],
+            [t, a] => [Some(t), Some(a), None],
+            [t, a, l] => [Some(t), Some(a), Some(l)],
             _ => return None,
         };
+        let mut out = Self { through, around, along, ..Self::default() };
         for word in words {
             match word {
                 "circle" => out.ring = Some(Ring::OnCircle),

@@ -2,7 +2,6 @@
 
 use super::body::Body;
 use super::discretisation::Discretisation;
-use super::guess::carry_over;
 use super::mesh::{BrickMesh, BrickSpec, Quarter};
 use super::model::ThreeDimensional;
 use super::plug::Plug;
@@ -117,7 +116,7 @@ pub struct MuscleInBricks {
     pub mesh: Arc<BrickMesh>,
     /// The axisymmetric muscle with the mesh's length and angle.
     section: Option<(Muscle, Continuation<axisymmetric::Body>)>,
-    width: f64,
+    pub(super) width: f64,
 }
 
 impl MuscleInBricks {
@@ -131,7 +130,7 @@ impl MuscleInBricks {
         let section = Section::of(&c.body.discretisation, &c.body.state, muscle);
         let state = &mut self.bricks.state;
         (state.pressure, state.terminal) = (pressure, terminal);
-        carry_over(&self.bricks.discretisation, &self.mesh, &section, self.width, state);
+        self.carry_over(&section);
         true
     }
 }

@@ -21,6 +21,10 @@ pub struct Constraints<'a> {
     pub d: &'a Discretisation,
     /// Its last assembly.
     pub assembled: &'a Assembled,
+    /// Its factorised tangent.
+    pub cholesky: &'a mut SparseCholesky,
+    /// Tolerance of conjugate gradients.
+    pub tolerance: f64,
 }
 
 impl Constraints<'_> {
@@ -68,6 +72,20 @@ impl Constraints<'_> {
         });
     }
 
+    /// By how much displacements miss what is wanted of the constraints.
+    fn left(&self, du: &[f64], wanted: &[f64]) -> Vec<f64> {
+        let mut out = vec![0.0; wanted.len()];
+        self.defects(du, &mut out);
+        out.iter_mut().zip(wanted).for_each(|(r, d)| *r -= d);
+        out
+    }
+
+    /// z = (γ/V) r
+    fn precondition(&self, r: &[f64], z: &mut [f64]) {
+        z.fill(0.0);
+        self.each(|m, _, _, volume, _, augment| z[m] = augment / volume * r[m]);
+    }
+
     /// out += Σ β G m, in displacements.
     pub fn forces(&self, m: &[f64], out: &mut [f64]) {
         self.each(|number, nodes, g, _, compliance, augment| {
@@ -75,9 +93,7 @@ impl Constraints<'_> {
             if value != 0.0 {
                 for (node, g) in nodes.iter().zip(g.chunks_exact(3)) {
                     let at = 3 * *node as usize;
-                    out[at] += value * g[0];
-                    out[at + 1] += value * g[1];
-                    out[at + 2] += value * g[2];
+                    (0..3).for_each(|i| out[at + i] += value * g[i]);
                 }
             }
         });
@@ -85,33 +101,19 @@ impl Constraints<'_> {
 
     /// Solves; `b` holds b + Σ (γ/V) G d of the unknowns, `du` the displacements that are given (the terminal's), and
     /// takes the solution; `dm` holds d and takes the multipliers. Where the work is cancelled what is there is no solution.
-    pub fn solve(
-        &self,
-        cholesky: &mut SparseCholesky,
-        b: &mut [f64],
-        du: &mut [f64],
-        dm: &mut [f64],
-        tolerance: f64,
-    ) {
-        let d = self.d;
-        cholesky.solve(b);
-        spread(d, b, du);
+    pub fn solve(&mut self, b: &mut [f64], du: &mut [f64], dm: &mut [f64]) {
+        self.cholesky.solve(b);
+        spread(self.d, b, du);
         let wanted = dm.to_vec();
-        let mut r = vec![0.0; dm.len()];
-        let mut left = |du: &[f64]| {
-            self.defects(du, &mut r);
-            r.iter_mut().zip(&wanted).for_each(|(r, d)| *r -= d);
-            r.clone()
-        };
         let mut shares = vec![0.0; dm.len()];
         self.each(|m, _, _, _, compliance, augment| shares[m] = share(compliance, augment));
         dm.fill(0.0);
         if self.iterated() {
-            let mut r = left(du);
-            self.conjugate_gradients(cholesky, &shares, du, &mut r, dm, tolerance);
+            let mut r = self.left(du, &wanted);
+            self.conjugate_gradients(&shares, du, &mut r, dm);
         }
         // Those that were condensed follow.
-        let r = left(du);
+        let r = self.left(du, &wanted);
         self.each(|m, _, _, volume, _, augment| {
             if shares[m] == 0.0 {
                 dm[m] = augment / volume * r[m];
@@ -121,26 +123,14 @@ impl Constraints<'_> {
 
     /// Right-hand side in `r`; corrects `du` as well. The matrix is symmetric in the inner product Σ β x y, in which
     /// constraints with β = 0 have no part.
-    fn conjugate_gradients(
-        &self,
-        cholesky: &mut SparseCholesky,
-        shares: &[f64],
-        du: &mut [f64],
-        r: &mut [f64],
-        x: &mut [f64],
-        tolerance: f64,
-    ) {
-        let d = self.d;
+    fn conjugate_gradients(&mut self, shares: &[f64], du: &mut [f64], r: &mut [f64], x: &mut [f64]) {
+        let (d, tolerance) = (self.d, self.tolerance);
         let n = r.len();
         let inner =
             |a: &[f64], b: &[f64]| a.iter().zip(b).zip(shares).map(|((x, y), w)| w * x * y).sum::<f64>();
         let (mut z, mut p, mut s) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
         let (mut full, mut b) = (vec![0.0; du.len()], vec![0.0; d.free]);
-        let precondition = |r: &[f64], z: &mut [f64]| {
-            z.fill(0.0);
-            self.each(|m, _, _, volume, _, augment| z[m] = augment / volume * r[m]);
-        };
-        precondition(r, &mut z);
+        self.precondition(r, &mut z);
         p.copy_from_slice(&z);
         let mut rz = inner(r, &z);
         let first = rz;
@@ -153,7 +143,7 @@ impl Constraints<'_> {
             full.fill(0.0);
             self.forces(&p, &mut full);
             gather(d, &full, &mut b);
-            cholesky.solve(&mut b);
+            self.cholesky.solve(&mut b);
             full.fill(0.0);
             spread(d, &b, &mut full);
             self.defects(&full, &mut s);
@@ -170,7 +160,7 @@ impl Constraints<'_> {
             for (u, w) in du.iter_mut().zip(&full) {
                 *u -= alpha * w;
             }
-            precondition(r, &mut z);
+            self.precondition(r, &mut z);
             let next = inner(r, &z);
             let beta = next / rz;
             rz = next;

@@ -4,7 +4,8 @@
 
 use super::{Rows, body, rubber, stretched};
 use crate::axisymmetric::{Body, Ends, Mesh};
-use crate::element::plane::{self, Gradient};
+use crate::element::law;
+use crate::element::plane::Gradient;
 use mckibben::rubber::Law;
 use std::f64::consts::PI;
 
@@ -41,7 +42,7 @@ fn distance(body: &Body, stretch: f64) -> f64 {
 /// Cauchy stresses (rr, zz, θθ, rz) at a deformation gradient, without the pressure.
 fn cauchy(law: &Law, f: Gradient) -> [f64; 4] {
     let Gradient { a, b, c, d, t } = f;
-    let s = plane::with(law, |law| law.stress_at(&f, 0.0));
+    let s = law::with(law, |law| law.plane.stress_at(&f, 0.0));
     [s.r[0] * a + s.r[1] * b, s.z[0] * c + s.z[1] * d, s.r[2] * t, s.r[0] * c + s.r[1] * d]
 }
 

@@ -13,20 +13,9 @@ use mckibben::model::Workspace;
 use mckibben::muscle::measures::{STIFFNESS as STIFFNESS_OF_FAMILY, of_section};
 use mckibben::muscle::{BraidStiffness, Bulk, Muscle};
 use mckibben::random::Random;
-use mckibben::rubber::{Gent, Law, Ogden, Yeoh};
+use mckibben::rubber::Law;
 
 const STIFFNESS: BraidStiffness = BraidStiffness::NewtonPerMm(321.0);
-
-/// The laws with which tangents are checked.
-pub fn laws() -> Vec<Law> {
-    vec![
-        rubber(),
-        super::neo_hookean(0.24),
-        Law::Yeoh(Yeoh { c10_mpa: 0.12, c20_mpa: -0.001, c30_mpa: 3e-5 }),
-        Law::Gent(Gent { mu_mpa: 0.24, jm: 30.0 }),
-        Law::Ogden(Ogden { terms: vec![(0.6178, 1.3), (0.001_177, 5.0), (-0.009_807, -2.0)] }),
-    ]
-}
 
 /// A bonded muscle with one law, bulk and braid at rest.
 fn bonded(law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Continuation<Body>> {
@@ -38,7 +27,7 @@ fn bonded(law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Continuatio
 
 /// The rows of J.
 pub fn numerics(rows: &mut Rows) {
-    for law in laws() {
+    for law in Law::examples() {
         for (bulk, stiffness) in [
             (Bulk::Incompressible, STIFFNESS),
             (Bulk::Modulus(50.0), STIFFNESS),

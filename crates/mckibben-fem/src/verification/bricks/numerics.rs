@@ -7,7 +7,6 @@ use crate::element::spatial::AT;
 use crate::element::truss::Truss;
 use crate::solver::body::Control;
 use crate::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem, Quarter};
-use crate::verification::numerics::laws;
 use crate::verification::{Rows, changed, order_of_newton, rubber};
 use mckibben::differences::{STENCIL, slope};
 use mckibben::muscle::{BraidStiffness, Bulk, Muscle};
@@ -187,7 +186,7 @@ fn truss() -> f64 {
 /// The rows of J.
 pub fn numerics(rows: &mut Rows) {
     for (brick, name) in BRICKS {
-        for law in laws() {
+        for law in Law::examples() {
             let title = format!("{name}, {}: tangent against differences", law.name());
             let error = shaken(brick, law, Bulk::Modulus(20.0), BraidStiffness::NewtonPerMm(20.0))
                 .and_then(|mut b| tangent_error(&mut b));

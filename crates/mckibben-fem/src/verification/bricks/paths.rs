@@ -7,7 +7,6 @@ use super::numerics::{dense_tangent, tangent_error};
 use super::{BRICKS, at_rest, coarse, prototype, solve};
 use crate::solver::continuation::Unstable;
 use crate::three_dimensional::{Body, Brick, BrickSpec};
-use crate::verification::numerics::laws;
 use crate::verification::{Rows, changed};
 use mckibben::muscle::Bulk;
 use mckibben::rubber::Law;
@@ -57,7 +56,7 @@ pub fn paths(rows: &mut Rows) {
             let title = format!("{name}, P {p}, ε {e}: pull after a walk from rest, relative difference");
             rows.add(title, 0.0, walked(brick, p, e), 1e-8);
         }
-        for law in laws() {
+        for law in Law::examples() {
             let title = format!("{name}, {}, incompressible: tangent against differences", law.name());
             rows.add(title, 0.0, incompressible(brick, law), 1e-7);
         }
