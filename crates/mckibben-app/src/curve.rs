@@ -244,14 +244,10 @@ pub(crate) fn forces(
 /// Refuses more points than `most`.
 pub(crate) fn check_count(counts: &[usize], most: usize) -> Result<(), Problem> {
     let points = counts.iter().fold(1usize, |a, b| a.saturating_mul(*b));
-    if points <= most {
-        return Ok(());
-    }
-    Err(Problem::new(
-        ProblemKind::Range,
-        format!("{points} points are more than {most}"),
-        "take larger steps",
-    ))
+    let wrong = || {
+        Problem::new(ProblemKind::Range, format!("{points} points are more than {most}"), "take larger steps")
+    };
+    (points <= most).then_some(()).ok_or_else(wrong)
 }
 
 pub(crate) fn answered<'a>(list: impl IntoIterator<Item = &'a Curve>) -> impl Iterator<Item = &'a Answer> {

@@ -213,26 +213,18 @@ fn muscle_file(data: &str, model: &str, found: &Identification, measured: bool) 
         Some(bench) => found.muscle.clone().with_bench(bench),
         None => found.muscle.clone(),
     };
-    let text = format!(
-        "# Identified from {} with the model {}:\n# {}\n{}",
-        line(data),
-        line(model),
-        in_one_line(&found.parameters),
-        to_toml(&muscle)
-    );
-    readable(text)
+    let (data, model, found) = (line(data), line(model), in_one_line(&found.parameters));
+    readable(format!("# Identified from {data} with the model {model}:\n# {found}\n{}", to_toml(&muscle)))
 }
 
 /// A muscle file that every command reads again.
 pub(crate) fn readable(text: String) -> Result<String, Problem> {
-    match parse_muscle(&text) {
-        Ok(_) => Ok(text),
-        Err(error) => Err(Problem::new(
-            ProblemKind::NotConverged,
-            format!("the constants that were found make no muscle: {error}"),
-            "give bounds (`bounds` NAME=LOW:HIGH), or fix what the points do not determine",
-        )),
-    }
+    let wrong = |error| {
+        let message = format!("the constants that were found make no muscle: {error}");
+        let hint = "give bounds (`bounds` NAME=LOW:HIGH), or fix what the points do not determine";
+        Problem::new(ProblemKind::NotConverged, message, hint)
+    };
+    parse_muscle(&text).map_err(wrong).map(|_| text)
 }
 
 /// The constants of a muscle that bring the model closest to the points, with their errors.
@@ -460,13 +452,9 @@ fn beyond_data(found: &Identification, model: &Model) -> Option<Warning> {
 
 /// What the identification says, and first that it was that of the prototype where no muscle was given.
 fn warnings(request: &IdentifyRequest, found: &Identification, beyond: Option<Warning>) -> Vec<String> {
-    let own = MuscleFields::default() != request.muscle;
-    let prototype = (!own).then(|| {
-        let m = MuscleSummary::from(&Muscle::prototype());
-        format!(
-            "no muscle was given: these are the constants of a muscle of the prototype's measures ({})",
-            m.line(&Units::default())
-        )
+    let prototype = (MuscleFields::default() == request.muscle).then(|| {
+        let measures = MuscleSummary::from(&Muscle::prototype()).line(&Units::default());
+        format!("no muscle was given: these are the constants of a muscle of the prototype's measures ({measures})")
     });
     let beyond = beyond.map(|warning| warning.to_string());
     prototype.into_iter().chain(found.notes.iter().cloned()).chain(beyond).collect()

@@ -111,11 +111,8 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     };
     if rows.is_empty() && map.is_none() {
         let message = "the request is incomplete: give `pressures_mpa`, `angles_deg` or `map`";
-        return Err(Problem::new(
-            ProblemKind::Usage,
-            message,
-            "`pressures_mpa` alone gives the rest position",
-        ));
+        let hint = "`pressures_mpa` alone gives the rest position";
+        return Err(Problem::new(ProblemKind::Usage, message, hint));
     }
     let summaries: Vec<MuscleSummary> = joint.muscles().iter().map(|m| (&m.muscle).into()).collect();
     let bursts = models.iter().map(|m| burst_of(&named, &**m)).collect::<Result<Vec<_>, _>>()?;
@@ -188,10 +185,8 @@ impl Asked<'_> {
         let mut rows = vec![];
         match (families.is_empty(), angles) {
             (true, None) if request.torque_nm.or(request.stiffness_nm_per_rad).is_some() => {
-                return Err(Problem::missing(
-                    "angles_deg",
-                    "the angle at which the torque and the stiffness are required",
-                ));
+                let expected = "the angle at which the torque and the stiffness are required";
+                return Err(Problem::missing("angles_deg", expected));
             }
             (true, None) => {}
             (true, Some(angles)) => {

@@ -131,11 +131,8 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
     };
     if request.figure.is_some() && cases.is_empty() {
         let message = "the figure shows measured muscles, and these cases are rubbers only: leave it out";
-        return Err(Problem::new(
-            ProblemKind::Usage,
-            message,
-            "`rubber` draws a rubber's laws over its points",
-        ));
+        let hint = "`rubber` draws a rubber's laws over its points";
+        return Err(Problem::new(ProblemKind::Usage, message, hint));
     }
     let points: usize = cases.iter().map(|case| case.points.len() * case.fits.len()).sum();
     let stresses: usize = stretched.iter().map(|case| case.len() * case.fits.len()).sum();

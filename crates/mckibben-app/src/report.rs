@@ -110,12 +110,14 @@ pub(crate) fn report(
     Ok(Document {
         title: format!("McKibben muscle: {}", shown.summary.line(units)),
         title_block: request.title_block.fields(),
-        lead: format!(
-            "At {} and a contraction of {}. All numbers by {}, axisymmetric finite elements, unless stated otherwise; ± covers 95 % against a measured muscle.",
-            units.pressure.show(pressure_mpa),
-            percent(contraction),
-            point.point.model
-        ),
+        lead: {
+            let (pressure, contraction) = (units.pressure.show(pressure_mpa), percent(contraction));
+            let by =
+                format!("by {}, axisymmetric finite elements, unless stated otherwise", point.point.model);
+            format!(
+                "At {pressure} and a contraction of {contraction}. All numbers {by}; ± covers 95 % against a measured muscle."
+            )
+        },
         parts,
         footer: format!("mckibben {version}. Muscle file: SHA-256 {hash}."),
     })
@@ -207,10 +209,8 @@ fn limits(shown: &CheckAnswer, point: &PointAnswer) -> Vec<Part> {
         format!("The ±: {}", point.background.about.uncertainty_basis),
     ];
     if shown.muscle.terminals().insertion_mm.is_none() {
-        let assumed = number(shown.muscle.terminals().insertion_mm(), 4);
-        list.push(format!(
-            "The clamped length on each plug is not stated; the cut lengths assume {assumed} mm."
-        ));
+        let cut = number(shown.muscle.terminals().insertion_mm(), 4);
+        list.push(format!("The clamped length on each plug is not stated; the cut lengths assume {cut} mm."));
     }
     list.extend(shown.warnings.iter().cloned());
     list.extend(point.point.warnings.iter().map(ToString::to_string));
@@ -247,15 +247,13 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
         let factor = fixed(rated / working_mpa, 1);
         rows.push(vec!["the fittings are rated for".into(), factor, "1".into(), units.pressure.show(rated)]);
     }
-    let safety = plan.safety;
+    let [working, proof] = [working_mpa, plan.safety.proof_pressure_mpa].map(|p| units.pressure.show(p));
+    let energy = number(plan.safety.air_energy_j, 2);
     let head = ["failure", "factor", "required", "pressure"].map(str::to_owned).to_vec();
     vec![
         Part::Heading("Margins of safety".into()),
         Part::Text(format!(
-            "Factor: pressure of the failure over {}. Estimates of new parts under a slowly rising pressure; proof test with water at {}. The air holds {} J.",
-            units.pressure.show(working_mpa),
-            units.pressure.show(safety.proof_pressure_mpa),
-            number(safety.air_energy_j, 2),
+            "Factor: pressure of the failure over {working}. Estimates of new parts under a slowly rising pressure; proof test with water at {proof}. The air holds {energy} J."
         )),
         Part::Table { head, rows },
     ]

@@ -207,11 +207,11 @@ impl BoundModel {
 /// The constant or measure of a muscle by its name in the muscle file.
 fn parameter(muscle: &Muscle, name: &str) -> Result<Target, Problem> {
     let wrong = |e: String| Problem::new(ProblemKind::Parameter, e, "");
-    let target = Target::parse(name, muscle).map_err(|e| wrong(e.to_string()))?;
-    match target {
-        Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent => Err(wrong(format!(
-            "`{name}` is a property of measured data, not of the muscle: it has no derivative"
-        ))),
+    match Target::parse(name, muscle).map_err(|e| wrong(e.to_string()))? {
+        Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent => {
+            let why = "is a property of measured data, not of the muscle: it has no derivative";
+            Err(wrong(format!("`{name}` {why}")))
+        }
         target => Ok(target),
     }
 }
