@@ -2,7 +2,7 @@
 
 use crate::{
     AskFields, BuildRequest, CheckAnswer, CheckRequest, CompareRequest, CurveRequest, ForceRequest,
-    PointAnswer, PointQuantity, Problem, ShapeRequest, Units, check, compare, curve, force, number, percent,
+    PointAnswer, PointQuantity, Result, ShapeRequest, Units, check, compare, curve, force, number, percent,
     ratio, rows::Row, rows::characteristic_rows, rows::muscle_sheets, rows::point_rows, shape, words::fixed,
 };
 use mckibben::analysis::{Burst, FailurePressure, SAFETY};
@@ -54,7 +54,7 @@ pub(crate) fn report(
     request: &BuildRequest,
     (plan, burst): (&Plan, &Burst),
     progress: &dyn Progress,
-) -> Result<Document, Problem> {
+) -> Result<Document> {
     let step = |done| {
         progress.report(done, 5);
         progress.check()
@@ -141,12 +141,12 @@ fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
 }
 
 /// The deformed muscle by itself.
-pub fn body(request: &ShapeRequest, progress: &dyn Progress) -> Result<Document, Problem> {
+pub fn body(request: &ShapeRequest, progress: &dyn Progress) -> Result<Document> {
     let parts = vec![body_of(request, progress)?];
     Ok(Document { title: "The deformed muscle".into(), parts, ..Document::default() })
 }
 
-fn body_of(request: &ShapeRequest, progress: &dyn Progress) -> Result<Part, Problem> {
+fn body_of(request: &ShapeRequest, progress: &dyn Progress) -> Result<Part> {
     let mut answer = shape(request, progress)?;
     for list in answer.arrays.values_mut() {
         // A few micrometres are finer than a screen.
@@ -161,7 +161,7 @@ fn curves(
     test: Test,
     pressure_mpa: f64,
     progress: &dyn Progress,
-) -> Result<Option<Figure>, Problem> {
+) -> Result<Option<Figure>> {
     let shares = |n: usize| (1..=n).map(|i| pressure_mpa * i as f64 / n as f64).collect::<Vec<_>>();
     let asked = CurveRequest {
         test,
@@ -177,7 +177,7 @@ fn curves(
 }
 
 /// What other models say.
-fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) -> Result<Vec<Part>, Problem> {
+fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) -> Result<Vec<Part>> {
     let asked = CompareRequest {
         models: MODELS.map(str::to_owned).to_vec(),
         muscle: request.muscle.clone(),

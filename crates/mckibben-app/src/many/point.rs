@@ -10,7 +10,7 @@
 //! constants and measures: by the diameter, say, the strands' k in N/mm stays what it is, also where the braid's k follows the diameter.
 
 use super::{BoundModel, Many, PointQuantity, Unanswered};
-use crate::{Problem, ProblemKind, finite, ratio};
+use crate::{Problem, ProblemKind, Result, finite, ratio};
 use mckibben::analysis::{force_on, response_on, slope_by_pressure, stiffness_of};
 use mckibben::model::{Bounds, ModelError, Workspace, pulls_within};
 use mckibben::muscle::{BraidStiffness, Muscle};
@@ -91,7 +91,7 @@ impl BoundModel {
         workspace: &mut Workspace,
         free: &mut Option<(f64, f64)>,
         places: &mut [f64],
-    ) -> Result<(), Problem> {
+    ) -> Result<()> {
         let (value, p, e) = match many.wanted {
             PointQuantity::Force => {
                 let (p, e) = (finite("pressure_mpa", a)?, ratio(b)?);
@@ -121,20 +121,14 @@ impl BoundModel {
         self.slopes(workspace, (p, e), many, rest)
     }
 
-    fn pull(&self, force_n: f64) -> Result<f64, Problem> {
+    fn pull(&self, force_n: f64) -> Result<f64> {
         let force_n = finite("force_n", force_n)?;
         crate::point::pull(force_n, self.options)?;
         Ok(force_n)
     }
 
     /// F, or 0 where the muscle is slack.
-    fn force(
-        &self,
-        workspace: &mut Workspace,
-        p: f64,
-        e: f64,
-        free: &mut Option<(f64, f64)>,
-    ) -> Result<f64, Problem> {
+    fn force(&self, workspace: &mut Workspace, p: f64, e: f64, free: &mut Option<(f64, f64)>) -> Result<f64> {
         answer::check_range(&*self.model, p, e, self.options)?;
         let hangs = free.is_some_and(|(at, free)| at == p && e > free);
         if hangs && !self.options.two_sided {
@@ -181,7 +175,7 @@ impl BoundModel {
         (p, e): (f64, f64),
         many: &Many,
         places: &mut [f64],
-    ) -> Result<(), Problem> {
+    ) -> Result<()> {
         // ∂F/∂θ first: finite elements then have the equilibrium of this very point.
         let (own, by_parameters) = places.split_at_mut(if many.slopes { 2 } else { 0 });
         let (f_p, f_e) = self.force_slopes(workspace, p, e)?;
@@ -200,7 +194,7 @@ impl BoundModel {
     }
 
     /// ∂F/∂P and ∂F/∂ε.
-    fn force_slopes(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<(f64, f64), Problem> {
+    fn force_slopes(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<(f64, f64)> {
         let (model, direction) = (&*self.model, self.options.direction);
         let response = response_on(model, workspace, p, e, direction)?;
         let f_p = slope_by_pressure(model, workspace, &response, direction)?;
@@ -215,7 +209,7 @@ impl BoundModel {
         (p, e): (f64, f64),
         parameters: &[Target],
         places: &mut [f64],
-    ) -> Result<(), Problem> {
+    ) -> Result<()> {
         if parameters.is_empty() {
             return Ok(());
         }
@@ -242,28 +236,22 @@ impl BoundModel {
     }
 
     /// The pull with another value of a parameter.
-    fn force_of(
-        &self,
-        held: &Muscle,
-        target: Target,
-        value: f64,
-        (p, e): (f64, f64),
-    ) -> Result<f64, Problem> {
+    fn force_of(&self, held: &Muscle, target: Target, value: f64, (p, e): (f64, f64)) -> Result<f64> {
         let model = self.choice.build(Candidate::new(held, &[(target, value)])?.muscle())?;
         Ok(force_on(&*model, &mut Workspace::new(), p, e, self.options.direction)?)
     }
 }
 
 /// A muscle with other values of constants and measures, all others held as the derivatives of [`BoundModel`] hold them.
-pub fn with_parameters(muscle: &Muscle, values: &[(String, f64)]) -> Result<Muscle, Problem> {
+pub fn with_parameters(muscle: &Muscle, values: &[(String, f64)]) -> Result<Muscle> {
     let held = stated(muscle)?;
     let list =
         values.iter().map(|(name, value)| Ok((super::parameter(muscle, name)?, finite(name, *value)?)));
-    Ok(Candidate::new(&held, &list.collect::<Result<Vec<_>, Problem>>()?)?.muscle().clone())
+    Ok(Candidate::new(&held, &list.collect::<Result<Vec<_>>>()?)?.muscle().clone())
 }
 
 /// The same muscle with k stated in N/mm, where it follows from other measures.
-fn stated(muscle: &Muscle) -> Result<Muscle, Problem> {
+fn stated(muscle: &Muscle) -> Result<Muscle> {
     let Some(k) = muscle.family_stiffness_n_per_mm() else { return Ok(muscle.clone()) };
     let mut braid = muscle.braid().clone();
     braid.stiffness = BraidStiffness::NewtonPerMm(k);
