@@ -1,8 +1,9 @@
 //! `build`: from a muscle to report, drawing, plugs, cut list, bill of materials, steps and test sheet.
 
 use crate::{
-    Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, ShapeRequest,
-    TitleBlock, Units, above_zero, borne, burst_of, not_measured, report::report, said_of, usual_mpa,
+    Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
+    ShapeRequest, TitleBlock, Units, above_zero, borne, burst_of, not_measured, report::report, said_of,
+    usual_mpa,
 };
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -132,7 +133,7 @@ impl From<File> for BuiltFile {
 }
 
 /// All that is needed to build a muscle.
-pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAnswer, Problem> {
+pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAnswer> {
     let fields = [
         ("contraction", request.contraction.is_some()),
         ("name", request.title_block != TitleBlock::default()),
@@ -180,7 +181,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
 }
 
 /// The plan of a muscle, and the pressures at which it fails.
-fn planned(request: &BuildRequest) -> Result<(Plan, Burst), Problem> {
+fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
     let muscle = request.muscle.resolve()?;
     let fitting = request.fitting.as_deref().map(str::parse).transpose();
     let fitting = fitting.map_err(|e: mckibben_build::UnknownFitting| {
@@ -208,7 +209,7 @@ fn operating(
     request: &BuildRequest,
     muscle: &mckibben::muscle::Muscle,
     asked_mpa: Option<f64>,
-) -> Result<(Operating, Burst), Problem> {
+) -> Result<(Operating, Burst)> {
     let choice = Model::choose(&ModelFields::default())?;
     let model = choice.bound(muscle)?;
     let (model, mut workspace) = (&*model, Workspace::new());

@@ -1,6 +1,6 @@
 //! `campaign`, `campaign show`, `campaign merge` and `campaign status`: many finite-element tests from a plan, on disk.
 
-use crate::{Problem, ProblemKind, TextFile};
+use crate::{Problem, ProblemKind, Result, TextFile};
 use mckibben::progress::Progress;
 use mckibben_campaign::campaign::{self, CampaignStatus, Merged, Outcome, Plan, RunOptions, Shard, Summary};
 use schemars::JsonSchema;
@@ -24,7 +24,7 @@ pub struct CampaignRequest {
 }
 
 /// Runs a plan, or what is missing of it. A cancelled run ends well, with a valid store that is not complete.
-pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Outcome, Problem> {
+pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Outcome> {
     let plan = request.read()?;
     let out = request.output.as_ref().ok_or_else(|| Problem::missing("output", "a file or a folder"))?;
     plan.admit()?;
@@ -34,12 +34,12 @@ pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Ou
 }
 
 impl CampaignRequest {
-    fn read(&self) -> Result<Plan, Problem> {
+    fn read(&self) -> Result<Plan> {
         let file = self.plan.as_ref().ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
         Ok(Plan::parse(&file.text).map_err(|e| e.of(Path::new(&file.name)))?)
     }
 
-    fn shard(&self) -> Result<Option<Shard>, Problem> {
+    fn shard(&self) -> Result<Option<Shard>> {
         let wrong = |e| Problem::new(ProblemKind::Usage, e, "").in_field("shard");
         let Some(text) = &self.shard else { return Ok(None) };
         Ok(Some(text.parse().map_err(wrong)?))
@@ -55,7 +55,7 @@ pub struct CampaignShowRequest {
 }
 
 /// Contents of a campaign.
-pub fn campaign_show(request: &CampaignShowRequest) -> Result<Summary, Problem> {
+pub fn campaign_show(request: &CampaignShowRequest) -> Result<Summary> {
     Ok(campaign::summary(&request.campaign)?)
 }
 
@@ -72,7 +72,7 @@ pub struct CampaignMergeRequest {
 }
 
 /// Joins folders of parts into one file, the same bytes as those of a single run.
-pub fn campaign_merge(request: &CampaignMergeRequest) -> Result<Merged, Problem> {
+pub fn campaign_merge(request: &CampaignMergeRequest) -> Result<Merged> {
     Ok(campaign::merge(&request.folders, &request.output, request.overwrite)?)
 }
 
@@ -85,6 +85,6 @@ pub struct CampaignStatusRequest {
 }
 
 /// How far a campaign is, shard by shard.
-pub fn campaign_status(request: &CampaignStatusRequest) -> Result<CampaignStatus, Problem> {
+pub fn campaign_status(request: &CampaignStatusRequest) -> Result<CampaignStatus> {
     Ok(campaign::status(&request.output)?)
 }

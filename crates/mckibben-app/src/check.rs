@@ -2,7 +2,7 @@
 //! not known, how far it is from measured muscles, and what to measure first.
 
 use crate::{
-    MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question, QuestionFields,
+    MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question, QuestionFields, Result,
     UncertaintyWords, Units, finite, muscle_fields::Stated, number, rows::said, said_of, usual_mpa,
 };
 use mckibben::analysis::{Burst, FailurePressure};
@@ -123,7 +123,7 @@ pub struct Characteristics {
 type Asked = (Option<Characteristics>, Vec<String>, Vec<MuscleFinding>);
 
 /// What is known of a muscle, and what is not.
-pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAnswer, Problem> {
+pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAnswer> {
     let (muscle, rest_volume_mm3, (characteristics, said, findings)) = if request.only_data {
         let (model, asking) = (&request.question.model, request.question.asking);
         let fields = [
@@ -197,7 +197,7 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
     })
 }
 
-fn asked(question: &mut Question, pressure_mpa: Option<f64>) -> Result<Asked, Problem> {
+fn asked(question: &mut Question, pressure_mpa: Option<f64>) -> Result<Asked> {
     let burst = question.burst()?;
     let pressure_mpa = finite("pressure_mpa", pressure_mpa.unwrap_or_else(|| usual_mpa(&burst)))?;
     let mut model = question.evaluation();
@@ -262,7 +262,7 @@ fn findings_of(
     burst: &Burst,
     values: &Characteristics,
     parts: Option<UncertaintyParts>,
-) -> Result<Vec<MuscleFinding>, Problem> {
+) -> Result<Vec<MuscleFinding>> {
     let of = |kind, texts: Vec<String>| {
         texts.into_iter().map(move |text| MuscleFinding { kind, text, left_n: None })
     };
@@ -319,7 +319,7 @@ fn unknown(burst: &Burst) -> Vec<String> {
 }
 
 /// The same as one warning, of a muscle that is chosen or built.
-pub(crate) fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> Result<Option<Warning>, Problem> {
+pub(crate) fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> Result<Option<Warning>> {
     let outside = outside(muscle, pressure_mpa)?.join("; ");
     let said = format!("outside of the muscles that were measured, on which the ± is founded: {outside}");
     Ok((!outside.is_empty()).then(|| Warning::from(said)))
@@ -334,7 +334,7 @@ const SIZES: [(&str, &str); 4] = [
 ];
 
 /// Where the muscle lies outside of the measured ones, on which the ± is founded.
-fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>, Problem> {
+fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
     // The measured muscles are no part of the reduced engine.
     if !cfg!(feature = "whole") {
         return Ok(vec![]);

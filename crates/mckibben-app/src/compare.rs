@@ -2,7 +2,8 @@
 
 use crate::{
     AskFields, Columns, Direction, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind,
-    TextFile, UnderstoodTable, Units, check_direction, contractions, figure, list, number, steps, warnings,
+    Result, TextFile, UnderstoodTable, Units, check_direction, contractions, figure, list, number, steps,
+    warnings,
 };
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::{analysis::Evaluation, answer::Options};
@@ -187,7 +188,7 @@ impl Compared {
 }
 
 /// Models compared with measured points, or with the first model.
-pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<CompareAnswer, Problem> {
+pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<CompareAnswer> {
     let muscle = request.muscle.resolve()?;
     let mut asking = request.asking;
     if asking.direction.is_mean() && muscle.friction().is_some() {
@@ -213,7 +214,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     for (i, model) in models.iter().enumerate() {
         progress.report(i, models.len());
         progress.check()?;
-        let one = || -> Result<(Compared, Vec<MeasuredPoint>), Problem> {
+        let one = || -> Result<(Compared, Vec<MeasuredPoint>)> {
             let (muscle, fitted) = match &measured {
                 Some(points) => fitted(model, &muscle, options.direction, &request.fit, points)?,
                 None => (muscle.clone(), vec![]),
@@ -279,7 +280,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
 
 impl CompareRequest {
     /// The models, each once.
-    fn chosen(&self) -> Result<Vec<Model>, Problem> {
+    fn chosen(&self) -> Result<Vec<Model>> {
         const DEFAULT: [&str; 4] = ["fe", "paper", "thick-wall", "ideal"];
         let own: Vec<&str> = self.models.iter().map(String::as_str).collect();
         let names = if own.is_empty() { DEFAULT.to_vec() } else { own };
@@ -299,7 +300,7 @@ impl CompareRequest {
     }
 
     /// The measured points of a file, on the branch that was asked for.
-    fn on_branch(&self, file: &TextFile, muscle: &Muscle) -> Result<(Read, UnderstoodTable), Problem> {
+    fn on_branch(&self, file: &TextFile, muscle: &Muscle) -> Result<(Read, UnderstoodTable)> {
         let options =
             PointOptions { columns: self.columns.clone(), rest_length_mm: Some(muscle.tube().length_mm) };
         let (points, table) = read_points(file.text.as_bytes(), &options)
@@ -324,10 +325,7 @@ impl CompareRequest {
 }
 
 /// Pressures and contractions of the figure, and of the comparison without measured points.
-fn grid(
-    request: &CompareRequest,
-    measured: Option<&[MeasuredPoint]>,
-) -> Result<(Vec<f64>, Vec<f64>), Problem> {
+fn grid(request: &CompareRequest, measured: Option<&[MeasuredPoint]>) -> Result<(Vec<f64>, Vec<f64>)> {
     let Some(points) = measured else {
         let pressures = list("pressures_mpa", &request.pressures_mpa, || steps(5, 0.05, 0.25))?;
         let contractions = contractions(&request.contractions, || steps(21, 0.0, 0.2))?;
@@ -348,7 +346,7 @@ fn answers(
     evaluation: &mut Evaluation<'_>,
     pressures: &[f64],
     contractions: &[f64],
-) -> Result<Vec<MeasuredPoint>, Problem> {
+) -> Result<Vec<MeasuredPoint>> {
     let mut points = vec![];
     for &pressure_mpa in pressures {
         for &contraction in contractions {
@@ -371,7 +369,7 @@ fn fitted(
     direction: Direction,
     constants: &[FitConstant],
     points: &[MeasuredPoint],
-) -> Result<FittedMuscle, Problem> {
+) -> Result<FittedMuscle> {
     let build = |m: &Muscle| model.build(m);
     // All points count, zeros among them.
     let points: Vec<DataPoint> =

@@ -2,8 +2,8 @@
 
 use crate::{
     LoadAnswer, LoadFields, Model, MuscleSummary, PressureLimits, Problem, ProblemKind, QUIET_MPA,
-    QuestionFields, Units, check_both, figure, finite, is_ratio, load::loaded, no_ratio, pull, put_first,
-    said_of, warnings,
+    QuestionFields, Result, Units, check_both, figure, finite, is_ratio, load::loaded, no_ratio, pull,
+    put_first, said_of, warnings,
 };
 use mckibben::answer::{Answer, Options};
 use mckibben::muscle::measures::{LENGTH, OUTER_DIAMETER, WALL, fields};
@@ -51,7 +51,7 @@ pub struct CurveRequest {
 }
 
 /// A family of curves.
-pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAnswer, Problem> {
+pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAnswer> {
     let mut list = vec![];
     let mut answer = each(request, progress, POINT_BYTES, &mut |curve| {
         list.push(curve);
@@ -71,8 +71,8 @@ const POINT_BYTES: f64 = 5e3;
 pub fn curve_by_curve(
     request: &CurveRequest,
     progress: &dyn Progress,
-    take: &mut dyn FnMut(Curve) -> Result<(), Problem>,
-) -> Result<CurveAnswer, Problem> {
+    take: &mut dyn FnMut(Curve) -> Result<()>,
+) -> Result<CurveAnswer> {
     each(request, progress, 0.0, take)
 }
 
@@ -81,8 +81,8 @@ fn each(
     request: &CurveRequest,
     progress: &dyn Progress,
     held_bytes: f64,
-    take: &mut dyn FnMut(Curve) -> Result<(), Problem>,
-) -> Result<CurveAnswer, Problem> {
+    take: &mut dyn FnMut(Curve) -> Result<()>,
+) -> Result<CurveAnswer> {
     check_test(request.test, request.contractions.is_some(), request.forces_n.is_some())?;
     let mut question = request.question.ask()?;
     let isobaric = request.test == Test::Isobaric;
@@ -180,7 +180,7 @@ pub(crate) fn reach(evaluation: &mut Evaluation<'_>, pressures: &[f64], step: f6
 }
 
 /// Refuses what a test does not take.
-pub(crate) fn check_test(test: Test, contractions: bool, forces: bool) -> Result<(), Problem> {
+pub(crate) fn check_test(test: Test, contractions: bool, forces: bool) -> Result<()> {
     let name = test.name();
     match test {
         Test::Isotonic => Problem::refuse_unused(
@@ -204,7 +204,7 @@ pub(crate) fn list(
     field: &str,
     values: &Option<Vec<f64>>,
     default: impl FnOnce() -> Vec<f64>,
-) -> Result<Vec<f64>, Problem> {
+) -> Result<Vec<f64>> {
     match values {
         None => Ok(default()),
         Some(values) if values.is_empty() => {
@@ -217,7 +217,7 @@ pub(crate) fn list(
 pub(crate) fn contractions(
     values: &Option<Vec<f64>>,
     default: impl FnOnce() -> Vec<f64>,
-) -> Result<Vec<f64>, Problem> {
+) -> Result<Vec<f64>> {
     let values = list("contractions", values, default)?;
     match values.iter().find(|e| !is_ratio(**e)) {
         Some(&e) => Err(no_ratio("contractions", e)),
@@ -226,11 +226,7 @@ pub(crate) fn contractions(
 }
 
 /// Pulls of an isotonic test, or pushes of a muscle that extends.
-pub(crate) fn forces(
-    values: &Option<Vec<f64>>,
-    muscle: &Muscle,
-    options: Options,
-) -> Result<Vec<f64>, Problem> {
+pub(crate) fn forces(values: &Option<Vec<f64>>, muscle: &Muscle, options: Options) -> Result<Vec<f64>> {
     let usual = if muscle.is_extensile() { [0.0, -10.0, -20.0] } else { [20.0, 80.0, 150.0] };
     let values = list("forces_n", values, || usual.to_vec())?;
     values.iter().try_for_each(|&f| pull(f, options).map_err(|p| p.in_field("forces_n")))?;
@@ -238,16 +234,12 @@ pub(crate) fn forces(
 }
 
 /// Refuses more points than `most`.
-pub(crate) fn check_count(counts: &[usize], most: usize) -> Result<(), Problem> {
+pub(crate) fn check_count(counts: &[usize], most: usize) -> Result<()> {
     let points = counts.iter().fold(1usize, |a, b| a.saturating_mul(*b));
-    if points <= most {
-        return Ok(());
-    }
-    Err(Problem::new(
-        ProblemKind::Range,
-        format!("{points} points are more than {most}"),
-        "take larger steps",
-    ))
+    let wrong = || {
+        Problem::new(ProblemKind::Range, format!("{points} points are more than {most}"), "take larger steps")
+    };
+    (points <= most).then_some(()).ok_or_else(wrong)
 }
 
 pub(crate) fn answered<'a>(list: impl IntoIterator<Item = &'a Curve>) -> impl Iterator<Item = &'a Answer> {
@@ -405,7 +397,7 @@ pub struct StudyRow {
     pub wall_mm: Option<f64>,
 }
 
-pub fn study(request: &StudyRequest, _progress: &dyn Progress) -> Result<StudyAnswer, Problem> {
+pub fn study(request: &StudyRequest, _progress: &dyn Progress) -> Result<StudyAnswer> {
     let QuestionFields { muscle: m, model, asking } = &request.question;
     let own = fields()
         .filter(|(_, measure)| [&OUTER_DIAMETER, &WALL, &LENGTH].contains(measure))

@@ -1,8 +1,8 @@
 //! `export`: a muscle for a controller or a simulator.
 
 use crate::{
-    BuiltFile, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, above_zero,
-    borne, burst_of, finite, said_of, usual_mpa,
+    BuiltFile, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, Result,
+    above_zero, borne, burst_of, finite, said_of, usual_mpa,
 };
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::Workspace;
@@ -68,12 +68,12 @@ pub struct ExportListAnswer {
     pub targets: Vec<Target>,
 }
 
-pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer, Problem> {
+pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer> {
     Ok(ExportListAnswer { targets: Target::ALL.into() })
 }
 
 /// A muscle as files.
-pub fn export(request: &ExportRequest, _progress: &dyn Progress) -> Result<ExportAnswer, Problem> {
+pub fn export(request: &ExportRequest, _progress: &dyn Progress) -> Result<ExportAnswer> {
     let Some(target) = request.target.as_deref() else {
         let message = "`target` is missing: what the muscle is exported for";
         let hint = format!("one of {}", Target::names());

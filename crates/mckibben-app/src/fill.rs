@@ -1,6 +1,6 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
-use crate::{Background, LoadFields, Problem, ProblemKind, QuestionFields, above_zero, given, ratio};
+use crate::{Background, LoadFields, Problem, ProblemKind, QuestionFields, Result, above_zero, given, ratio};
 use mckibben::liquid::{Liquid, LiquidError, LiquidSupply};
 use mckibben::load::{Fill, FillError, Filling};
 use mckibben::{cancel, progress::Progress};
@@ -52,7 +52,7 @@ impl From<FillError> for Problem {
 }
 
 /// A volume of liquid pushed into a muscle.
-pub fn fill(request: &FillRequest, _progress: &dyn Progress) -> Result<FillAnswer, Problem> {
+pub fn fill(request: &FillRequest, _progress: &dyn Progress) -> Result<FillAnswer> {
     let volume_mm3 = given("volume_mm3", request.volume_mm3, "a volume, such as 20 mL")?;
     above_zero(ProblemKind::Quantity, "volume_mm3", volume_mm3)?;
     let LiquidSupply { liquid, dead_volume_mm3 } = request.liquid.supply()?;
@@ -84,7 +84,7 @@ pub struct LiquidFields {
 
 impl LiquidFields {
     /// The liquid, water where no other one is named, with its dead volume.
-    pub(crate) fn supply(&self) -> Result<LiquidSupply, Problem> {
+    pub(crate) fn supply(&self) -> Result<LiquidSupply> {
         let name = self.liquid.as_deref().unwrap_or("water");
         let mut liquid = Liquid::named(name, self.gas_share.unwrap_or(0.0))?;
         if let Some(modulus) = self.liquid_bulk_modulus_mpa {
@@ -98,7 +98,7 @@ impl LiquidFields {
     }
 
     /// The same where a liquid is named; else the muscle is filled with air.
-    pub(crate) fn named_supply(&self) -> Result<Option<LiquidSupply>, Problem> {
+    pub(crate) fn named_supply(&self) -> Result<Option<LiquidSupply>> {
         if self.liquid.is_some() {
             return self.supply().map(Some);
         }

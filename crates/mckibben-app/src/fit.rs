@@ -1,6 +1,8 @@
 //! `fit`, and `check` of a formula: from a table of points to a formula, and a formula shown.
 
-use crate::{Model, MuscleFields, NamedFields, Problem, ProblemKind, Stiffness, TextFile, figure, finite};
+use crate::{
+    Model, MuscleFields, NamedFields, Problem, ProblemKind, Result, Stiffness, TextFile, figure, finite,
+};
 use mckibben::formula::{Document, Form, Made, UniversalFormula};
 use mckibben::{model::ModelKind, progress::Progress};
 use mckibben_campaign::fit::data::FitPoint;
@@ -97,7 +99,7 @@ impl FitAnswer {
 }
 
 /// From a table of points to a formula with its errors and where it holds.
-pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer, Problem> {
+pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer> {
     match request.method {
         FitMethod::Paper | FitMethod::Global => section(request),
         FitMethod::Universal => universal(request, Form::Membrane, progress),
@@ -106,7 +108,7 @@ pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer, P
 }
 
 /// A formula for muscles of one make.
-fn section(request: &FitRequest) -> Result<FitAnswer, Problem> {
+fn section(request: &FitRequest) -> Result<FitAnswer> {
     let method = match request.method {
         FitMethod::Paper => Method::Paper(Rules { thin: request.thin_rule, slack: request.slack_rule }),
         _ => Method::Global,
@@ -154,7 +156,7 @@ fn section(request: &FitRequest) -> Result<FitAnswer, Problem> {
 
 /// A formula for muscles of every make.
 #[cfg(feature = "files")]
-fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Result<FitAnswer, Problem> {
+fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Result<FitAnswer> {
     use mckibben_campaign::fit::universal::{UniversalRequest, samples, universal};
     request.check_foreign()?;
     request.check_name()?;
@@ -181,7 +183,7 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
 }
 
 #[cfg(not(feature = "files"))]
-fn universal(request: &FitRequest, _: Form, _: &dyn Progress) -> Result<FitAnswer, Problem> {
+fn universal(request: &FitRequest, _: Form, _: &dyn Progress) -> Result<FitAnswer> {
     request.check_foreign()?;
     Err(no_files())
 }
@@ -199,7 +201,7 @@ fn no_files() -> Problem {
 pub struct FitReportRequest {}
 
 /// Computes the paper's campaign, the formulas of it, and their errors.
-pub fn fit_report(_: &FitReportRequest, progress: &dyn Progress) -> Result<Results, Problem> {
+pub fn fit_report(_: &FitReportRequest, progress: &dyn Progress) -> Result<Results> {
     Ok(results(progress)?)
 }
 
@@ -213,7 +215,7 @@ fn no_fit(name: &str, error: FitError) -> Problem {
 
 impl FitRequest {
     /// A formula does not take the name of a model.
-    fn check_name(&self) -> Result<(), Problem> {
+    fn check_name(&self) -> Result<()> {
         let why = match self.name.as_deref() {
             Some(n) if Model::is_taken(n) || n.trim().is_empty() => {
                 format!("\"{n}\" is already the name of a model")
@@ -225,7 +227,7 @@ impl FitRequest {
     }
 
     /// Refuses rules of the paper's method where another one is taken.
-    fn check_rules(&self, method: &str) -> Result<(), Problem> {
+    fn check_rules(&self, method: &str) -> Result<()> {
         let rules = [
             ("thin_rule", self.thin_rule != ThinRule::default()),
             ("slack_rule", self.slack_rule != SlackRule::default()),
@@ -234,7 +236,7 @@ impl FitRequest {
     }
 
     /// Refuses what the universal methods do not know.
-    fn check_foreign(&self) -> Result<(), Problem> {
+    fn check_foreign(&self) -> Result<()> {
         let foreign = [
             ("hold_out_mm", !self.hold_out_mm.is_empty()),
             ("tables", self.tables),
@@ -248,7 +250,7 @@ impl FitRequest {
     }
 
     /// Rubber and braid of the table's muscles.
-    fn made_for(&self) -> Result<Made, Problem> {
+    fn made_for(&self) -> Result<Made> {
         let fields = MuscleFields::from(NamedFields {
             muscle: self.muscle.clone(),
             rubber: self.rubber.clone(),
@@ -258,7 +260,7 @@ impl FitRequest {
         Ok(Made::of(&fields.resolve()?))
     }
 
-    fn points(&self) -> Result<Points, Problem> {
+    fn points(&self) -> Result<Points> {
         match (&self.campaign, &self.table) {
             #[cfg(feature = "files")]
             (Some(path), _) => of_campaign(path),
@@ -293,7 +295,7 @@ pub struct CheckFormulaAnswer {
     pub latex: Option<String>,
 }
 
-pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer, Problem> {
+pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer> {
     let formula = match (&request.file, request.name.as_deref()) {
         (Some(file), _) => Document::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?,
         (None, Some(name)) => built_in(name)?,
@@ -306,7 +308,7 @@ pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer
     Ok(CheckFormulaAnswer { formula, latex })
 }
 
-fn built_in(name: &str) -> Result<Document, Problem> {
+fn built_in(name: &str) -> Result<Document> {
     let found = match name.parse::<ModelKind>() {
         Ok(ModelKind::Universal) => UniversalFormula::large(),
         Ok(ModelKind::UniversalSmall) => UniversalFormula::small(),
@@ -353,7 +355,7 @@ fn file_name(name: &Path) -> Option<String> {
 
 /// The rows of a campaign's file, or of its folder of parts.
 #[cfg(feature = "files")]
-fn rows(path: &Path) -> Result<(Vec<mckibben_campaign::PointRow>, Origin), Problem> {
+fn rows(path: &Path) -> Result<(Vec<mckibben_campaign::PointRow>, Origin)> {
     let table = mckibben_campaign::campaign::rows(path)?;
     let origin = Origin {
         name: path.display().to_string(),
@@ -365,7 +367,7 @@ fn rows(path: &Path) -> Result<(Vec<mckibben_campaign::PointRow>, Origin), Probl
 }
 
 #[cfg(feature = "files")]
-fn of_campaign(path: &Path) -> Result<Points, Problem> {
+fn of_campaign(path: &Path) -> Result<Points> {
     use mckibben_campaign::fit::{data::points, made_for};
     let (rows, origin) = rows(path)?;
     let points = points(&rows);
@@ -374,7 +376,7 @@ fn of_campaign(path: &Path) -> Result<Points, Problem> {
 }
 
 /// The points of a table, in any form that people write them; each row says all of its muscle.
-fn of_csv(file: &TextFile) -> Result<Points, Problem> {
+fn of_csv(file: &TextFile) -> Result<Points> {
     let (read, understood) = read_points(file.text.as_bytes(), &PointOptions::default())
         .map_err(|e| Problem::of_table(&file.name, &e))?;
     let point = |p: DataPoint| {
@@ -393,7 +395,7 @@ fn of_csv(file: &TextFile) -> Result<Points, Problem> {
             force_n: p.at.force_n,
         })
     };
-    let points = read.into_iter().map(point).collect::<Result<_, Problem>>()?;
+    let points = read.into_iter().map(point).collect::<Result<_>>()?;
     let (name, table) = (file.name.clone(), file_name(Path::new(&file.name)));
     let origin = Origin { name, table, plan_hash: None, seed: None };
     Ok(Points { points, failed: understood.left_out, made_for: None, origin })

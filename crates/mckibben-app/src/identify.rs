@@ -1,8 +1,8 @@
 //! `identify`: constants of rubber, braid and friction from measured or published points.
 
 use crate::{
-    Columns, MeshFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, TextFile,
-    UnderstoodTable, Units, check_count, contractions, figure, finite, list, number, steps,
+    Columns, MeshFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
+    TextFile, UnderstoodTable, Units, check_count, contractions, figure, finite, list, number, steps,
     warnings::largest_stretch,
 };
 use mckibben::analysis::{Evaluation, Options};
@@ -208,36 +208,28 @@ impl From<&PointFit> for IdentifiedPoint {
 }
 
 /// The muscle with the values found as a muscle file.
-fn muscle_file(data: &str, model: &str, found: &Identification, measured: bool) -> Result<String, Problem> {
+fn muscle_file(data: &str, model: &str, found: &Identification, measured: bool) -> Result<String> {
     // Points of a formula are no bench.
     let muscle = match found.bench.clone().filter(|_| measured) {
         Some(bench) => found.muscle.clone().with_bench(bench),
         None => found.muscle.clone(),
     };
-    let text = format!(
-        "# Identified from {} with the model {}:\n# {}\n{}",
-        line(data),
-        line(model),
-        in_one_line(&found.parameters),
-        to_toml(&muscle)
-    );
-    readable(text)
+    let (data, model, found) = (line(data), line(model), in_one_line(&found.parameters));
+    readable(format!("# Identified from {data} with the model {model}:\n# {found}\n{}", to_toml(&muscle)))
 }
 
 /// A muscle file that every command reads again.
-pub(crate) fn readable(text: String) -> Result<String, Problem> {
-    match parse_muscle(&text) {
-        Ok(_) => Ok(text),
-        Err(error) => Err(Problem::new(
-            ProblemKind::NotConverged,
-            format!("the constants that were found make no muscle: {error}"),
-            "give bounds (`bounds` NAME=LOW:HIGH), or fix what the points do not determine",
-        )),
-    }
+pub(crate) fn readable(text: String) -> Result<String> {
+    let wrong = |error| {
+        let message = format!("the constants that were found make no muscle: {error}");
+        let hint = "give bounds (`bounds` NAME=LOW:HIGH), or fix what the points do not determine";
+        Problem::new(ProblemKind::NotConverged, message, hint)
+    };
+    parse_muscle(&text).map_err(wrong).map(|_| text)
 }
 
 /// The constants of a muscle that bring the model closest to the points, with their errors.
-pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<IdentifyAnswer, Problem> {
+pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<IdentifyAnswer> {
     let muscle = request.muscle.resolve()?;
     let model = Model::choose(&request.model)?;
     let Data { points, origin, understood } = request.points(&muscle)?;
@@ -308,7 +300,7 @@ struct Data {
 
 impl IdentifyRequest {
     /// All points, and where they come from.
-    fn points(&self, muscle: &Muscle) -> Result<Data, Problem> {
+    fn points(&self, muscle: &Muscle) -> Result<Data> {
         let mut sets: Vec<(Vec<DataPoint>, String)> = vec![];
         let mut understood = vec![];
         let options =
@@ -340,11 +332,11 @@ impl IdentifyRequest {
     }
 
     /// A formula's pulls as if they had been measured.
-    fn of_formula(&self, name: &str, muscle: &Muscle) -> Result<Vec<DataPoint>, Problem> {
+    fn of_formula(&self, name: &str, muscle: &Muscle) -> Result<Vec<DataPoint>> {
         let model = Model::named(name, &self.model.formulas, &MeshFields::default())?;
         let pressures = list("pressures_mpa", &self.pressures_mpa, || steps(5, 0.05, 0.25))?;
         let contractions = contractions(&self.contractions, || steps(5, 0.0, 0.2))?;
-        let measures = |field: &str, values: &Option<Vec<f64>>| -> Result<Vec<Option<f64>>, Problem> {
+        let measures = |field: &str, values: &Option<Vec<f64>>| -> Result<Vec<Option<f64>>> {
             let Some(_) = values else { return Ok(vec![None]) };
             Ok(list(field, values, Vec::new)?.into_iter().map(Some).collect())
         };
@@ -378,7 +370,7 @@ impl IdentifyRequest {
         Ok(points)
     }
 
-    fn check_weights(&self, sets: usize) -> Result<(), Problem> {
+    fn check_weights(&self, sets: usize) -> Result<()> {
         let wrong =
             |message: String, hint| Err(Problem::new(ProblemKind::Usage, message, hint).in_field("weights"));
         if !self.weights.is_empty() && self.weights.len() != sets {
@@ -394,7 +386,7 @@ impl IdentifyRequest {
     }
 
     /// What is free and what is held.
-    fn parameters(&self, muscle: &Muscle) -> Result<Parameters, Problem> {
+    fn parameters(&self, muscle: &Muscle) -> Result<Parameters> {
         let wrong = |field: &str, message: String, hint| {
             Err(Problem::new(ProblemKind::Parameter, message, hint).in_field(field))
         };
@@ -462,13 +454,9 @@ fn beyond_data(found: &Identification, model: &Model) -> Option<Warning> {
 
 /// What the identification says, and first that it was that of the prototype where no muscle was given.
 fn warnings(request: &IdentifyRequest, found: &Identification, beyond: Option<Warning>) -> Vec<String> {
-    let own = MuscleFields::default() != request.muscle;
-    let prototype = (!own).then(|| {
-        let m = MuscleSummary::from(&Muscle::prototype());
-        format!(
-            "no muscle was given: these are the constants of a muscle of the prototype's measures ({})",
-            m.line(&Units::default())
-        )
+    let prototype = (MuscleFields::default() == request.muscle).then(|| {
+        let measures = MuscleSummary::from(&Muscle::prototype()).line(&Units::default());
+        format!("no muscle was given: these are the constants of a muscle of the prototype's measures ({measures})")
     });
     let beyond = beyond.map(|warning| warning.to_string());
     prototype.into_iter().chain(found.notes.iter().cloned()).chain(beyond).collect()

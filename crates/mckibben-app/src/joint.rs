@@ -1,8 +1,8 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a muscle against a spring, or of two against each other.
 
 use crate::{
-    Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Scale, TextFile,
-    Units, above_zero, breakdown, burst_of, figure, finite, number, put_first, said_of, warnings,
+    Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result, Scale,
+    TextFile, Units, above_zero, breakdown, burst_of, figure, finite, number, put_first, said_of, warnings,
 };
 use mckibben::joint::{Joint, JointError, JointMap, JointModel, JointPoint, Rest, Turning, parse_joint};
 use mckibben::warning::Warning;
@@ -26,15 +26,15 @@ pub struct JointFields {
 
 impl JointFields {
     /// The names of the muscle files that a joint file names.
-    pub fn files_of(joint: &TextFile) -> Result<Vec<String>, Problem> {
+    pub fn files_of(joint: &TextFile) -> Result<Vec<String>> {
         let file = parse_joint(&joint.text).map_err(|e| Problem::from(e.of(Path::new(&joint.name))))?;
         Ok(file.files().map(str::to_owned).collect())
     }
 
-    pub(crate) fn resolve(&self) -> Result<Joint, Problem> {
+    pub(crate) fn resolve(&self) -> Result<Joint> {
         let text = self.joint.as_ref().ok_or_else(|| Problem::missing("joint", "a joint file (TOML)"))?;
         let file = parse_joint(&text.text).map_err(|e| Problem::from(e.of(Path::new(&text.name))))?;
-        let muscle = |name: &str| -> Result<Muscle, Problem> {
+        let muscle = |name: &str| -> Result<Muscle> {
             let of = self.muscles.iter().find(|m| m.name == name).ok_or_else(|| {
                 let message = format!("{}: its muscle file {name} is missing", text.name);
                 Problem::new(ProblemKind::File, message, "").in_field("muscles")
@@ -82,7 +82,7 @@ const SUPPLY_MPA: f64 = 0.6;
 /// Memory of a point of a map, bytes.
 const MAP_POINT_BYTES: f64 = 500.0;
 
-pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAnswer, Problem> {
+pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAnswer> {
     let joint = request.joint.resolve()?;
     let named = Model::choose(&request.model)?;
     let models = joint.muscles().iter().map(|m| named.bound(&m.muscle)).collect::<Result<Vec<_>, _>>()?;
@@ -111,11 +111,8 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     };
     if rows.is_empty() && map.is_none() {
         let message = "the request is incomplete: give `pressures_mpa`, `angles_deg` or `map`";
-        return Err(Problem::new(
-            ProblemKind::Usage,
-            message,
-            "`pressures_mpa` alone gives the rest position",
-        ));
+        let hint = "`pressures_mpa` alone gives the rest position";
+        return Err(Problem::new(ProblemKind::Usage, message, hint));
     }
     let summaries: Vec<MuscleSummary> = joint.muscles().iter().map(|m| (&m.muscle).into()).collect();
     let bursts = models.iter().map(|m| burst_of(&named, &**m)).collect::<Result<Vec<_>, _>>()?;
@@ -149,7 +146,7 @@ fn gaps(left_out: usize, of: usize, what: &str, reason: &str) -> Warning {
     Warning::from(format!("{left_out} of {of} {what} are left out: {reason}"))
 }
 
-fn supply(request: &JointRequest) -> Result<f64, Problem> {
+fn supply(request: &JointRequest) -> Result<f64> {
     let supply = request.max_pressure_mpa.unwrap_or(SUPPLY_MPA);
     above_zero(ProblemKind::Quantity, "max_pressure_mpa", supply)
 }
@@ -161,7 +158,7 @@ struct Asked<'m> {
 }
 
 impl Asked<'_> {
-    fn rows(&mut self, request: &JointRequest, progress: &dyn Progress) -> Result<Vec<JointRow>, Problem> {
+    fn rows(&mut self, request: &JointRequest, progress: &dyn Progress) -> Result<Vec<JointRow>> {
         let families = &request.pressures_mpa;
         let angles = request.angles_deg.as_deref();
         if !families.is_empty() {
@@ -188,10 +185,8 @@ impl Asked<'_> {
         let mut rows = vec![];
         match (families.is_empty(), angles) {
             (true, None) if request.torque_nm.or(request.stiffness_nm_per_rad).is_some() => {
-                return Err(Problem::missing(
-                    "angles_deg",
-                    "the angle at which the torque and the stiffness are required",
-                ));
+                let expected = "the angle at which the torque and the stiffness are required";
+                return Err(Problem::missing("angles_deg", expected));
             }
             (true, None) => {}
             (true, Some(angles)) => {
@@ -253,9 +248,9 @@ impl Asked<'_> {
         Ok(rows)
     }
 
-    fn row(&mut self, point: JointPoint, rest: Option<RestWord>) -> Result<JointRow, Problem> {
+    fn row(&mut self, point: JointPoint, rest: Option<RestWord>) -> Result<JointRow> {
         let known = self.model.joint().has_friction();
-        let mut turning = |turning| -> Result<Option<f64>, Problem> {
+        let mut turning = |turning| -> Result<Option<f64>> {
             if !known {
                 return Ok(None);
             }

@@ -1,6 +1,6 @@
 //! Loads in requests, and what a muscle does with them.
 
-use crate::{Problem, ProblemKind, TextFile};
+use crate::{Problem, ProblemKind, Result, TextFile};
 use mckibben::{
     analysis::Evaluation,
     load::{Balance, Cycle, Load, LoadError, LoadTable, cycle},
@@ -24,9 +24,9 @@ pub struct LoadFields {
 
 impl LoadFields {
     /// The load, for a muscle of this length.
-    pub(crate) fn resolve(&self, rest_length_mm: f64) -> Result<Option<Load>, Problem> {
+    pub(crate) fn resolve(&self, rest_length_mm: f64) -> Result<Option<Load>> {
         let Some(text) = &self.load else { return Ok(None) };
-        let read = |file: &TextFile| -> Result<(String, LoadTable), Problem> {
+        let read = |file: &TextFile| -> Result<(String, LoadTable)> {
             let bad = |error: &dyn fmt::Display| {
                 Problem::new(ProblemKind::Data, format!("{}: {error}", file.name), "").in_field("load_tables")
             };
@@ -80,7 +80,7 @@ pub(crate) fn loaded(
     fields: &LoadFields,
     evaluation: &mut Evaluation<'_>,
     pressures_mpa: &[f64],
-) -> Result<Option<LoadAnswer>, Problem> {
+) -> Result<Option<LoadAnswer>> {
     let length = evaluation.model.muscle().length_mm();
     let Some(load) = fields.resolve(length)? else { return Ok(None) };
     let mut stable: Vec<(f64, Option<Balance>)> = vec![];

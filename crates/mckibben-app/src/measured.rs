@@ -1,6 +1,6 @@
 //! `validate --measured`: the validation report of every measured case: the errors of each fit at fitted points and at predicted points.
 
-use crate::{MeshFields, Model, Problem, ProblemKind, Units, figure};
+use crate::{MeshFields, Model, Problem, ProblemKind, Result, Units, figure};
 use mckibben::{muscle::Muscle, progress::Progress, size};
 use mckibben_fit::validation::case::{self, CaseError, Measurement, MuscleCase};
 pub use mckibben_fit::validation::case::{CaseFiles as MeasuredFolder, Facts as MeasuredFacts};
@@ -120,7 +120,7 @@ pub struct MeasuredStress {
 }
 
 /// The validation report of every measured case.
-pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<MeasuredAnswer, Problem> {
+pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<MeasuredAnswer> {
     let own = request.cases.iter().map(Measurement::read).collect::<Result<Vec<_>, _>>();
     let own = own.map_err(|error| Problem::from(&error))?;
     let (cases, stretched): (Vec<&MuscleCase>, Vec<&RubberCase>) = if own.is_empty() {
@@ -131,11 +131,8 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
     };
     if request.figure.is_some() && cases.is_empty() {
         let message = "the figure shows measured muscles, and these cases are rubbers only: leave it out";
-        return Err(Problem::new(
-            ProblemKind::Usage,
-            message,
-            "`rubber` draws a rubber's laws over its points",
-        ));
+        let hint = "`rubber` draws a rubber's laws over its points";
+        return Err(Problem::new(ProblemKind::Usage, message, hint));
     }
     let points: usize = cases.iter().map(|case| case.points.len() * case.fits.len()).sum();
     let stresses: usize = stretched.iter().map(|case| case.len() * case.fits.len()).sum();
@@ -180,7 +177,7 @@ fn result(cases: &[&MuscleCase], r: &FitResult, group: &Group) -> MeasuredResult
 fn rubbers(
     cases: &[&RubberCase],
     progress: &dyn Progress,
-) -> Result<(Vec<MeasuredRubber>, Vec<MeasuredStress>), Problem> {
+) -> Result<(Vec<MeasuredRubber>, Vec<MeasuredStress>)> {
     let found = rubber::report(cases, progress)?;
     let of = |(number, case): (usize, &&RubberCase)| {
         let fits = found.iter().filter(|r| r.case == number).map(|r| {

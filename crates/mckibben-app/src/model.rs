@@ -1,6 +1,6 @@
 //! Every model there is, by name, and the one policy of which of them answers.
 
-use crate::{Direction, MeshFields, ModelFields, Problem, ProblemKind, TextFile};
+use crate::{Direction, MeshFields, ModelFields, Problem, ProblemKind, Result, TextFile};
 use mckibben::formula::{Document, Formula, UniversalFormula};
 use mckibben::model::{
     ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Paper, Universal, UnknownModel, with_ends,
@@ -38,7 +38,7 @@ impl Model {
     }
 
     /// The model that answers a request, and the only rule about it: the one that is named; where none is, `fe`.
-    pub fn choose(fields: &ModelFields) -> Result<Self, Problem> {
+    pub fn choose(fields: &ModelFields) -> Result<Self> {
         let name = fields.model.as_deref().unwrap_or("fe");
         let model = Self::named(name, &fields.formulas, &fields.mesh)?;
         fields.mesh.check_used(&[&model])?;
@@ -46,7 +46,7 @@ impl Model {
     }
 
     /// The model of a name: of one of the formulas, or of the list.
-    pub fn named(name: &str, formulas: &[TextFile], mesh: &MeshFields) -> Result<Self, Problem> {
+    pub fn named(name: &str, formulas: &[TextFile], mesh: &MeshFields) -> Result<Self> {
         let name = name.trim();
         if let Ok(elements) = name.parse::<Elements>() {
             return Ok(Self::Elements(mesh.of(elements)?));
@@ -64,7 +64,7 @@ impl Model {
     }
 
     /// The model of a formula's file.
-    pub fn of_formula(file: &TextFile) -> Result<Self, Problem> {
+    pub fn of_formula(file: &TextFile) -> Result<Self> {
         if !cfg!(feature = "whole") {
             let message = "formula files need the full engine; this is a reduced one";
             return Err(Problem::new(ProblemKind::Formula, message, ""));
@@ -134,7 +134,7 @@ impl fmt::Display for Model {
 
 impl MeshFields {
     /// Elements with this mesh.
-    fn of(&self, elements: Elements) -> Result<Elements, Problem> {
+    fn of(&self, elements: Elements) -> Result<Elements> {
         let elements = match elements {
             Elements::Axisymmetric(spec) => {
                 self.no_terminal()?;
@@ -157,7 +157,7 @@ impl MeshFields {
     }
 
     /// Refuses a mesh that none of the models has.
-    pub(crate) fn check_used(&self, models: &[&Model]) -> Result<(), Problem> {
+    pub(crate) fn check_used(&self, models: &[&Model]) -> Result<()> {
         let elements = models.iter().any(|m| matches!(m, Model::Elements(_)));
         let why = "only `model` fe and fe3d have a mesh";
         Problem::refuse_unused(&[("mesh", self.mesh.is_some() && !elements)], why)?;
@@ -168,7 +168,7 @@ impl MeshFields {
     }
 
     /// Refuses a terminal of models that have none.
-    fn no_terminal(&self) -> Result<(), Problem> {
+    fn no_terminal(&self) -> Result<()> {
         if self.terminal.is_none() {
             return Ok(());
         }
@@ -179,7 +179,7 @@ impl MeshFields {
 }
 
 /// Refuses both branches where one was asked for, or where the muscle does not state its friction.
-pub(crate) fn check_both(direction: Direction, muscle: &Muscle) -> Result<(), Problem> {
+pub(crate) fn check_both(direction: Direction, muscle: &Muscle) -> Result<()> {
     if direction == Direction::Mean {
         return check_direction(Direction::Contraction, muscle);
     }
@@ -188,7 +188,7 @@ pub(crate) fn check_both(direction: Direction, muscle: &Muscle) -> Result<(), Pr
 }
 
 /// Refuses a branch of the hysteresis of a muscle that does not state its friction.
-pub(crate) fn check_direction(direction: Direction, muscle: &Muscle) -> Result<(), Problem> {
+pub(crate) fn check_direction(direction: Direction, muscle: &Muscle) -> Result<()> {
     if direction == Direction::Mean || muscle.friction().is_some() {
         return Ok(());
     }

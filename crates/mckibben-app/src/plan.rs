@@ -1,6 +1,6 @@
 //! `plan`: a plan of a moderate size, computed in memory; the table comes back as text. For front ends without files.
 
-use crate::{COLUMNS, Problem, ProblemKind, TextFile};
+use crate::{COLUMNS, Problem, ProblemKind, Result, TextFile};
 use mckibben::progress::Progress;
 use mckibben_campaign::campaign::{self, Plan};
 use schemars::JsonSchema;
@@ -32,7 +32,7 @@ pub struct PlanAnswer {
 /// Most points of a plan in memory.
 const MOST_POINTS: u64 = 200_000;
 
-pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer, Problem> {
+pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer> {
     let file = request.plan.as_ref().ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
     let plan = Plan::parse(&file.text).map_err(|e| e.of(Path::new(&file.name)))?;
     let points = plan.muscles().saturating_mul(plan.points_per_muscle() as u64);

@@ -2,8 +2,8 @@
 
 use crate::{
     AskFields, BoundModel, LoadAnswer, LoadFields, Model, ModelFields, MuscleFields, MuscleSummary,
-    PressureLimits, Problem, ProblemKind, QUIET_MPA, UncertaintyWords, burst_of, check_both, check_direction,
-    load::loaded, put_first, said_of,
+    PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, UncertaintyWords, burst_of, check_both,
+    check_direction, load::loaded, put_first, said_of,
 };
 use mckibben::answer::{Answer, Options};
 use mckibben::model::{ForceModel, Workspace};
@@ -103,7 +103,7 @@ pub struct ModelAbout {
 }
 
 /// F(P, ε).
-pub fn force(request: &ForceRequest, _progress: &dyn Progress) -> Result<PointAnswer, Problem> {
+pub fn force(request: &ForceRequest, _progress: &dyn Progress) -> Result<PointAnswer> {
     let question = request.question.ask()?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
@@ -111,7 +111,7 @@ pub fn force(request: &ForceRequest, _progress: &dyn Progress) -> Result<PointAn
 }
 
 /// P(F, ε).
-pub fn pressure(request: &PressureRequest, _progress: &dyn Progress) -> Result<PointAnswer, Problem> {
+pub fn pressure(request: &PressureRequest, _progress: &dyn Progress) -> Result<PointAnswer> {
     let question = request.question.ask()?;
     let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
     pull(force_n, question.options)?;
@@ -120,7 +120,7 @@ pub fn pressure(request: &PressureRequest, _progress: &dyn Progress) -> Result<P
 }
 
 /// ε(F, P).
-pub fn contraction(request: &ContractionRequest, _progress: &dyn Progress) -> Result<PointAnswer, Problem> {
+pub fn contraction(request: &ContractionRequest, _progress: &dyn Progress) -> Result<PointAnswer> {
     let question = request.question.ask()?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
@@ -151,14 +151,14 @@ pub fn contraction(request: &ContractionRequest, _progress: &dyn Progress) -> Re
 fn answered(
     mut question: Question,
     both: bool,
-    mut ask: impl FnMut(&mut Evaluation<'_>) -> Result<Answer, Problem>,
-) -> Result<PointAnswer, Problem> {
+    mut ask: impl FnMut(&mut Evaluation<'_>) -> Result<Answer>,
+) -> Result<PointAnswer> {
     let options = question.options;
     if both {
         check_both(options.direction, &question.muscle)?;
     }
     let mut on = |options| ask(&mut question.evaluation().with(options));
-    let mut all = || -> Result<(Answer, Vec<Answer>), Problem> {
+    let mut all = || -> Result<(Answer, Vec<Answer>)> {
         let point = on(options)?;
         let both = Direction::BRANCHES.into_iter().filter(|_| both);
         let branches =
@@ -175,11 +175,11 @@ fn answered(
 }
 
 /// A number that must be there.
-pub(crate) fn given(field: &str, value: Option<f64>, expected: &str) -> Result<f64, Problem> {
+pub(crate) fn given(field: &str, value: Option<f64>, expected: &str) -> Result<f64> {
     finite(field, value.ok_or_else(|| Problem::missing(field, expected))?)
 }
 
-pub(crate) fn finite(field: &str, value: f64) -> Result<f64, Problem> {
+pub(crate) fn finite(field: &str, value: f64) -> Result<f64> {
     if value.is_finite() {
         return Ok(value);
     }
@@ -187,7 +187,7 @@ pub(crate) fn finite(field: &str, value: f64) -> Result<f64, Problem> {
 }
 
 /// A number above zero.
-pub(crate) fn above_zero(kind: ProblemKind, field: &str, value: f64) -> Result<f64, Problem> {
+pub(crate) fn above_zero(kind: ProblemKind, field: &str, value: f64) -> Result<f64> {
     if value.is_finite() && value > 0.0 {
         return Ok(value);
     }
@@ -196,7 +196,7 @@ pub(crate) fn above_zero(kind: ProblemKind, field: &str, value: f64) -> Result<f
 }
 
 /// A contraction ratio. No muscle shortens by its whole length, so that 15 was meant as 15 %.
-pub(crate) fn ratio(contraction: f64) -> Result<f64, Problem> {
+pub(crate) fn ratio(contraction: f64) -> Result<f64> {
     let e = finite("contraction", contraction)?;
     if is_ratio(e) { Ok(e) } else { Err(no_ratio("contraction", e)) }
 }
@@ -219,7 +219,7 @@ pub(crate) fn no_ratio(field: &str, e: f64) -> Problem {
 }
 
 /// Refuses a push where the muscle is allowed to lie slack instead.
-pub(crate) fn pull(force_n: f64, options: Options) -> Result<(), Problem> {
+pub(crate) fn pull(force_n: f64, options: Options) -> Result<()> {
     if force_n >= 0.0 || options.two_sided {
         return Ok(());
     }
@@ -260,7 +260,7 @@ pub(crate) struct Question {
 }
 
 impl QuestionFields {
-    pub(crate) fn ask(&self) -> Result<Question, Problem> {
+    pub(crate) fn ask(&self) -> Result<Question> {
         let muscle = self.muscle.resolve()?;
         let BoundModel { model, options, choice } = BoundModel::new(&muscle, &self.model, self.asking)?;
         Ok(Question { muscle, choice, model, workspace: Workspace::new(), options })
@@ -274,12 +274,12 @@ impl Question {
     }
 
     /// The burst pressure of its muscle.
-    pub(crate) fn burst(&self) -> Result<Burst, Problem> {
+    pub(crate) fn burst(&self) -> Result<Burst> {
         burst_of(&self.choice, &*self.model)
     }
 
     /// What stands behind an answer, which warns of the highest pressure first.
-    pub(crate) fn background(&mut self, of: &mut Answer, highest_mpa: f64) -> Result<Background, Problem> {
+    pub(crate) fn background(&mut self, of: &mut Answer, highest_mpa: f64) -> Result<Background> {
         let burst = self.burst()?;
         put_first(&mut of.warnings, said_of(&burst, highest_mpa, QUIET_MPA));
         let (parts, pressure_mpa) = (of.uncertainty_parts_n, of.response.pressure_mpa);
@@ -297,7 +297,7 @@ impl Question {
 
 impl AskFields {
     /// How a model of this muscle is asked.
-    pub(crate) fn options(self, muscle: &Muscle) -> Result<Options, Problem> {
+    pub(crate) fn options(self, muscle: &Muscle) -> Result<Options> {
         check_direction(self.direction, muscle)?;
         let options =
             Options { extrapolate: self.extrapolate, two_sided: self.two_sided, direction: self.direction };

@@ -196,6 +196,9 @@ impl fmt::Display for Problem {
 
 impl std::error::Error for Problem {}
 
+/// What comes of a request.
+pub type Result<T, E = Problem> = std::result::Result<T, E>;
+
 /// Errors of the layers below in their own words: the kind of problem that each is, what to do about it and the field to blame; errors that are told
 /// as what they hold; and what is of another kind.
 macro_rules! problems {

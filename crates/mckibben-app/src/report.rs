@@ -2,7 +2,7 @@
 
 use crate::{
     AskFields, BuildRequest, CheckAnswer, CheckRequest, CompareRequest, CurveRequest, ForceRequest,
-    PointAnswer, PointQuantity, Problem, ShapeRequest, Units, check, compare, curve, force, number, percent,
+    PointAnswer, PointQuantity, Result, ShapeRequest, Units, check, compare, curve, force, number, percent,
     ratio, rows::Row, rows::characteristic_rows, rows::muscle_sheets, rows::point_rows, shape, words::fixed,
 };
 use mckibben::analysis::{Burst, FailurePressure, SAFETY};
@@ -54,7 +54,7 @@ pub(crate) fn report(
     request: &BuildRequest,
     (plan, burst): (&Plan, &Burst),
     progress: &dyn Progress,
-) -> Result<Document, Problem> {
+) -> Result<Document> {
     let step = |done| {
         progress.report(done, 5);
         progress.check()
@@ -110,12 +110,14 @@ pub(crate) fn report(
     Ok(Document {
         title: format!("McKibben muscle: {}", shown.summary.line(units)),
         title_block: request.title_block.fields(),
-        lead: format!(
-            "At {} and a contraction of {}. All numbers by {}, axisymmetric finite elements, unless stated otherwise; ± covers 95 % against a measured muscle.",
-            units.pressure.show(pressure_mpa),
-            percent(contraction),
-            point.point.model
-        ),
+        lead: {
+            let (pressure, contraction) = (units.pressure.show(pressure_mpa), percent(contraction));
+            let by =
+                format!("by {}, axisymmetric finite elements, unless stated otherwise", point.point.model);
+            format!(
+                "At {pressure} and a contraction of {contraction}. All numbers {by}; ± covers 95 % against a measured muscle."
+            )
+        },
         parts,
         footer: format!("mckibben {version}. Muscle file: SHA-256 {hash}."),
     })
@@ -139,12 +141,12 @@ fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
 }
 
 /// The deformed muscle by itself.
-pub fn body(request: &ShapeRequest, progress: &dyn Progress) -> Result<Document, Problem> {
+pub fn body(request: &ShapeRequest, progress: &dyn Progress) -> Result<Document> {
     let parts = vec![body_of(request, progress)?];
     Ok(Document { title: "The deformed muscle".into(), parts, ..Document::default() })
 }
 
-fn body_of(request: &ShapeRequest, progress: &dyn Progress) -> Result<Part, Problem> {
+fn body_of(request: &ShapeRequest, progress: &dyn Progress) -> Result<Part> {
     let mut answer = shape(request, progress)?;
     for list in answer.arrays.values_mut() {
         // A few micrometres are finer than a screen.
@@ -159,7 +161,7 @@ fn curves(
     test: Test,
     pressure_mpa: f64,
     progress: &dyn Progress,
-) -> Result<Option<Figure>, Problem> {
+) -> Result<Option<Figure>> {
     let shares = |n: usize| (1..=n).map(|i| pressure_mpa * i as f64 / n as f64).collect::<Vec<_>>();
     let asked = CurveRequest {
         test,
@@ -175,7 +177,7 @@ fn curves(
 }
 
 /// What other models say.
-fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) -> Result<Vec<Part>, Problem> {
+fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) -> Result<Vec<Part>> {
     let asked = CompareRequest {
         models: MODELS.map(str::to_owned).to_vec(),
         muscle: request.muscle.clone(),
@@ -207,10 +209,8 @@ fn limits(shown: &CheckAnswer, point: &PointAnswer) -> Vec<Part> {
         format!("The ±: {}", point.background.about.uncertainty_basis),
     ];
     if shown.muscle.terminals().insertion_mm.is_none() {
-        let assumed = number(shown.muscle.terminals().insertion_mm(), 4);
-        list.push(format!(
-            "The clamped length on each plug is not stated; the cut lengths assume {assumed} mm."
-        ));
+        let cut = number(shown.muscle.terminals().insertion_mm(), 4);
+        list.push(format!("The clamped length on each plug is not stated; the cut lengths assume {cut} mm."));
     }
     list.extend(shown.warnings.iter().cloned());
     list.extend(point.point.warnings.iter().map(ToString::to_string));
@@ -247,15 +247,13 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
         let factor = fixed(rated / working_mpa, 1);
         rows.push(vec!["the fittings are rated for".into(), factor, "1".into(), units.pressure.show(rated)]);
     }
-    let safety = plan.safety;
+    let [working, proof] = [working_mpa, plan.safety.proof_pressure_mpa].map(|p| units.pressure.show(p));
+    let energy = number(plan.safety.air_energy_j, 2);
     let head = ["failure", "factor", "required", "pressure"].map(str::to_owned).to_vec();
     vec![
         Part::Heading("Margins of safety".into()),
         Part::Text(format!(
-            "Factor: pressure of the failure over {}. Estimates of new parts under a slowly rising pressure; proof test with water at {}. The air holds {} J.",
-            units.pressure.show(working_mpa),
-            units.pressure.show(safety.proof_pressure_mpa),
-            number(safety.air_energy_j, 2),
+            "Factor: pressure of the failure over {working}. Estimates of new parts under a slowly rising pressure; proof test with water at {proof}. The air holds {energy} J."
         )),
         Part::Table { head, rows },
     ]

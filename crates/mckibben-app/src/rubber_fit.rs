@@ -1,7 +1,7 @@
 //! `rubber`: laws from tension tests.
 
 use crate::{
-    Columns, Problem, ProblemKind, TextFile, UnderstoodTable, above_zero, figure, muscle_of, readable,
+    Columns, Problem, ProblemKind, Result, TextFile, UnderstoodTable, above_zero, figure, muscle_of, readable,
 };
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::{muscle::file::to_toml, progress::Progress, rubber::over_time::OgdenRoxburgh, size};
@@ -152,7 +152,7 @@ impl RubberFitAnswer {
 
     /// A muscle file with the recommended law. With a softening it is the law of the first loading, with a relaxation alone the one at once,
     /// each with its constants.
-    pub fn muscle_file(&self, request: &RubberFitRequest) -> Result<String, Problem> {
+    pub fn muscle_file(&self, request: &RubberFitRequest) -> Result<String> {
         let taken = self.taken().ok_or_else(|| {
             let message =
                 "none of these laws is stable over the stretches of a muscle; no muscle file is written";
@@ -179,7 +179,7 @@ const APART: &str = "softening and relaxation were fitted separately, each witho
      reverse; the muscle file has the law of the first loading with both";
 
 /// The laws that follow the tests, with the errors of their constants, and where they are stable.
-pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result<RubberFitAnswer, Problem> {
+pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result<RubberFitAnswer> {
     let settings = request.settings()?;
     request.base()?;
     let file = request.data.as_ref().ok_or_else(|| Problem::missing("data", "a table of tension tests"))?;
@@ -215,12 +215,12 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         let points = read_history(file.text.as_bytes(), &request.columns);
         points.map_err(|error| Problem::of_table(&file.name, &error))
     };
-    let relaxes = |branches| -> Result<_, Problem> {
+    let relaxes = |branches| -> Result<_> {
         let form = form()?;
         Ok(fit_prony(&history()?, form, branches)?)
     };
     let relaxation = request.relaxation.map(relaxes).transpose()?;
-    let softens = || -> Result<_, Problem> {
+    let softens = || -> Result<_> {
         let form = form()?;
         Ok(fit_softening(&history()?, form)?)
     };
@@ -256,11 +256,11 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
 
 impl RubberFitRequest {
     /// The muscle that gets the rubber.
-    fn base(&self) -> Result<Muscle, Problem> {
+    fn base(&self) -> Result<Muscle> {
         self.muscle.as_ref().map_or_else(|| Ok(Muscle::prototype()), muscle_of)
     }
 
-    fn settings(&self) -> Result<FitSettings, Problem> {
+    fn settings(&self) -> Result<FitSettings> {
         let usual = FitSettings::default();
         Ok(FitSettings {
             forms: self.forms()?,
@@ -276,7 +276,7 @@ impl RubberFitRequest {
     }
 
     /// The laws that are asked for; none means all that the points determine.
-    fn forms(&self) -> Result<Vec<Form>, Problem> {
+    fn forms(&self) -> Result<Vec<Form>> {
         let mut forms: Vec<Form> = vec![];
         if self.laws.is_empty() && self.terms.is_none() {
             return Ok(forms);

@@ -78,12 +78,9 @@ pub fn bench(left_n: f64, pressure_mpa: f64, u: &Units) -> Option<String> {
     }
     let unit = 10f64.powi((LOWER_PRESSURE * high).log10().floor() as i32);
     let low = (LOWER_PRESSURE * high / unit).round() * unit;
+    let (low, high) = (crate::words::number(low, 1), u.pressure.to(pressure_mpa, 3));
+    let (left, pressure, force) = (u.force.half_width(left_n), &u.pressure.name, &u.force.name);
     Some(format!(
-        "{BENCH_POINTS} points on both branches at {} {} and {} would reduce the ± to about {} {}",
-        crate::words::number(low, 1),
-        u.pressure.name,
-        u.pressure.to(pressure_mpa, 3) + " " + &u.pressure.name,
-        u.force.half_width(left_n),
-        u.force.name
+        "{BENCH_POINTS} points on both branches at {low} {pressure} and {high} {pressure} would reduce the ± to about {left} {force}"
     ))
 }

@@ -1,6 +1,6 @@
 //! `validate`: verification against exact values, validation against measured muscles, and a sweep of random muscles.
 
-use crate::{Model, Problem};
+use crate::{Model, Result};
 use mckibben::{joint, muscle::Muscle, progress::Progress, size, threads, verification::VerificationRow};
 use mckibben_campaign::fit::held_out;
 use mckibben_fem::axisymmetric::sweep::{Sweep, SweepRow, question};
@@ -33,7 +33,7 @@ impl ValidateAnswer {
 }
 
 /// Every case of verification and validation.
-pub fn validate(request: &ValidateRequest, progress: &dyn Progress) -> Result<ValidateAnswer, Problem> {
+pub fn validate(request: &ValidateRequest, progress: &dyn Progress) -> Result<ValidateAnswer> {
     let mut rows = verification::cases(progress)?;
     if request.all {
         rows.extend(verification::bricks::cook_fine());
@@ -91,7 +91,7 @@ impl SweepAnswer {
 }
 
 /// Asks random muscles one question each, on all cores.
-pub fn sweep(request: &SweepRequest, progress: &dyn Progress) -> Result<SweepAnswer, Problem> {
+pub fn sweep(request: &SweepRequest, progress: &dyn Progress) -> Result<SweepAnswer> {
     size::points("muscles", request.muscles as f64)?;
     let done = AtomicUsize::new(0);
     let one = |&i: &usize| {

@@ -110,11 +110,8 @@ impl Asked {
         if !of_one[1..].iter().all(is_one) || self.flags.iter().any(|f| f.long == "stroke") {
             let message =
                 format!("{}: a shortening in mm needs one muscle, whose length is known", flag.name());
-            return Err(Failure::input(
-                ProblemKind::Quantity,
-                message,
-                "give a ratio such as 15%, or a stroke in mm with --stroke",
-            ));
+            let hint = "give a ratio such as 15%, or a stroke in mm with --stroke";
+            return Err(Failure::input(ProblemKind::Quantity, message, hint));
         }
         let muscle: MuscleFields = understood(&Value::Object(fields.clone()))?;
         Ok(muscle.resolve()?.tube().length_mm)

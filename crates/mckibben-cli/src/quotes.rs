@@ -21,11 +21,8 @@ pub fn check_quotes(args: &[String]) -> Result<(), Failure> {
         let Some(unit) = written.into_iter().find(known) else { continue };
         let message = format!("{flag} {number} {unit}: a quote is missing around the number and its unit");
         let short = if unit.contains(' ') { String::new() } else { format!("{flag} {number}{unit} or ") };
-        return Err(Failure::input(
-            ProblemKind::Usage,
-            message,
-            format!("write {short}{flag} '{number} {unit}'"),
-        ));
+        let hint = format!("write {short}{flag} '{number} {unit}'");
+        return Err(Failure::input(ProblemKind::Usage, message, hint));
     }
     Ok(())
 }

@@ -73,12 +73,8 @@ pub fn long<T: Send>(
                         }
                     }
                     Err(RecvTimeoutError::Disconnected) => {
-                        break Err(Problem::new(
-                            ProblemKind::Internal,
-                            "the work ended without an answer",
-                            "",
-                        )
-                        .into());
+                        let message = "the work ended without an answer";
+                        break Err(Problem::new(ProblemKind::Internal, message, "").into());
                     }
                 }
             };

@@ -386,9 +386,6 @@ pub(super) fn out_of_reach(spec: &Spec) -> Option<String> {
     } else {
         format!("no braid reaches {} (the limit is 42.3 %)", percent(wanted))
     };
-    let at = number(smallest, 4);
-    Some(format!(
-        "A braid at {at}° contracts by {} at most; {reach}.",
-        percent((most(smallest) * 1e3).round() / 1e3)
-    ))
+    let (at, most) = (number(smallest, 4), percent((most(smallest) * 1e3).round() / 1e3));
+    Some(format!("A braid at {at}° contracts by {most} at most; {reach}."))
 }

@@ -17,9 +17,8 @@ pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
         request.length_mm.is_some() || request.stroke_mm.is_some() && request.contraction.is_some();
     if !says_length && request.muscle.is_none() {
         let length_mm = number(spec.base.length_mm(), 5);
-        out.push(format!(
-            "the length L0 is {length_mm} mm, because none is given (`length_mm`, or a muscle file)"
-        ));
+        let named = "(`length_mm`, or a muscle file)";
+        out.push(format!("the length L0 is {length_mm} mm, because none is given {named}"));
     }
     if !spec.tubes.is_empty() {
         let estimated = |braid: &Braid| braid.stiffness_factor > 1.0;
@@ -28,16 +27,14 @@ pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
         }
         let cast = rubbers(spec.tubes.iter().filter(|tube| tube.is_cast)).join(", ");
         if !cast.is_empty() {
-            out.push(format!(
-                "tubes are sold, or cast of {cast} with walls of at least {LEAST_CAST_WALL_MM} mm"
-            ));
+            let least = format!("walls of at least {LEAST_CAST_WALL_MM} mm");
+            out.push(format!("tubes are sold, or cast of {cast} with {least}"));
         }
         return out;
     }
     if request.rubbers.is_empty() && request.muscle.is_none() {
-        out.push(
-            "the rubber is that of the paper, because none is named (`rubbers`, or a muscle file)".into(),
-        );
+        let named = "(`rubbers`, or a muscle file)";
+        out.push(format!("the rubber is that of the paper, because none is named {named}"));
     }
     if is_paper(spec) && request.muscle.is_none() && request.stiffness.is_none() {
         let named = "(`braids`, `stiffness`, or a muscle file)";
@@ -68,22 +65,16 @@ pub(super) fn stiffer_sleeve(spec: &Spec, build: &Build<'_>, closest: &Closest) 
     });
     let strained = closest.rejected.reason.limit() == Some(Limit::StrandStrain)
         || closest.relaxations.iter().any(|r| matches!(r, Relaxation::MaxStrandStrain { .. }));
-    let limit = percent(spec.limits.strand_strain?);
+    let (own, limit) = (number(own, 3), percent(spec.limits.strand_strain?));
     let first = format!(
-        "The braid is that of the paper. Its stiffness of one strand family is {} N/mm here; its strands may stretch by {limit}, the validated range.",
-        number(own, 3)
+        "The braid is that of the paper. Its stiffness of one strand family is {own} N/mm here; its strands may stretch by {limit}, the validated range."
     );
-    let name = "a sleeve (`braids`), a `stiffness`, or a muscle file with strands";
-    match fitting {
-        Some(k) => Some(format!(
-            "{first} Use a stiffer sleeve: with {} N/mm this muscle fits. Give {name}.",
-            number(k, 3)
-        )),
-        None if strained => {
-            Some(format!("{first} The strands of a stiffer sleeve stretch less. Give {name}."))
-        }
-        None => None,
-    }
+    let stiffer = match fitting.map(|k| number(k, 3)) {
+        Some(k) => format!("Use a stiffer sleeve: with {k} N/mm this muscle fits."),
+        None if strained => "The strands of a stiffer sleeve stretch less.".into(),
+        None => return None,
+    };
+    Some(format!("{first} {stiffer} Give a sleeve (`braids`), a `stiffness`, or a muscle file with strands."))
 }
 
 /// The sleeve whose filaments, material and estimates the others have.
@@ -112,11 +103,8 @@ pub(super) fn stronger_strands(closest: &Closest) -> Option<String> {
     closest.relaxations.iter().find(|r| matches!(r, Relaxation::MinBurstMargin { .. }))?;
     let strength = closest.muscle.braid().strands?.strength_n?;
     let needed = (100.0 * strength * missed.bound / missed.value).ceil() / 100.0;
-    Some(format!(
-        "It fits with strands that bear {} N each; those of this sleeve bear {} N.",
-        number(needed, 3),
-        number(strength, 3)
-    ))
+    let [needed, strength] = [needed, strength].map(|n| number(n, 3));
+    Some(format!("It fits with strands that bear {needed} N each; those of this sleeve bear {strength} N."))
 }
 
 /// Which sleeve would make a muscle that fits, in a sentence; none where no size does. Of a joint, whose search takes seconds, nothing is looked for.
@@ -130,12 +118,9 @@ pub(super) fn that_fits(spec: &Spec, models: Models<'_>, progress: &dyn Progress
     let found = design_with(&wider, Models { settle: None, ..models }, progress).ok()?;
     let first = found.candidates.first()?;
     let shape = first.muscle.braid().sleeve.as_ref()?;
-    Some(format!(
-        "No sleeve of the catalogue fits. One of polyester that expands from {} to {} mm would, with the tube {}.",
-        number(shape.least_mm, 2),
-        number(shape.largest_mm, 2),
-        first.tube.as_deref()?
-    ))
+    let [least, largest] = [shape.least_mm, shape.largest_mm].map(|mm| number(mm, 2));
+    let expands = format!("One of polyester that expands from {least} to {largest} mm would");
+    Some(format!("No sleeve of the catalogue fits. {expands}, with the tube {}.", first.tube.as_deref()?))
 }
 
 /// A wall that nobody makes.
@@ -145,11 +130,9 @@ pub(super) fn thin_wall(muscle: &Muscle) -> Option<String> {
     let (wall, diameter) = (muscle.wall_mm(), muscle.outer_diameter_mm());
     let least = LEAST.0.max(LEAST.1 * diameter);
     (wall < least * (1.0 - 1e-9)).then(|| {
-        format!(
-            "a wall of {} mm on a tube of {} mm is rarely available: tubes of this diameter have walls of {} mm or more; limit the walls (`wall_mm`)",
-            number(wall, 3),
-            number(diameter, 3),
-            number((10.0 * least).ceil() / 10.0, 3)
-        )
+        let [wall, diameter, least] = [wall, diameter, (10.0 * least).ceil() / 10.0].map(|mm| number(mm, 3));
+        let made =
+            format!("tubes of this diameter have walls of {least} mm or more; limit the walls (`wall_mm`)");
+        format!("a wall of {wall} mm on a tube of {diameter} mm is rarely available: {made}")
     })
 }

@@ -1,7 +1,7 @@
 //! A bundle: equal muscles that share what is required, side by side in one circle.
 
 use super::request::DesignRequest;
-use crate::{Problem, ProblemKind, above_zero, percent};
+use crate::{Problem, ProblemKind, Result, above_zero, percent};
 use mckibben::{model::Workspace, warning::Warning};
 use mckibben_design::bundle::{MOST, envelope_ratio, touches_at};
 use mckibben_design::{Build, Candidate, CandidatePoint, Demand, OperatingPoint, Spec};
@@ -51,7 +51,7 @@ pub struct BundlePoint {
 
 impl DesignRequest {
     /// How many muscles share what is required.
-    pub(super) fn count(&self) -> Result<u32, Problem> {
+    pub(super) fn count(&self) -> Result<u32> {
         let count = self.bundle.unwrap_or(1);
         if !(1..=MOST).contains(&count) {
             let message = format!("{count} muscles; a bundle has 1 to {MOST}");
@@ -69,12 +69,12 @@ impl DesignRequest {
     }
 
     /// What one of the muscles takes.
-    pub(super) fn share(&self, wanted: &Demand) -> Result<Demand, Problem> {
+    pub(super) fn share(&self, wanted: &Demand) -> Result<Demand> {
         Ok(wanted.times(1.0 / f64::from(self.count()?)))
     }
 
     /// The largest bulged diameter of one muscle in mm: its own limit, and its share of the envelope.
-    pub(super) fn bulged_diameter_mm(&self) -> Result<Option<f64>, Problem> {
+    pub(super) fn bulged_diameter_mm(&self) -> Result<Option<f64>> {
         let share = envelope_ratio(self.count()?);
         let of_envelope = self.max_envelope_mm.map(|mm| mm / share);
         let limits = self.max_bulged_diameter_mm.into_iter().chain(of_envelope);
@@ -82,7 +82,7 @@ impl DesignRequest {
     }
 
     /// The largest liquid volume of one muscle in mm³: its share of what there is.
-    pub(super) fn liquid_volume_mm3(&self) -> Result<Option<f64>, Problem> {
+    pub(super) fn liquid_volume_mm3(&self) -> Result<Option<f64>> {
         let count = f64::from(self.count()?);
         Ok(self.max_liquid_volume_mm3.map(|mm3| mm3 / count))
     }

@@ -14,7 +14,7 @@ pub use bought::BoughtAnswer;
 pub use bundle::{BundleAnswer, BundlePoint};
 pub use request::{Choice, DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted, Verify};
 
-use crate::{Model, Problem, UncertaintyWords, figure, not_measured};
+use crate::{Model, Result, UncertaintyWords, figure, not_measured};
 use answer::{muscle_file, not_checked, out_of_reach};
 use mckibben::analysis::Evaluation;
 use mckibben::answer::Options;
@@ -31,7 +31,7 @@ use request::Search;
 const DRAWN: usize = 3;
 
 /// Ranked muscles that fit, the reasons why others do not, and, where nothing fits, what would have to give.
-pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<DesignAnswer, Problem> {
+pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<DesignAnswer> {
     if let Some(tolerances) = &request.tolerance {
         tolerances.check()?;
     }
@@ -126,11 +126,7 @@ fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<U
     Some(UncertaintyWords::of(parts, &mut model, response.pressure_mpa))
 }
 
-fn spreads(
-    tolerances: Option<&Tolerances>,
-    build: &Build<'_>,
-    outcome: &Outcome,
-) -> Result<Vec<Spread>, Problem> {
+fn spreads(tolerances: Option<&Tolerances>, build: &Build<'_>, outcome: &Outcome) -> Result<Vec<Spread>> {
     let Some(tolerances) = tolerances else { return Ok(vec![]) };
     let Some(winner) = outcome.candidates.first() else { return Ok(vec![]) };
     let one =
@@ -139,7 +135,7 @@ fn spreads(
 }
 
 /// What finite elements say of the winner.
-fn verified(spec: &Spec, winner: &Candidate) -> Result<Verified, Problem> {
+fn verified(spec: &Spec, winner: &Candidate) -> Result<Verified> {
     let fe = Model::FE.build(&winner.muscle)?;
     let workspace = &mut Workspace::new();
     let mut model = Evaluation::new(&*fe, workspace, Options { extrapolate: true, ..spec.options() });
@@ -167,7 +163,7 @@ fn draw(
     build: &Build<'_>,
     outcome: &Outcome,
     unit: &crate::units::Units,
-) -> Result<mckibben_report::Figure, Problem> {
+) -> Result<mckibben_report::Figure> {
     let options = spec.options();
     let drawn = outcome.candidates.iter().take(DRAWN);
     let drawn: Vec<(&Candidate, Box<dyn ForceModel>)> =

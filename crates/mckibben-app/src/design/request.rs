@@ -3,7 +3,7 @@
 use super::{ModelPolicy, SearchedMuscles, near_the_box};
 use crate::{
     LiquidFields, LoadFields, MeshFields, Model, ModelFields, MuscleFields, NamedFields, Problem,
-    ProblemKind, Stiffness, TextFile, Units, above_zero, finite, given, ratio, rubber, sleeve,
+    ProblemKind, Result, Stiffness, TextFile, Units, above_zero, finite, given, ratio, rubber, sleeve,
 };
 use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
 use mckibben::muscle::{Braid, Muscle, Tube};
@@ -160,7 +160,7 @@ const EXTENSILE_DEG: (f64, f64) = (57.0, 72.0);
 const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
 
 impl DesignRequest {
-    pub(super) fn search(&self) -> Result<Search, Problem> {
+    pub(super) fn search(&self) -> Result<Search> {
         let (base, wanted, radius_mm) = self.demand()?;
         let wanted = self.share(&wanted)?;
         let extends = wanted.extends();
@@ -245,7 +245,7 @@ impl DesignRequest {
     }
 
     /// The share of muscles that meet the requirement, checked.
-    fn guaranteed(&self) -> Result<Option<f64>, Problem> {
+    fn guaranteed(&self) -> Result<Option<f64>> {
         match self.guaranteed {
             Some(share) if !(0.5..=0.999).contains(&share) => {
                 let message =
@@ -273,7 +273,7 @@ impl DesignRequest {
     }
 
     /// The tubes that are searched.
-    fn tubes(&self) -> Result<Vec<TubePart>, Problem> {
+    fn tubes(&self) -> Result<Vec<TubePart>> {
         let problem = |e: tubes::TubeError| Problem::new(ProblemKind::Specification, e.to_string(), "");
         let own = self.parts.as_ref().map(|file| tubes::read(&file.text)).transpose();
         let own = own.map_err(|e| problem(e).in_field("parts"))?;
@@ -292,8 +292,7 @@ impl DesignRequest {
             [] => vec![tubes::CAST_RUBBER.into()],
             some => some.to_vec(),
         };
-        let wanted =
-            rubbers.iter().map(|name| Ok(rubber(name)?.name)).collect::<Result<Vec<_>, Problem>>()?;
+        let wanted = rubbers.iter().map(|name| Ok(rubber(name)?.name)).collect::<Result<Vec<_>>>()?;
         let sold =
             all.iter().filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)));
         let mut found: Vec<TubePart> = sold.cloned().collect();
@@ -306,7 +305,7 @@ impl DesignRequest {
     }
 
     /// The named sleeves, all of the library where parts are searched, or the base muscle's.
-    fn sleeves(&self, base: &Muscle, as_sold: bool) -> Result<Vec<Braid>, Problem> {
+    fn sleeves(&self, base: &Muscle, as_sold: bool) -> Result<Vec<Braid>> {
         if self.braids.is_empty() && as_sold {
             let on_least = |entry: &SleeveEntry| Ok(entry.sleeve.on(entry.sleeve.diameters().0)?);
             return library::entries()?.iter().map(on_least).collect();
@@ -331,7 +330,7 @@ impl DesignRequest {
     }
 
     /// The muscle around the search, what it must do, and the radii of a joint's pulley.
-    fn demand(&self) -> Result<(Muscle, Demand, Option<Values>), Problem> {
+    fn demand(&self) -> Result<(Muscle, Demand, Option<Values>)> {
         let points = !self.points.is_empty() || self.force_n.is_some();
         let asked = [points, self.load.load.is_some(), !self.torques.is_empty()];
         if asked.iter().filter(|a| **a).count() > 1 {
@@ -367,7 +366,7 @@ impl DesignRequest {
     }
 
     /// The muscle around the search, the torques, and the radii of the pulley.
-    fn joint(&self) -> Result<(Muscle, JointDemand, Values), Problem> {
+    fn joint(&self) -> Result<(Muscle, JointDemand, Values)> {
         if self.stroke_mm.is_some() || self.contraction.is_some() {
             let message = "the angles and the pulley set the contraction of a joint's muscles";
             return Err(Problem::new(ProblemKind::Usage, message, "leave out `stroke_mm` and `contraction`"));
@@ -395,7 +394,7 @@ impl DesignRequest {
     }
 
     /// The operating points; without a contraction where a stroke is to set it.
-    fn wanted(&self) -> Result<Vec<(f64, Option<f64>)>, Problem> {
+    fn wanted(&self) -> Result<Vec<(f64, Option<f64>)>> {
         if !self.points.is_empty() {
             return self.points.iter().map(|w| Ok((w.force_n, Some(ratio(w.contraction)?)))).collect();
         }
@@ -410,7 +409,7 @@ impl DesignRequest {
 
     /// The muscle around the search, and the points: a stroke in mm sets the length where contractions are given, and the
     /// contraction where they are not.
-    fn with_stroke(&self, wanted: Vec<(f64, Option<f64>)>) -> Result<(Muscle, Vec<OperatingPoint>), Problem> {
+    fn with_stroke(&self, wanted: Vec<(f64, Option<f64>)>) -> Result<(Muscle, Vec<OperatingPoint>)> {
         let wrong = |message: String, hint: &str| Problem::new(ProblemKind::Specification, message, hint);
         let length_mm = match &self.length_mm {
             Some(Choice::One(length)) => Some(*length),
@@ -457,7 +456,7 @@ impl DesignRequest {
 }
 
 impl Choice {
-    fn values(&self, field: &str) -> Result<Values, Problem> {
+    fn values(&self, field: &str) -> Result<Values> {
         Ok(match self {
             Self::One(value) => Values::List(vec![finite(field, *value)?]),
             Self::Several(list) if list.is_empty() => {

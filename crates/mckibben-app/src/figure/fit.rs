@@ -151,11 +151,9 @@ fn against_points(formula: &Formula, compared: &[Compared]) -> Figure {
     let d = held.unwrap_or_else(|| nearest(&diameters, SHOWN.0));
     let of_d: Vec<&Compared> = compared.iter().filter(|c| same(c.point.outer_diameter_mm, d)).collect();
     let text = if held.is_some() { "held out of the fit" } else { "fitted" };
+    let method = &formula.provenance.method;
     let mut figure = Figure::new(format!("Formula {} and points, D0 {} mm", formula.name, number(d, 4)))
-        .caption(caption(format!(
-            "Lines: the formula; dots: the table, {text}. {}",
-            formula.provenance.method
-        )))
+        .caption(caption(format!("Lines: the formula; dots: the table, {text}. {method}")))
         .palette(Palette::Sequential)
         .columns(2);
     let pressures = distinct(of_d.iter().map(|c| c.point.pressure_mpa));

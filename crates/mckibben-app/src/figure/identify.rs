@@ -145,11 +145,8 @@ fn fit(
     let mut panel = Panel::new(Axis::new(x_axis).from_zero(), pull(u));
     let muscle = found.candidate.of_section(section);
     if named && let Ok(m) = &muscle {
-        panel = panel.title(format!(
-            "D0 {}, s {}",
-            u.length.show(m.outer_diameter_mm()),
-            u.length.show(m.wall_mm())
-        ));
+        let [diameter, wall] = [m.outer_diameter_mm(), m.wall_mm()].map(|mm| u.length.show(mm));
+        panel = panel.title(format!("D0 {diameter}, s {wall}"));
     }
     // The ± of the fit belongs to the muscle of the file.
     let bench = found.bench.as_ref().filter(|_| muscle.as_ref().is_ok_and(|m| *m == found.muscle));
@@ -265,13 +262,8 @@ fn panel(title: String, points: &[&DataPoint], found: &Muscle, build: &Build<'_>
     for (n, &pressure) in shown.iter().enumerate() {
         let at = || points.iter().filter(|p| p.at.pressure_mpa == pressure);
         let end = at().map(|p| p.at.contraction).fold(0.0, f64::max);
-        panel = panel.series(
-            Series::scatter(
-                u.pressure.show(pressure),
-                at().map(|p| (p.at.contraction, u.force.value(p.at.force_n))),
-            )
-            .colour(n),
-        );
+        let dots = at().map(|p| (p.at.contraction, u.force.value(p.at.force_n)));
+        panel = panel.series(Series::scatter(u.pressure.show(pressure), dots).colour(n));
         let Some(model) = &model else { continue };
         let line = (0..=LINE).filter_map(|i| {
             let contraction = end * f64::from(i) / f64::from(LINE);

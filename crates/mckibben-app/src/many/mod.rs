@@ -8,7 +8,7 @@
 mod point;
 pub use point::with_parameters;
 
-use crate::{AskFields, Model, ModelFields, Problem, ProblemKind};
+use crate::{AskFields, Model, ModelFields, Problem, ProblemKind, Result};
 use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::{answer::Options, muscle::Muscle, progress::Progress, threads::Threads};
 use mckibben_fit::identify::Target;
@@ -90,7 +90,7 @@ impl std::fmt::Debug for BoundModel {
 
 impl BoundModel {
     /// The model that a request names, of this muscle.
-    pub fn new(muscle: &Muscle, model: &ModelFields, asking: AskFields) -> Result<Self, Problem> {
+    pub fn new(muscle: &Muscle, model: &ModelFields, asking: AskFields) -> Result<Self> {
         let options = asking.options(muscle)?;
         let choice = Model::choose(model)?;
         let model = choice.bound(muscle)?;
@@ -136,7 +136,7 @@ impl BoundModel {
     }
 
     /// The constant or measure of a name, as the muscle file has it.
-    pub fn parameter(&self, name: &str) -> Result<Target, Problem> {
+    pub fn parameter(&self, name: &str) -> Result<Target> {
         parameter(self.muscle(), name)
     }
 
@@ -205,13 +205,13 @@ impl BoundModel {
 }
 
 /// The constant or measure of a muscle by its name in the muscle file.
-fn parameter(muscle: &Muscle, name: &str) -> Result<Target, Problem> {
+fn parameter(muscle: &Muscle, name: &str) -> Result<Target> {
     let wrong = |e: String| Problem::new(ProblemKind::Parameter, e, "");
-    let target = Target::parse(name, muscle).map_err(|e| wrong(e.to_string()))?;
-    match target {
-        Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent => Err(wrong(format!(
-            "`{name}` is a property of measured data, not of the muscle: it has no derivative"
-        ))),
+    match Target::parse(name, muscle).map_err(|e| wrong(e.to_string()))? {
+        Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent => {
+            let why = "is a property of measured data, not of the muscle: it has no derivative";
+            Err(wrong(format!("`{name}` {why}")))
+        }
         target => Ok(target),
     }
 }

@@ -10,7 +10,7 @@
 //! constants and measures: by the diameter, say, the strands' k in N/mm stays what it is, also where the braid's k follows the diameter.
 
 use super::{BoundModel, Many, PointQuantity, Unanswered};
-use crate::{Problem, ProblemKind, finite, ratio};
+use crate::{Problem, ProblemKind, Result, finite, ratio};
 use mckibben::analysis::Evaluation;
 use mckibben::model::{Bounds, ModelError, Workspace, pulls_within};
 use mckibben::muscle::{BraidStiffness, Muscle};
@@ -95,7 +95,7 @@ impl BoundModel {
         workspace: &mut Workspace,
         free: &mut Option<(f64, f64)>,
         places: &mut [f64],
-    ) -> Result<(), Problem> {
+    ) -> Result<()> {
         let (value, p, e) = match many.wanted {
             PointQuantity::Force => {
                 let (p, e) = (finite("pressure_mpa", a)?, ratio(b)?);
@@ -125,7 +125,7 @@ impl BoundModel {
         self.slopes(workspace, (p, e), many, rest)
     }
 
-    fn pull(&self, force_n: f64) -> Result<f64, Problem> {
+    fn pull(&self, force_n: f64) -> Result<f64> {
         let force_n = finite("force_n", force_n)?;
         crate::point::pull(force_n, self.options)?;
         Ok(force_n)
@@ -138,7 +138,7 @@ impl BoundModel {
         p: f64,
         e: f64,
         free: &mut Option<(f64, f64)>,
-    ) -> Result<f64, Problem> {
+    ) -> Result<f64> {
         self.evaluation(workspace).check_range(p, e)?;
         let hangs = free.is_some_and(|(at, free)| at == p && e > free);
         if hangs && !self.options.two_sided {
@@ -184,7 +184,7 @@ impl BoundModel {
         (p, e): (f64, f64),
         many: &Many,
         places: &mut [f64],
-    ) -> Result<(), Problem> {
+    ) -> Result<()> {
         // ∂F/∂θ first: finite elements then have the equilibrium of this very point.
         let (own, by_parameters) = places.split_at_mut(if many.slopes { 2 } else { 0 });
         let (f_p, f_e) = self.force_slopes(workspace, p, e)?;
@@ -203,7 +203,7 @@ impl BoundModel {
     }
 
     /// ∂F/∂P and ∂F/∂ε.
-    fn force_slopes(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<(f64, f64), Problem> {
+    fn force_slopes(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<(f64, f64)> {
         let mut model = self.evaluation(workspace);
         let response = model.response(p, e)?;
         let f_p = model.force_per_pressure_mm2(&response)?;
@@ -218,7 +218,7 @@ impl BoundModel {
         (p, e): (f64, f64),
         parameters: &[Target],
         places: &mut [f64],
-    ) -> Result<(), Problem> {
+    ) -> Result<()> {
         if parameters.is_empty() {
             return Ok(());
         }
@@ -245,28 +245,22 @@ impl BoundModel {
     }
 
     /// The pull with another value of a parameter.
-    fn force_of(
-        &self,
-        held: &Muscle,
-        target: Target,
-        value: f64,
-        (p, e): (f64, f64),
-    ) -> Result<f64, Problem> {
+    fn force_of(&self, held: &Muscle, target: Target, value: f64, (p, e): (f64, f64)) -> Result<f64> {
         let model = self.choice.build(Candidate::new(held, &[(target, value)])?.muscle())?;
         Ok(Evaluation::new(&*model, &mut Workspace::new(), self.options).force_n(p, e)?)
     }
 }
 
 /// A muscle with other values of constants and measures, all others held as the derivatives of [`BoundModel`] hold them.
-pub fn with_parameters(muscle: &Muscle, values: &[(String, f64)]) -> Result<Muscle, Problem> {
+pub fn with_parameters(muscle: &Muscle, values: &[(String, f64)]) -> Result<Muscle> {
     let held = stated(muscle)?;
     let list =
         values.iter().map(|(name, value)| Ok((super::parameter(muscle, name)?, finite(name, *value)?)));
-    Ok(Candidate::new(&held, &list.collect::<Result<Vec<_>, Problem>>()?)?.muscle().clone())
+    Ok(Candidate::new(&held, &list.collect::<Result<Vec<_>>>()?)?.muscle().clone())
 }
 
 /// The same muscle with k stated in N/mm, where it follows from other measures.
-fn stated(muscle: &Muscle) -> Result<Muscle, Problem> {
+fn stated(muscle: &Muscle) -> Result<Muscle> {
     let Some(k) = muscle.family_stiffness_n_per_mm() else { return Ok(muscle.clone()) };
     let mut braid = muscle.braid().clone();
     braid.stiffness = BraidStiffness::NewtonPerMm(k);

@@ -6,6 +6,7 @@ mod simulated;
 pub use request::{MotionRequest, MotionSweep, StepFields};
 pub use simulated::SimulatedDrive;
 
+use crate::Result;
 use crate::words::{number, percent};
 use crate::{
     Model, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Scale, TextFile, breakdown,
@@ -42,11 +43,11 @@ struct Moved {
 }
 
 impl MotionRequest {
-    pub fn names_of(drive: &TextFile) -> Result<Names, Problem> {
+    pub fn names_of(drive: &TextFile) -> Result<Names> {
         drive_names(&drive.text).map_err(|e| Problem::from(e.of(Path::new(&drive.name))))
     }
 
-    fn moved(&self) -> Result<Moved, Problem> {
+    fn moved(&self) -> Result<Moved> {
         let choice = Model::choose(&self.model)?;
         let subject = match (&self.drive, &self.step) {
             (Some(drive), _) => Self::names_of(drive)?.subject,
@@ -70,7 +71,7 @@ impl MotionRequest {
     }
 
     /// The drive, or those of the sweep with their values.
-    fn drives(&self, rest_length_mm: f64) -> Result<Vec<(Option<String>, DriveFile)>, Problem> {
+    fn drives(&self, rest_length_mm: f64) -> Result<Vec<(Option<String>, DriveFile)>> {
         let texts = self.tables.iter().map(|t| (t.name.clone(), t.text.clone())).collect();
         let tables = Tables { texts, rest_length_mm };
         let name = Path::new(self.drive.as_ref().map_or("the drive", |drive| &drive.name));
@@ -95,7 +96,7 @@ impl MotionRequest {
     }
 }
 
-pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<MotionAnswer, Problem> {
+pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<MotionAnswer> {
     let moved = request.moved()?;
     let drives = request.drives(moved.length_mm())?;
     let mut sized = None;
@@ -152,7 +153,7 @@ impl Moved {
     }
 
     /// The muscle with its load, where no joint is moved.
-    fn single(&self, file: &DriveFile) -> Result<Option<SingleMuscle>, Problem> {
+    fn single(&self, file: &DriveFile) -> Result<Option<SingleMuscle>> {
         Ok(match (&self.joint, self.models.first()) {
             (None, Some(model)) if file.held.is_some() => Some(SingleMuscle::held(&**model)),
             (None, Some(model)) => {
@@ -169,7 +170,7 @@ impl Moved {
         })
     }
 
-    fn mechanism<'a>(&'a self, single: Option<&'a SingleMuscle>) -> Result<&'a dyn Mechanism, Problem> {
+    fn mechanism<'a>(&'a self, single: Option<&'a SingleMuscle>) -> Result<&'a dyn Mechanism> {
         match (single, &self.joint) {
             (Some(single), _) => Ok(single),
             (None, Some(joint)) => Ok(joint),
@@ -217,7 +218,7 @@ impl Moved {
         file: &DriveFile,
         rise_time_s: Option<f64>,
         progress: &dyn Progress,
-    ) -> Result<(Motion, Option<f64>), Problem> {
+    ) -> Result<(Motion, Option<f64>)> {
         let single = self.single(file)?;
         let mechanism = self.mechanism(single.as_ref())?;
         let drive = self.drive(file, self.target(file), single.as_ref(), mechanism);

@@ -1,7 +1,8 @@
 //! What is asked of a drive.
 
 use crate::{
-    JointFields, LoadFields, ModelFields, Problem, ProblemKind, TextFile, Units, finite, given, no_ratio,
+    JointFields, LoadFields, ModelFields, Problem, ProblemKind, Result, TextFile, Units, finite, given,
+    no_ratio,
 };
 use mckibben::units::{Dimension, parse_quantity};
 use mckibben_motion::{Valve, ValveError, with_value};
@@ -54,7 +55,7 @@ pub struct StepFields {
 
 impl StepFields {
     /// The text of the drive file that it says, of a muscle of this length.
-    pub(super) fn drive(&self, tables: &[TextFile], rest_length_mm: f64) -> Result<String, Problem> {
+    pub(super) fn drive(&self, tables: &[TextFile], rest_length_mm: f64) -> Result<String> {
         let pressure = given("pressure_mpa", self.pressure_mpa, "a pressure, such as 0.3 MPa")?;
         let until_s = finite("until_s", self.until_s.unwrap_or(2.0))?;
         let pressure_mpa = finite("supply_mpa", self.supply_mpa.unwrap_or(0.6))?;
@@ -91,7 +92,7 @@ impl StepFields {
 }
 
 /// The contraction at which both ends are held, 0 where it is left out.
-fn held(text: &str) -> Result<f64, Problem> {
+fn held(text: &str) -> Result<f64> {
     if text.is_empty() {
         return Ok(0.0);
     }

@@ -1,7 +1,7 @@
 //! A drive in a control loop.
 
 use super::{MotionRequest, Moved};
-use crate::{Problem, ProblemKind, finite};
+use crate::{Problem, ProblemKind, Result, finite};
 use mckibben::progress::Progress;
 use mckibben_motion::{Coordinate, Drive, DriveFile, Motion, Simulation, SingleMuscle, Target};
 use std::sync::Arc;
@@ -25,8 +25,8 @@ impl Setup {
         &self,
         commands: Option<&[f64]>,
         outside: f64,
-        work: impl FnOnce(&Drive<'_>) -> Result<T, Problem>,
-    ) -> Result<T, Problem> {
+        work: impl FnOnce(&Drive<'_>) -> Result<T>,
+    ) -> Result<T> {
         let mechanism = self.moved.mechanism(self.single.as_ref())?;
         let outside_force = match mechanism.coordinate() {
             Coordinate::Angle => -1e3 * outside,
@@ -57,7 +57,7 @@ impl Setup {
 
 impl SimulatedDrive {
     /// A drive at the start, at rest where its first commands hold it, with steps of a length in s.
-    pub fn new(request: &MotionRequest, step_s: f64, progress: &dyn Progress) -> Result<Self, Problem> {
+    pub fn new(request: &MotionRequest, step_s: f64, progress: &dyn Progress) -> Result<Self> {
         let moved = request.moved()?;
         let drives = request.drives(moved.length_mm())?;
         let Some((_, mut file)) = drives.into_iter().next() else {
@@ -72,7 +72,7 @@ impl SimulatedDrive {
     }
 
     /// Back to the start.
-    pub fn reset(&mut self, progress: &dyn Progress) -> Result<(), Problem> {
+    pub fn reset(&mut self, progress: &dyn Progress) -> Result<()> {
         self.simulation = self.setup.with(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
         Ok(())
     }
@@ -80,7 +80,7 @@ impl SimulatedDrive {
     /// One step on, with a command for each of the drive's (pressure in MPa, opening from −1 to 1, volume in mm³, contraction ratio, or angle in degrees) and
     /// from outside a force in N that stretches the muscle, or a torque in N m that turns the joint to +. A step that fails leaves all as
     /// it was.
-    pub fn step(&mut self, commands: &[f64], outside: f64, progress: &dyn Progress) -> Result<(), Problem> {
+    pub fn step(&mut self, commands: &[f64], outside: f64, progress: &dyn Progress) -> Result<()> {
         let simulation = &mut self.simulation;
         self.setup.with(Some(commands), outside, |drive| Ok(simulation.step(drive, progress)?))
     }

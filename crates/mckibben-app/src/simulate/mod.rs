@@ -9,9 +9,9 @@ pub use answer::*;
 pub(crate) use vtu::with_files;
 
 use crate::{
-    AskedPoint, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, Units,
-    burst_of, check_count, check_test, contractions, figure, forces, list, put_first, reach, said_of, steps,
-    warnings,
+    AskedPoint, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, Result,
+    Units, burst_of, check_count, check_test, contractions, figure, forces, list, put_first, reach, said_of,
+    steps, warnings,
 };
 use mckibben::analysis::Evaluation;
 use mckibben::model::{ModelError, Response, Workspace, notes_of};
@@ -79,10 +79,10 @@ pub struct SimulateRequest {
 /// Takes the shapes of a test, point by point: files for ParaView, a page.
 pub trait Shapes {
     /// The muscle whose shapes come; nothing was wrong with the request.
-    fn begin(&mut self, muscle: &MuscleSummary) -> Result<(), Problem>;
+    fn begin(&mut self, muscle: &MuscleSummary) -> Result<()>;
 
     /// The deformed muscle and what the model says about it.
-    fn add(&mut self, shape: Shape, response: &Response) -> Result<(), Problem>;
+    fn add(&mut self, shape: Shape, response: &Response) -> Result<()>;
 
     /// How much of the muscle of `fe3d` is wanted; `fe` always has all of it.
     fn extent(&self) -> Extent;
@@ -116,13 +116,7 @@ impl Meshed {
     }
 
     /// The deformed muscle at an equilibrium between ends.
-    fn shape(
-        &self,
-        workspace: &mut Workspace,
-        ends: &Ends,
-        r: &Response,
-        extent: Extent,
-    ) -> Result<Shape, Problem> {
+    fn shape(&self, workspace: &mut Workspace, ends: &Ends, r: &Response, extent: Extent) -> Result<Shape> {
         let p = r.pressure_mpa;
         let between = ends.between(r.contraction, ends.end_displacement_mm(p, r.force_n));
         let shape = match self {
@@ -145,7 +139,7 @@ pub fn simulate(
     request: &SimulateRequest,
     progress: &dyn Progress,
     mut shapes: Option<&mut dyn Shapes>,
-) -> Result<SimulateAnswer, Problem> {
+) -> Result<SimulateAnswer> {
     check_test(request.test, request.contractions.is_some(), request.forces_n.is_some())?;
     if request.test == Test::Isotonic {
         let why = "`test` isotonic takes pulls (`forces_n`), and no contractions";
@@ -215,11 +209,7 @@ pub fn simulate(
 
 impl SimulateRequest {
     /// What is asked of each point, curve by curve.
-    fn questions(
-        &self,
-        model: &dyn Simulation,
-        workspace: &mut Workspace,
-    ) -> Result<Vec<AskedPoint>, Problem> {
+    fn questions(&self, model: &dyn Simulation, workspace: &mut Workspace) -> Result<Vec<AskedPoint>> {
         let pressures = list("pressures_mpa", &self.pressures_mpa, || steps(5, 0.05, 0.25))?;
         let mut contractions = contractions(&self.contractions, || {
             if self.test == Test::Isobaric && !self.of_largest {
@@ -300,12 +290,7 @@ fn all_failed(points: &[Simulated]) -> Option<Problem> {
 }
 
 /// The input deck of an isometric test with three-dimensional elements.
-fn written_deck(
-    meshed: &Meshed,
-    ends: &Ends,
-    test: Test,
-    questions: &[AskedPoint],
-) -> Result<String, Problem> {
+fn written_deck(meshed: &Meshed, ends: &Ends, test: Test, questions: &[AskedPoint]) -> Result<String> {
     let wrong = |message: String| {
         let hint =
             "an example: an isometric test of fe3d at one contraction, with pressures from 0.01 to 0.25 MPa";

@@ -1,7 +1,7 @@
 //! The shapes of a test as files of its answer, for front ends that write no folder.
 
 use super::{Shapes, SimulateAnswer, SimulateRequest, simulate};
-use crate::{BuiltFile, MuscleSummary, Problem, ProblemKind, Units};
+use crate::{BuiltFile, MuscleSummary, Problem, ProblemKind, Result, Units};
 use mckibben::{model::Response, progress::Progress, size};
 use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};
 
@@ -25,12 +25,12 @@ impl Kept {
 }
 
 impl Shapes for Kept {
-    fn begin(&mut self, muscle: &MuscleSummary) -> Result<(), Problem> {
+    fn begin(&mut self, muscle: &MuscleSummary) -> Result<()> {
         self.series = VtuSeries::new(&muscle.line(&Units::default()));
         Ok(())
     }
 
-    fn add(&mut self, shape: Shape, response: &Response) -> Result<(), Problem> {
+    fn add(&mut self, shape: Shape, response: &Response) -> Result<()> {
         let mut files = self
             .series
             .add(shape, response)
@@ -49,10 +49,7 @@ impl Shapes for Kept {
 }
 
 /// A test, with the files that its request asks for.
-pub(crate) fn with_files(
-    request: &SimulateRequest,
-    progress: &dyn Progress,
-) -> Result<SimulateAnswer, Problem> {
+pub(crate) fn with_files(request: &SimulateRequest, progress: &dyn Progress) -> Result<SimulateAnswer> {
     if !request.vtu {
         return simulate(request, progress, None);
     }

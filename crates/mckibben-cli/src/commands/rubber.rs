@@ -73,10 +73,8 @@ fn as_text(answer: &RubberFitAnswer, request: &RubberFitRequest, written: Option
     let mut out = understood(&answer.understood) + &pairs(&listed(&all, HEAD, &u));
     out += &format!("\n{}", tabled(&laws, LAWS, &u));
     if answer.laws.iter().any(|law| law.modes.len() > 1) {
-        out += &format!(
-            "\n{}",
-            tabled(&of_each(&laws, "modes"), "law mode points to_stretch rms_mpa=rms:3~", &u)
-        );
+        let keys = "law mode points to_stretch rms_mpa=rms:3~";
+        out += &format!("\n{}", tabled(&of_each(&laws, "modes"), keys, &u));
     }
     let constants = "law name=constant value:5~ standard_error:2~ unit identifiable";
     out += &format!("\n{}", tabled(&of_each(&laws, "parameters"), constants, &u));
@@ -88,19 +86,14 @@ fn as_text(answer: &RubberFitAnswer, request: &RubberFitRequest, written: Option
     }
     if !held_out.is_empty() {
         let keys = "law mode=points points=number relative=rms:3%~ stiffer=bias:3%~";
-        out += &format!(
-            "\nHeld out: rms of the differences over the rms of the measured stresses, and bias, above zero where the law is too stiff\n{}",
-            tabled(&held_out, keys, &u)
-        );
+        out += "\nHeld out: rms of the differences over the rms of the measured stresses, and bias, above zero where the law is too stiff\n";
+        out += &tabled(&held_out, keys, &u);
     }
     if all["relaxation"].is_object() {
         let branches = all["relaxation"]["branches"].as_array().map_or(&[][..], Vec::as_slice);
         let keys = "share=g:4~ time_constant_s=τ:4~ overstress+overstress_standard_error=g/(1−Σg)";
-        out += &format!(
-            "\n{}\n{}g: share of the stress at once (Prony series)\n",
-            pairs(&listed(&all["relaxation"], RELAXATION, &u)),
-            tabled(branches, keys, &u)
-        );
+        let (about, branches) = (listed(&all["relaxation"], RELAXATION, &u), tabled(branches, keys, &u));
+        out += &format!("\n{}\n{branches}g: share of the stress at once (Prony series)\n", pairs(&about));
     }
     if all["softening"].is_object() {
         out += &format!("\n{}", pairs(&listed(&all["softening"], SOFTENING, &u)));

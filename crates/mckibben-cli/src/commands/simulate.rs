@@ -95,9 +95,10 @@ fn as_text(answer: &SimulateAnswer, u: &Units) -> String {
     let mut out = format!("{} test, model {}\n{}\n", answer.test.name(), answer.model, answer.muscle.line(u));
     answer.notes.iter().for_each(|note| out.push_str(&format!("note: {}\n", u.sentence(note))));
     out += &format!(
-        "\n{}\nstrand: tension of one strand; braid: of all strands together. stretch: 99 % of the rubber is stretched by less.\n",
+        "\n{}\nstrand: tension of one strand; braid: of all strands together. ",
         tabled(points, POINTS, u)
     );
+    out += "stretch: 99 % of the rubber is stretched by less.\n";
     if let Some(last) = points.iter().rfind(|q| q["profile"].is_array()) {
         out += &last_text(last, u);
     }
@@ -117,10 +118,8 @@ fn last_text(point: &Value, u: &Units) -> String {
     let mut out = format!("\nThe last point\n{}", pairs(&listed(point, LAST, u)));
     let strands = rows("strands");
     let ends: Vec<&Value> = strands.first().into_iter().chain(strands.last()).collect();
-    out += &format!(
-        "\nStrands in the middle and at the terminal\n{}",
-        tabled(&ends, "rest_z_mm=z_at_rest angle_deg stretch:5", u)
-    );
+    let strands = tabled(&ends, "rest_z_mm=z_at_rest angle_deg stretch:5", u);
+    out += &format!("\nStrands in the middle and at the terminal\n{strands}");
     let gain = |mut row: Value| {
         let gain = row["value"].as_f64().zip(row["force_n_per_unit"].as_f64());
         row["gain_n"] = gain.map(|(value, slope)| 0.01 * value * slope).into();

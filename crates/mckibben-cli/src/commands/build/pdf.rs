@@ -24,26 +24,20 @@ pub(super) fn browser() -> Result<&'static str, Failure> {
     };
     names.iter().find(runs).copied().ok_or_else(|| {
         let message = "a PDF needs Chromium or Chrome, which is not installed";
-        Failure::input(
-            ProblemKind::Output,
-            message,
-            "install chromium, or write FILE.html and print that from any browser",
-        )
+        let hint = "install chromium, or write FILE.html and print that from any browser";
+        Failure::input(ProblemKind::Output, message, hint)
     })
 }
 
 /// The page as PDF.
 pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Failure> {
-    let wrong = |why: String| {
-        Failure::input(
-            ProblemKind::Output,
-            format!("{browser} could not print the page: {why}"),
-            "print the HTML page",
-        )
+    let wrong = |why: io::Error| {
+        let message = format!("{browser} could not print the page: {why}");
+        Failure::input(ProblemKind::Output, message, "print the HTML page")
     };
-    let (folder, _lock) = folder().map_err(|e| wrong(e.to_string()))?;
+    let (folder, _lock) = folder().map_err(&wrong)?;
     let (page, pdf) = (folder.path().join("report.html"), folder.path().join("report.pdf"));
-    std::fs::write(&page, html).map_err(|e| wrong(e.to_string()))?;
+    std::fs::write(&page, html).map_err(&wrong)?;
     let mut flags = vec!["--headless".to_owned(), "--disable-gpu".into(), "--no-pdf-header-footer".into()];
     flags.push(format!("--user-data-dir={}", folder.path().join("profile").display()));
     flags.push(format!("--print-to-pdf={}", pdf.display()));
@@ -51,17 +45,12 @@ pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Failure> {
         // Its sandbox refuses to work for root; the page is our own and has no script.
         flags.push("--no-sandbox".into());
     }
-    let said = File::create(folder.path().join("said")).map_err(|e| wrong(e.to_string()))?;
+    let said = File::create(folder.path().join("said")).map_err(&wrong)?;
     let mut command = Command::new(browser);
     let quiet = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(said);
-    let mut child = quiet
-        .args(flags)
-        .arg(&page)
-        .env("TMPDIR", folder.path())
-        .spawn()
-        .map_err(|e| wrong(e.to_string()))?;
+    let mut child = quiet.args(flags).arg(&page).env("TMPDIR", folder.path()).spawn().map_err(&wrong)?;
     let status = loop {
-        if let Some(status) = child.try_wait().map_err(|e| wrong(e.to_string()))? {
+        if let Some(status) = child.try_wait().map_err(&wrong)? {
             break status;
         }
         if let Err(ended) = progress::ended() {
@@ -79,9 +68,9 @@ pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Failure> {
     progress::ended()?;
     if !status.success() {
         let said = std::fs::read_to_string(folder.path().join("said")).unwrap_or_default();
-        return Err(wrong(said.lines().last().unwrap_or_default().into()));
+        return Err(wrong(io::Error::other(said.lines().last().unwrap_or_default())));
     }
-    std::fs::read(&pdf).map_err(|e| wrong(e.to_string()))
+    std::fs::read(&pdf).map_err(&wrong)
 }
 
 /// A folder that nobody else can write to, also for the browser's profile, with the lock that holds it. Those that killed programs left are removed.
