@@ -210,10 +210,7 @@ impl From<&PointFit> for IdentifiedPoint {
 /// The muscle with the values found as a muscle file.
 fn muscle_file(data: &str, model: &str, found: &Identification, measured: bool) -> Result<String, Problem> {
     // Points of a formula are no bench.
-    let muscle = match found.bench.clone().filter(|_| measured) {
-        Some(bench) => found.muscle.clone().with_bench(bench),
-        None => found.muscle.clone(),
-    };
+    let muscle = if measured { found.with_bench() } else { found.muscle.clone() };
     let text = format!(
         "# Identified from {} with the model {}:\n# {}\n{}",
         line(data),

@@ -2,6 +2,7 @@
 
 pub use crate::measured::{MeasuredPoint, mean_of_branches, read_measured};
 
+use crate::identify::{Spread, spread};
 use crate::measured::DataPoint;
 use mckibben::analysis::{Options, response_on};
 use mckibben::answer::borne_force;
@@ -34,7 +35,7 @@ pub fn compare(
     points: &[MeasuredPoint],
     options: Options,
 ) -> Result<Comparison, ModelError> {
-    let (mut squares, mut sum, mut max_n, mut count) = (0.0, 0.0, 0.0_f64, 0usize);
+    let mut differences = vec![];
     let mut failed: Option<(usize, ModelError)> = None;
     for point in points {
         cancel::check()?;
@@ -46,28 +47,22 @@ pub fn compare(
         match checked.and_then(|()| {
             borne_force(model, workspace, point.pressure_mpa, point.contraction, options.direction)
         }) {
-            Ok(force) => {
-                let difference = force.max(0.0) - point.force_n;
-                squares += difference * difference;
-                sum += difference;
-                max_n = max_n.max(difference.abs());
-                count += 1;
-            }
+            Ok(force) => differences.push(force.max(0.0) - point.force_n),
             Err(error) => failed = Some(failed.map_or((1, error), |(n, first)| (n + 1, first))),
         }
     }
-    if count == 0
+    if differences.is_empty()
         && let Some((_, error)) = failed
     {
         return Err(error);
     }
-    let n = count.max(1) as f64;
+    let Spread { points, rms_n, max_n, mean_n, .. } = spread("", &differences);
     Ok(Comparison {
         model: model.info().name.to_string(),
-        rms_n: (squares / n).sqrt(),
+        rms_n,
         max_n,
-        mean_n: sum / n,
-        points: count,
+        mean_n,
+        points,
         unanswered: failed.map(|(n, error)| (n, error.to_string())),
     })
 }
@@ -97,10 +92,6 @@ pub fn compare_volumes(
         let here = response_on(model, workspace, p, e, options.direction).ok();
         differences.extend(here.and_then(|r| Some(r.volume_mm3? - point.volume_mm3?)));
     }
-    let n = differences.len() as f64;
-    (!differences.is_empty()).then(|| VolumeComparison {
-        points: differences.len(),
-        rms_mm3: (differences.iter().map(|d| d * d).sum::<f64>() / n).sqrt(),
-        mean_mm3: differences.iter().sum::<f64>() / n,
-    })
+    let Spread { points, rms_n: rms_mm3, mean_n: mean_mm3, .. } = spread("", &differences);
+    (points > 0).then_some(VolumeComparison { points, rms_mm3, mean_mm3 })
 }
