@@ -19,7 +19,7 @@ def test_a_name_is_its_muscle_in_functions_and_objects() -> None:
     force = mk.force(muscle, 0.5, 0.1, model="thick-wall").force_n
     assert mk.force(NAME, 0.5, 0.1, model="thick-wall").force_n == force
     assert mk.Muscle(NAME) == muscle
-    with pytest.raises(mk.MckibbenError, match="did you mean lib:dmsp-20-300"):
+    with pytest.raises(mk.MckibbenError, match="did you mean dmsp-20-300"):
         mk.force("lib:dmsp-20-30", 0.5, 0.1)
 
 

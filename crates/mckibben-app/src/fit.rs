@@ -1,9 +1,7 @@
 //! `fit`, and `check` of a formula: from a table of points to a formula, and a formula shown.
 
-use crate::{
-    Model, MuscleFields, NamedFields, Problem, ProblemKind, Result, Stiffness, TextFile, figure, finite,
-};
-use mckibben::formula::{Document, Form, Made, UniversalFormula};
+use crate::{Model, MuscleFields, NamedFields, Problem, ProblemKind, Result, Stiffness, TextFile, figure, finite};
+use mckibben::formula::{Document, Form, Made, Provenance, UniversalFormula};
 use mckibben::{model::ModelKind, progress::Progress};
 use mckibben_campaign::fit::data::FitPoint;
 use mckibben_campaign::fit::results::{Results, results};
@@ -132,9 +130,7 @@ fn section(request: &FitRequest) -> Result<FitAnswer> {
         method,
         hold_out: &request.hold_out_mm,
         name: request.name.clone().unwrap_or_else(|| usual.into()),
-        table: origin.table.clone(),
-        plan_hash: origin.plan_hash,
-        seed: origin.seed,
+        from: origin.from,
     })
     .map_err(|e| no_fit(&origin.name, e))?;
     if !request.hold_out_mm.is_empty() && fitted.formula.errors.held_out.is_none() {
@@ -173,9 +169,7 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
     let wanted = UniversalRequest {
         form,
         name: request.name.clone().unwrap_or_else(|| usual.name().into()),
-        table: origin.table,
-        plan_hash: origin.plan_hash,
-        seed: origin.seed,
+        from: origin.from,
     };
     let fitted = samples(&rows).and_then(|samples| universal(&samples, &wanted, progress));
     let formula = Document::Universal(fitted.map_err(|e| no_fit(&origin.name, e))?);
@@ -336,12 +330,8 @@ struct Points {
 struct Origin {
     /// Its path or name, for messages.
     name: String,
-    /// Its name, for the formula.
-    table: Option<String>,
-    /// Hash of the campaign's plan, where it is known.
-    plan_hash: Option<String>,
-    /// Seed of the plan, where it has one.
-    seed: Option<u64>,
+    /// Its name, hash and seed of its plan, where they are known, for the formula.
+    from: Provenance,
 }
 
 /// What every row says of its muscle and its point, in this order.
@@ -357,13 +347,9 @@ fn file_name(name: &Path) -> Option<String> {
 #[cfg(feature = "files")]
 fn rows(path: &Path) -> Result<(Vec<mckibben_campaign::PointRow>, Origin)> {
     let table = mckibben_campaign::campaign::rows(path)?;
-    let origin = Origin {
-        name: path.display().to_string(),
-        table: file_name(path),
-        plan_hash: Some(table.provenance().plan_sha256.clone()),
-        seed: table.provenance().seed,
-    };
-    Ok((table.collect::<Result<_, _>>()?, origin))
+    let (plan_hash, seed) = (Some(table.provenance.plan_sha256.clone()), table.provenance.seed);
+    let from = Provenance { table: file_name(path), plan_hash, seed, ..Provenance::default() };
+    Ok((table.collect::<Result<_, _>>()?, Origin { name: path.display().to_string(), from }))
 }
 
 #[cfg(feature = "files")]
@@ -396,7 +382,7 @@ fn of_csv(file: &TextFile) -> Result<Points> {
         })
     };
     let points = read.into_iter().map(point).collect::<Result<_>>()?;
-    let (name, table) = (file.name.clone(), file_name(Path::new(&file.name)));
-    let origin = Origin { name, table, plan_hash: None, seed: None };
+    let from = Provenance { table: file_name(Path::new(&file.name)), ..Provenance::default() };
+    let origin = Origin { name: file.name.clone(), from };
     Ok(Points { points, failed: understood.left_out, made_for: None, origin })
 }

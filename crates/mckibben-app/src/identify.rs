@@ -210,12 +210,15 @@ impl From<&PointFit> for IdentifiedPoint {
 /// The muscle with the values found as a muscle file.
 fn muscle_file(data: &str, model: &str, found: &Identification, measured: bool) -> Result<String> {
     // Points of a formula are no bench.
-    let muscle = match found.bench.clone().filter(|_| measured) {
-        Some(bench) => found.muscle.clone().with_bench(bench),
-        None => found.muscle.clone(),
-    };
-    let (data, model, found) = (line(data), line(model), in_one_line(&found.parameters));
-    readable(format!("# Identified from {data} with the model {model}:\n# {found}\n{}", to_toml(&muscle)))
+    let muscle = if measured { found.with_bench() } else { found.muscle.clone() };
+    let text = format!(
+        "# Identified from {} with the model {}:\n# {}\n{}",
+        line(data),
+        line(model),
+        in_one_line(&found.parameters),
+        to_toml(&muscle)
+    );
+    readable(text)
 }
 
 /// A muscle file that every command reads again.

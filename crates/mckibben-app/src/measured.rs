@@ -4,10 +4,10 @@ use crate::{MeshFields, Model, Problem, ProblemKind, Result, Units, figure};
 use mckibben::{muscle::Muscle, progress::Progress, size};
 use mckibben_fit::validation::case::{self, CaseError, Measurement, MuscleCase};
 pub use mckibben_fit::validation::case::{CaseFiles as MeasuredFolder, Facts as MeasuredFacts};
-pub use mckibben_fit::validation::report::MeasuredBranch;
-use mckibben_fit::validation::report::{FitResult, Group, ReportError, report};
-use mckibben_fit::validation::rubber::{self, RubberCase, RubberFitResult, RubberGroup};
-use mckibben_fit::{identify::Identified, rubber::Parameter};
+pub use mckibben_fit::validation::report::{FitResult as MeasuredFit, MeasuredBranch};
+use mckibben_fit::validation::report::{Group, ReportError, report};
+pub use mckibben_fit::validation::rubber::RubberFitResult as MeasuredRubberFit;
+use mckibben_fit::validation::rubber::{self, RubberCase, RubberGroup};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -54,17 +54,6 @@ pub struct MeasuredCase {
     pub fits: Vec<MeasuredFit>,
 }
 
-/// What was fitted to which points, and what was found.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-pub struct MeasuredFit {
-    /// Its name.
-    pub fit: String,
-    /// Its points: `all`, `nothing`, or their lengths, pressures or contractions.
-    pub fitted_to: String,
-    /// What was found, with its error.
-    pub parameters: Vec<Identified>,
-}
-
 /// Errors of a fit at some points: measured − computed.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MeasuredResult {
@@ -89,22 +78,6 @@ pub struct MeasuredRubber {
     pub points: usize,
     /// What was fitted.
     pub fits: Vec<MeasuredRubberFit>,
-}
-
-/// A law that was fitted, and what was found.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-pub struct MeasuredRubberFit {
-    /// Its name.
-    pub fit: String,
-    /// The law.
-    pub law: String,
-    /// Its constants, with a Prony series those at once.
-    pub parameters: Vec<Parameter>,
-    /// Shares and time constants in s of the Prony series, where one was fitted.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub prony: Vec<(f64, f64)>,
-    /// Whether the law is stable in a muscle.
-    pub stable: bool,
 }
 
 /// Errors of a fit at some nominal stresses: measured − computed.
@@ -144,30 +117,24 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
     let name = model.name().to_owned();
     let figure = request.figure.as_ref().map(|u| figure::measured(&cases, &found, (&name, &build), u));
     let results = found.iter().flat_map(|r| r.groups.iter().map(|g| result(&cases, r, g)));
+    let case = |(number, case): (usize, &&MuscleCase)| {
+        let fits = found.iter().filter(|r| r.case == number).cloned().collect();
+        MeasuredCase { facts: case.facts.clone(), points: case.points.len(), fits }
+    };
     Ok(MeasuredAnswer {
         model: name,
         results: results.collect(),
-        cases: cases.iter().enumerate().map(|(i, case)| facts(i, case, &found)).collect(),
+        cases: cases.iter().enumerate().map(case).collect(),
         rubbers,
         stresses,
         figure,
     })
 }
 
-fn facts(number: usize, case: &MuscleCase, found: &[FitResult]) -> MeasuredCase {
-    let fits = found.iter().filter(|r| r.case == number).map(|r| MeasuredFit {
-        fit: case.fits[r.fit].name.clone(),
-        fitted_to: r.fitted_to.clone(),
-        parameters: r.parameters.clone(),
-    });
-    MeasuredCase { facts: case.facts.clone(), points: case.points.len(), fits: fits.collect() }
-}
-
-fn result(cases: &[&MuscleCase], r: &FitResult, group: &Group) -> MeasuredResult {
-    let case = cases[r.case];
+fn result(cases: &[&MuscleCase], r: &MeasuredFit, group: &Group) -> MeasuredResult {
     MeasuredResult {
-        case: case.facts.name.clone(),
-        fit: case.fits[r.fit].name.clone(),
+        case: cases[r.case].facts.name.clone(),
+        fit: r.fit.clone(),
         fitted_to: r.fitted_to.clone(),
         group: group.clone(),
     }
@@ -180,20 +147,15 @@ fn rubbers(
 ) -> Result<(Vec<MeasuredRubber>, Vec<MeasuredStress>)> {
     let found = rubber::report(cases, progress)?;
     let of = |(number, case): (usize, &&RubberCase)| {
-        let fits = found.iter().filter(|r| r.case == number).map(|r| {
-            let RubberFitResult { fit, parameters, prony, stable, .. } = r.clone();
-            let fit = &case.fits[fit];
-            MeasuredRubberFit { fit: fit.name.clone(), law: fit.form.name(), parameters, prony, stable }
-        });
-        MeasuredRubber { facts: case.facts.clone(), points: case.len(), fits: fits.collect() }
+        let fits = found.iter().filter(|r| r.case == number).cloned().collect();
+        MeasuredRubber { facts: case.facts.clone(), points: case.len(), fits }
     };
     let stresses = found.iter().flat_map(|r| {
-        let case = cases[r.case];
-        r.groups.iter().cloned().map(|group| MeasuredStress {
-            case: case.facts.name.clone(),
-            fit: case.fits[r.fit].name.clone(),
-            group,
-        })
+        let stress = |group: &RubberGroup| {
+            let (case, fit) = (cases[r.case].facts.name.clone(), r.fit.clone());
+            MeasuredStress { case, fit, group: group.clone() }
+        };
+        r.groups.iter().map(stress)
     });
     Ok((cases.iter().enumerate().map(of).collect(), stresses.collect()))
 }

@@ -94,13 +94,8 @@ pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
         let message = "the library of muscles needs the full engine; this is a reduced one";
         return Err(Problem::new(ProblemKind::File, message, ""));
     }
-    muscles::file(name).map(Cow::Owned).map_err(|error| {
-        Problem::new(
-            ProblemKind::File,
-            error.to_string(),
-            "`parts list muscles` shows them with their sources",
-        )
-    })
+    let hint = "`parts list muscles` shows them with their sources";
+    muscles::file(name).map(Cow::Owned).map_err(|error| Problem::new(ProblemKind::File, error, hint))
 }
 
 /// The muscle of a muscle file, or that of the library whose name stands in the place of one: `lib:dmsp-20-300`.

@@ -337,7 +337,7 @@ impl From<CampaignError> for Problem {
     fn from(error: CampaignError) -> Self {
         let kind = match error {
             CampaignError::Cancelled(cancelled) => return cancelled.into(),
-            CampaignError::OtherPlan { .. } | CampaignError::OtherVersion { .. } => ProblemKind::OtherPlan,
+            CampaignError::OtherPlan { .. } => ProblemKind::OtherPlan,
             CampaignError::Locked { .. } => ProblemKind::Locked,
             CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => ProblemKind::Damaged,
             CampaignError::Incomplete { .. } => ProblemKind::Incomplete,
@@ -346,7 +346,7 @@ impl From<CampaignError> for Problem {
             | CampaignError::Threads(_)
             | CampaignError::Foreign { .. }
             | CampaignError::Appeared { .. } => ProblemKind::Output,
-            CampaignError::ShardOfFile { .. } | CampaignError::OtherFormat { .. } => ProblemKind::Usage,
+            CampaignError::Refused(..) => ProblemKind::Usage,
             CampaignError::NoCampaign { .. } => ProblemKind::File,
             #[cfg(feature = "files")]
             CampaignError::Read { .. } => ProblemKind::File,

@@ -2,6 +2,7 @@
 //!
 //! `cargo run --release -p mckibben-campaign --example 3_own_formula`
 
+use mckibben::formula::Provenance;
 use mckibben::model::FormulaModel;
 use mckibben::prelude::*;
 use mckibben_campaign::campaign::{Plan, RunOptions, read, run};
@@ -50,9 +51,7 @@ fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
         method: Method::Global,
         hold_out: &[],
         name: "own".into(),
-        table: None,
-        plan_hash: Some(plan.hash()),
-        seed: None,
+        from: Provenance { plan_hash: Some(plan.hash()), ..Provenance::default() },
     })?;
     println!("{}", fitted.formula.equation());
 

@@ -1,8 +1,7 @@
-//! The columns of a campaign's table, declared once: Parquet's schema and its encoding, `campaign show` and the table in
-//! `docs/commands.md` follow from [`COLUMNS`].
+//! The columns of a campaign's table, declared once: Parquet's schema, its encoding and `campaign show` follow from [`COLUMNS`]. What each
+//! means is in [`PointRow`] and, for users, in `docs/commands.md`.
 
 use mckibben::status::Status;
-use std::fmt::Write as _;
 
 /// A row of a campaign's table: a muscle, a question, and what came out. Failures are rows too. How each is called in
 /// tables, and its unit, says [`crate::columns`].
@@ -87,22 +86,12 @@ pub enum Slot<'a> {
 pub struct Column {
     /// Its name, with the unit; an example of it where it stands for a group.
     pub name: &'static str,
-    /// Its unit; empty where it has none.
-    pub unit: &'static str,
-    /// What is in it, in a few words.
-    pub meaning: &'static str,
     pub role: Role,
     pub slot: fn(&mut PointRow) -> Slot<'_>,
 }
 
-const fn column(
-    role: Role,
-    name: &'static str,
-    unit: &'static str,
-    meaning: &'static str,
-    slot: fn(&mut PointRow) -> Slot<'_>,
-) -> Column {
-    Column { name, unit, meaning, role, slot }
+const fn column(role: Role, name: &'static str, slot: fn(&mut PointRow) -> Slot<'_>) -> Column {
+    Column { name, role, slot }
 }
 
 /// All columns in their order.
@@ -110,91 +99,49 @@ pub static COLUMNS: [Column; 23] = {
     use Role::{Answer, Note, Question};
     use Slot::{Constants, Count, Measures, Number, Optional, Sensitivities, Text, Whole};
     [
-        column(Note, "muscle", "", "number of the muscle in the plan, from 0", |r| Whole(&mut r.muscle)),
-        column(Question, "outer_diameter_mm", "mm", "D0", |r| Number(&mut r.outer_diameter_mm)),
-        column(Question, "wall_mm", "mm", "s", |r| Number(&mut r.wall_mm)),
-        column(Question, "length_mm", "mm", "L0", |r| Number(&mut r.length_mm)),
-        column(Question, "angle_deg", "deg", "θ0", |r| Number(&mut r.angle_deg)),
-        column(Note, "law", "", "law of the rubber", |r| Text(&mut r.law)),
-        column(Question, "c10_mpa", "MPa", "constants of the law, a column each", |r| {
-            Constants(&mut r.constants)
-        }),
-        column(
-            Question,
-            "braid_stiffness_n_per_mm",
-            "N/mm",
-            "k of one strand family; nothing for inextensible strands",
-            |r| Optional(&mut r.stiffness_of_braid_n_per_mm),
-        ),
-        column(
-            Question,
-            "seating_mm",
-            "mm, …",
-            "any other measure of the muscle that varies, a column each",
-            |r| Measures(&mut r.measures),
-        ),
-        column(Question, "pressure_mpa", "MPa", "P", |r| Number(&mut r.pressure_mpa)),
-        column(Question, "contraction", "", "ε", |r| Number(&mut r.contraction)),
-        column(Answer, "force_n", "N", "F, two-sided", |r| Optional(&mut r.force_n)),
-        column(Answer, "volume_mm3", "mm³", "V of the cavity", |r| Optional(&mut r.volume_mm3)),
-        column(Answer, "stiffness_n_per_mm", "N/mm", "∂F/∂L at fixed P", |r| {
-            Optional(&mut r.stiffness_n_per_mm)
-        }),
-        column(Answer, "force_per_pressure_n_per_mpa", "N/MPa", "∂F/∂P at fixed ε", |r| {
-            Optional(&mut r.force_per_pressure_n_per_mpa)
-        }),
-        column(Answer, "braid_tension_n", "N", "tension of all strands together", |r| {
-            Optional(&mut r.braid_tension_n)
-        }),
-        column(Answer, "strand_tension_n", "N", "tension of one strand, where their number is known", |r| {
-            Optional(&mut r.strand_tension_n)
-        }),
-        column(Answer, "bulged_diameter_mm", "mm", "largest outer diameter", |r| {
-            Optional(&mut r.bulged_diameter_mm)
-        }),
-        column(Answer, "max_stretch", "", "largest principal stretch of the rubber", |r| {
-            Optional(&mut r.max_stretch)
-        }),
-        column(
-            Answer,
-            "d_force_d_tube_outer_diameter",
-            "N per mm, MPa, deg, N/mm",
-            "∂F at fixed P and ε by measures and constants, a column each, where the plan asks for them",
-            |r| Sensitivities(&mut r.sensitivities),
-        ),
-        column(
-            Note,
-            "status",
-            "",
-            "`ok`; `collapsed` (no equilibrium where the infinitely long muscle would push), `other_branch` (only one that does not continue the taut muscle, such as that of a folded tube), `not_converged`, `no_muscle` (no muscle has such dimensions)",
-            |r| Slot::Status(&mut r.status),
-        ),
-        column(Note, "cause", "", "why there is no answer", |r| Text(&mut r.cause)),
-        column(Note, "iterations", "", "of Newton's method", |r| Count(&mut r.iterations)),
+        column(Note, "muscle", |r| Whole(&mut r.muscle)),
+        column(Question, "outer_diameter_mm", |r| Number(&mut r.outer_diameter_mm)),
+        column(Question, "wall_mm", |r| Number(&mut r.wall_mm)),
+        column(Question, "length_mm", |r| Number(&mut r.length_mm)),
+        column(Question, "angle_deg", |r| Number(&mut r.angle_deg)),
+        column(Note, "law", |r| Text(&mut r.law)),
+        column(Question, "c10_mpa", |r| Constants(&mut r.constants)),
+        column(Question, "braid_stiffness_n_per_mm", |r| Optional(&mut r.stiffness_of_braid_n_per_mm)),
+        column(Question, "seating_mm", |r| Measures(&mut r.measures)),
+        column(Question, "pressure_mpa", |r| Number(&mut r.pressure_mpa)),
+        column(Question, "contraction", |r| Number(&mut r.contraction)),
+        column(Answer, "force_n", |r| Optional(&mut r.force_n)),
+        column(Answer, "volume_mm3", |r| Optional(&mut r.volume_mm3)),
+        column(Answer, "stiffness_n_per_mm", |r| Optional(&mut r.stiffness_n_per_mm)),
+        column(Answer, "force_per_pressure_n_per_mpa", |r| Optional(&mut r.force_per_pressure_n_per_mpa)),
+        column(Answer, "braid_tension_n", |r| Optional(&mut r.braid_tension_n)),
+        column(Answer, "strand_tension_n", |r| Optional(&mut r.strand_tension_n)),
+        column(Answer, "bulged_diameter_mm", |r| Optional(&mut r.bulged_diameter_mm)),
+        column(Answer, "max_stretch", |r| Optional(&mut r.max_stretch)),
+        column(Answer, "d_force_d_tube_outer_diameter", |r| Sensitivities(&mut r.sensitivities)),
+        column(Note, "status", |r| Slot::Status(&mut r.status)),
+        column(Note, "cause", |r| Text(&mut r.cause)),
+        column(Note, "iterations", |r| Count(&mut r.iterations)),
     ]
 };
-
-/// The columns as a table in Markdown.
-pub fn documentation() -> String {
-    let mut out = String::from("| column | unit | |\n|---|---|---|\n");
-    for c in &COLUMNS {
-        let more = match (c.slot)(&mut PointRow::default()) {
-            Slot::Constants(_) | Slot::Measures(_) | Slot::Sensitivities(_) => ", …",
-            _ => "",
-        };
-        // Writing to a text does not fail.
-        let _ = writeln!(out, "| `{}`{more} | {} | {} |", c.name, c.unit, c.meaning);
-    }
-    out
-}
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn the_documentation_has_every_column() {
+    fn the_documentation_has_every_column_in_its_order() {
         let text = include_str!("../../../docs/commands.md");
-        assert!(text.contains(&documentation()), "docs/commands.md is to have\n{}", documentation());
+        let table = text.split_once("| column | unit | |\n|---|---|---|\n").unwrap().1;
+        let group = |c: &Column| {
+            matches!(
+                (c.slot)(&mut PointRow::default()),
+                Slot::Constants(_) | Slot::Measures(_) | Slot::Sensitivities(_)
+            )
+        };
+        for (row, column) in table.lines().zip(&COLUMNS) {
+            let more = if group(column) { ", …" } else { "" };
+            assert!(row.starts_with(&format!("| `{}`{more} | ", column.name)), "{row}");
+        }
     }
 }

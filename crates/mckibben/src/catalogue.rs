@@ -59,7 +59,7 @@ pub fn plain(name: &str) -> String {
 }
 
 /// The part of a name or alias; else that there is none, with the nearest name or all of them.
-pub(crate) fn named<'a, T>(
+pub fn named<'a, T>(
     kind: &str,
     parts: &'a [T],
     names: impl Fn(&'a T) -> (&'a str, &'a [String]),

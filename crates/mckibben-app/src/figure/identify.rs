@@ -7,19 +7,12 @@ use mckibben::analysis::Evaluation;
 use mckibben::model::Workspace;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben_fit::identify::{Identification, PointFit};
-use mckibben_fit::measured::{DataPoint, Section, mean_of_data};
+use mckibben_fit::measured::{DataPoint, Section, distinct, mean_of_data};
 use mckibben_fit::{identify::Build, validation::case::MuscleCase, validation::report::FitResult};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// Curves of one figure at most; of more levels some are shown.
 const CURVES: usize = 6;
-
-fn levels(values: impl Iterator<Item = f64>) -> Vec<f64> {
-    let mut list: Vec<f64> = values.collect();
-    list.sort_by(f64::total_cmp);
-    list.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * (1e-3 + b.abs()));
-    list
-}
 
 /// Some of many, first and last among them.
 fn thinned(list: &[f64]) -> Vec<f64> {
@@ -44,8 +37,8 @@ struct Levels {
 impl Levels {
     fn of(found: &Identification) -> Self {
         let at = || found.points.iter().map(|f| f.point.at);
-        let pressures = levels(at().map(|p| p.pressure_mpa));
-        let contractions = levels(at().map(|p| p.contraction));
+        let pressures = distinct(at().map(|p| p.pressure_mpa));
+        let contractions = distinct(at().map(|p| p.contraction));
         let isobaric = pressures.len() <= contractions.len();
         let all = if isobaric { pressures } else { contractions };
         Self { isobaric, fixed: thinned(&all), all: all.len() }
@@ -217,7 +210,7 @@ pub(crate) fn measured(
         .caption(caption(&about))
         .palette(Palette::Sequential);
     for (number, case) in cases.iter().enumerate() {
-        let Some(first) = found.iter().find(|r| r.case == number && r.fit == 0) else { continue };
+        let Some(first) = found.iter().find(|r| r.case == number) else { continue };
         figure = panels(figure, case, &first.muscle, model.1, u);
     }
     figure.columns(2)

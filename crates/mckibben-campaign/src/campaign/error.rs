@@ -7,15 +7,14 @@ use std::path::Path;
 use std::path::PathBuf;
 use thiserror::Error;
 
+pub(super) type Result<T, E = CampaignError> = std::result::Result<T, E>;
+
 /// Why a campaign does not run, or a store cannot be read.
 #[derive(Debug, Error)]
 pub enum CampaignError {
-    /// The store holds the table of another plan.
+    /// The store holds the table of another plan, or of another version of the program, whose numbers may differ.
     #[error("{0}")]
     OtherPlan(String),
-    /// The store was made by another version of the program, whose numbers may differ.
-    #[error("{path} was written by mckibben {1}, and this is version {2}", path = .0.display())]
-    OtherVersion(PathBuf, String, String),
     /// Another process writes to the store.
     #[error("another process is writing to {}", .0.display())]
     Locked(PathBuf),
@@ -31,12 +30,9 @@ pub enum CampaignError {
     /// Nothing of a campaign is there, and what is there instead.
     #[error("{path} is not a campaign: {1}", path = .0.display())]
     NoCampaign(PathBuf, String),
-    /// A shard of a campaign that is to be one file.
-    #[error("a shard writes parts, and {} would be one file", .0.display())]
-    ShardOfFile(PathBuf),
-    /// A name that promises another format.
-    #[error("a campaign is one file that ends in .parquet, or a folder of parts; {} would be neither", .0.display())]
-    OtherFormat(PathBuf),
+    /// A place that does not go with the rest of the request, and what can be done about it.
+    #[error("{0}")]
+    Refused(String, &'static str),
     /// A file cannot be written; what was there before is untouched.
     #[error("cannot write {path}: {1}", path = .0.display())]
     Write(PathBuf, std::io::Error),
@@ -66,10 +62,7 @@ impl CampaignError {
     pub fn hint(&self) -> &'static str {
         match self {
             Self::OtherPlan { .. } => {
-                "write to another place, or replace it with `overwrite`; any change of a plan's text makes another plan"
-            }
-            Self::OtherVersion { .. } => {
-                "write to another place, continue with that version, or replace it with `overwrite`"
+                "write to another place, or replace it with `overwrite`; any change of a plan's text makes another plan, and a campaign is continued by the version that began it"
             }
             Self::Foreign { .. } => "write to another place, move it away, or replace it with `overwrite`",
             Self::Appeared { .. } => {
@@ -89,12 +82,7 @@ impl CampaignError {
                 "run the campaign (or the missing shards) again: it computes what is missing"
             }
             Self::Conflict { .. } => "they come from different programs or machines: recompute one of them",
-            Self::ShardOfFile { .. } => {
-                "give a folder, and merge the parts into a file when all shards are there"
-            }
-            Self::OtherFormat { .. } => {
-                "name it FILE.parquet, which pandas, DuckDB and others read, and write as CSV"
-            }
+            Self::Refused(_, hint) => hint,
             Self::Write { .. } | Self::Encode(_) => {
                 "what was written before is a valid store; the same command continues from there"
             }
@@ -120,6 +108,16 @@ impl CampaignError {
     pub(super) fn unread(path: &Path) -> impl FnOnce(mckibben_io::files::ReadError) -> Self {
         let path = path.to_path_buf();
         move |error| Self::Read(path, error)
+    }
+
+    pub(super) fn other_format(path: &Path) -> Self {
+        let path = path.display();
+        Self::Refused(
+            format!(
+                "a campaign is one file that ends in .parquet, or a folder of parts; {path} would be neither"
+            ),
+            "name it FILE.parquet, which pandas, DuckDB and others read, and write as CSV",
+        )
     }
 
     pub(super) fn damaged(path: &Path, why: impl ToString) -> Self {

@@ -1,8 +1,8 @@
 //! Parts → one file.
 
-use super::CampaignError;
 use super::resume::belongs;
-use super::store::{Folder, Opened, PartSource, Provenance, Table, Which, is_file_name, part_name, whole};
+use super::store::{Folder, Opened, PartSource, Provenance, Which, flat, is_file_name, part_name, write};
+use super::{CampaignError, Result};
 use mckibben_io::files::{Unfinished, sync};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -24,41 +24,18 @@ pub struct Merged {
     pub plan_sha256: String,
 }
 
-/// The tables of parts in the order of the plan, each checked against the plan it must belong to; one group of rows is held at a time.
-pub(super) fn tables<'a>(
-    provenance: &'a Provenance,
-    places: impl Iterator<Item = (u64, PartSource)> + 'a,
-) -> impl Iterator<Item = Result<Table, CampaignError>> + 'a {
-    places.flat_map(move |(number, place)| -> Box<dyn Iterator<Item = Result<Table, CampaignError>>> {
-        let name = match &place {
-            PartSource::File(path) => path.clone(),
-            PartSource::Memory(_) => part_name(number).into(),
-        };
-        let open = || {
-            let opened = place.open(number)?;
-            belongs(&opened.provenance, provenance, &name)?;
-            if opened.which != Which::Part(number) {
-                return Err(CampaignError::damaged(&name, "it contains a different part from its name"));
-            }
-            Ok(opened)
-        };
-        match open() {
-            Ok(opened) => Box::new((0..opened.groups()).map(move |group| opened.group(group))),
-            Err(error) => Box::new(std::iter::once(Err(error))),
-        }
-    })
-}
-
 /// Writes all parts as one file, which appears whole or not at all; with `clobber` instead of an existing file.
 pub(super) fn write_whole(
     provenance: &Provenance,
     places: BTreeMap<u64, PartSource>,
     out: &Path,
     clobber: bool,
-) -> Result<(), CampaignError> {
+) -> Result<()> {
     Unfinished::sweep(out);
     let mut file = Unfinished::beside(out).map_err(CampaignError::write(out))?;
-    whole(provenance, tables(provenance, places.into_iter()), file.file(), out)?;
+    // Each is checked against the plan it must belong to; one group of rows is held at a time.
+    let opened = places.into_iter().map(|(number, place)| place.open(number, provenance));
+    write(provenance, Which::Whole, flat(opened, Opened::tables), file.file(), out)?;
     file.put(clobber).map_err(|error| match error.kind() {
         ErrorKind::AlreadyExists => CampaignError::Appeared(out.into()),
         _ => CampaignError::write(out)(error),
@@ -68,7 +45,7 @@ pub(super) fn write_whole(
 }
 
 /// All parts of some folders; none may be missing.
-pub(super) fn gather(folders: &[PathBuf]) -> Result<(Provenance, BTreeMap<u64, PathBuf>), CampaignError> {
+pub(super) fn gather(folders: &[PathBuf]) -> Result<(Provenance, BTreeMap<u64, PathBuf>)> {
     let mut found: BTreeMap<u64, PathBuf> = BTreeMap::new();
     for folder in folders {
         for (number, path) in Folder::parts(folder)? {
@@ -108,9 +85,9 @@ pub(super) fn gather(folders: &[PathBuf]) -> Result<(Provenance, BTreeMap<u64, P
 
 /// Merges the parts in some folders into one file, the same bytes as those of a single run. An existing file is replaced only
 /// with `overwrite`.
-pub fn merge(folders: &[PathBuf], out: &Path, overwrite: bool) -> Result<Merged, CampaignError> {
+pub fn merge(folders: &[PathBuf], out: &Path, overwrite: bool) -> Result<Merged> {
     if !is_file_name(out) {
-        return Err(CampaignError::OtherFormat(out.into()));
+        return Err(CampaignError::other_format(out));
     }
     if out.exists() && !overwrite {
         return Err(CampaignError::Appeared(out.into()));

@@ -30,6 +30,7 @@ mod summary;
 mod tests;
 
 pub use error::CampaignError;
+use error::Result;
 #[cfg(feature = "store")]
 pub use merge::{Merged, merge};
 pub use plan::{Inputs, Plan, Testing};

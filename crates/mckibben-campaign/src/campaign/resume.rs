@@ -1,8 +1,8 @@
 //! What is there already, and whether it belongs to a plan.
 
-use super::CampaignError;
 use super::run::{Counts, Outcome, Recomputed};
 use super::store::{Folder, MARKER, Opened, PartSource, Provenance, Which};
+use super::{CampaignError, Result};
 use mckibben::threads::Threads;
 use mckibben_io::files::{Unfinished, read};
 use serde::{Deserialize, Serialize};
@@ -11,11 +11,8 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// There is the file already: nothing is to be done, if it is that of this plan.
-pub(super) fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Result<Outcome, CampaignError> {
-    let opened = of_this_plan(provenance, out)?;
-    if opened.which != Which::Whole {
-        return Err(CampaignError::damaged(out, "it contains only a part of the campaign"));
-    }
+pub(super) fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Result<Outcome> {
+    of_this_plan(provenance, out, Which::Whole)?;
     if parts.is_dir() {
         // A run was killed between writing the file and removing its parts.
         match Folder::for_writing(parts, None) {
@@ -36,19 +33,13 @@ pub(super) fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Res
     Ok(Outcome::new(provenance, out, out, counts))
 }
 
-/// A file that is there already, if it is of this plan.
-pub(super) fn of_this_plan(provenance: &Provenance, path: &Path) -> Result<Opened, CampaignError> {
-    let opened = Opened::file(path).map_err(foreign)?;
-    belongs(&opened.provenance, provenance, path)?;
-    Ok(opened)
-}
-
-/// What is no campaign is not replaced.
-fn foreign(error: CampaignError) -> CampaignError {
-    match error {
+/// A file that is there already, if it is this share of this plan; what is no campaign is not replaced.
+fn of_this_plan(provenance: &Provenance, path: &Path, which: Which) -> Result<Opened> {
+    let opened = Opened::file(path).map_err(|error| match error {
         CampaignError::NoCampaign(path, why) => CampaignError::Foreign(path, why),
         error => error,
-    }
+    });
+    opened?.expect(which, provenance)
 }
 
 /// The parts that are there and whole, and those that are damaged, with what is wrong with them.
@@ -62,7 +53,7 @@ pub(super) fn there(
     mine: &impl Fn(&u64) -> bool,
     overwrite: bool,
     threads: &Threads,
-) -> Result<There, CampaignError> {
+) -> Result<There> {
     let mut others = 0;
     let mut looked_at = |part: &(u64, PathBuf)| {
         others += u64::from(!mine(&part.0));
@@ -70,17 +61,16 @@ pub(super) fn there(
     };
     let parts: Vec<(u64, PathBuf)> =
         Folder::parts(&folder.path)?.into_iter().filter(&mut looked_at).collect();
-    let cause =
-        |(number, path): &(u64, PathBuf)| match of_this_plan(provenance, path).and_then(Opened::checked) {
-            Ok(opened) => {
-                let right = opened.which == Which::Part(*number);
-                Ok((!right).then(|| "it contains a different part from its name".to_owned()))
-            }
+    let cause = |(number, path): &(u64, PathBuf)| {
+        let opened = of_this_plan(provenance, path, Which::Part(*number));
+        match opened.and_then(Opened::checked) {
+            Ok(_) => Ok(None),
             Err(CampaignError::Damaged(_, why)) => Ok(Some(why)),
             Err(error @ CampaignError::Read { .. }) => Err(error),
             Err(error) if overwrite => Ok(Some(error.to_string())),
             Err(error) => Err(error),
-        };
+        }
+    };
     let checked = threads.map(&parts, cause);
     let (mut whole, mut damaged) = (BTreeMap::new(), vec![]);
     for ((number, path), checked) in parts.into_iter().zip(checked) {
@@ -96,18 +86,18 @@ pub(super) fn there(
 }
 
 /// Whether a file is of this plan and this program.
-pub(super) fn belongs(theirs: &Provenance, ours: &Provenance, path: &Path) -> Result<(), CampaignError> {
+pub(super) fn belongs(theirs: &Provenance, ours: &Provenance, path: &Path) -> Result<()> {
+    let name = path.display();
     if theirs.plan_sha256 != ours.plan_sha256 {
+        let (theirs, ours) = (&theirs.plan_sha256, &ours.plan_sha256);
         return Err(CampaignError::OtherPlan(format!(
-            "{} contains a campaign of another plan (sha256 {:.12}, this plan has {:.12})",
-            path.display(),
-            theirs.plan_sha256,
-            ours.plan_sha256
+            "{name} contains a campaign of another plan (sha256 {theirs:.12}, this plan has {ours:.12})"
         )));
     }
     if theirs.version != ours.version {
-        let (theirs, ours) = (theirs.version.clone(), ours.version.clone());
-        return Err(CampaignError::OtherVersion(path.into(), theirs, ours));
+        let (theirs, ours) = (&theirs.version, &ours.version);
+        let message = format!("{name} was written by mckibben {theirs}, and this is version {ours}");
+        return Err(CampaignError::OtherPlan(message));
     }
     if theirs == ours {
         Ok(())
@@ -141,11 +131,7 @@ impl Marker {
     }
 
     /// Claims a folder for a plan; one of another plan or version is refused.
-    pub(super) fn claim(
-        folder: &Path,
-        provenance: &Provenance,
-        overwrite: bool,
-    ) -> Result<(), CampaignError> {
+    pub(super) fn claim(folder: &Path, provenance: &Provenance, overwrite: bool) -> Result<()> {
         let path = folder.join(MARKER);
         let ours = Self::of(provenance);
         // Written by another process between the look and the write, it is looked at again.

@@ -3,7 +3,7 @@
 use super::merge::write_whole;
 use super::resume::{Marker, finished, there};
 use super::store::{Folder, PartSource, Provenance, Table, check_name, is_file_name, part, part_name};
-use super::{CampaignError, Plan, Shard, solve};
+use super::{CampaignError, Plan, Result, Shard, solve};
 use mckibben::progress::Progress;
 use mckibben::threads::Threads;
 use mckibben_io::files::check_writable;
@@ -109,17 +109,14 @@ pub(super) fn parts_of(file: &Path) -> PathBuf {
 
 /// Runs a plan into `out`: one file if it ends in `.parquet`, else a folder of parts. What is there already is not
 /// computed again. It reports muscles; where the caller wants it to end, what is there is a valid store, and not complete.
-pub fn run(
-    plan: &Plan,
-    out: &Path,
-    options: &RunOptions,
-    progress: &dyn Progress,
-) -> Result<Outcome, CampaignError> {
+pub fn run(plan: &Plan, out: &Path, options: &RunOptions, progress: &dyn Progress) -> Result<Outcome> {
     check_name(out)?;
     let provenance = Provenance::of(plan);
     let one_file = is_file_name(out);
     if one_file && options.shard.is_some() {
-        return Err(CampaignError::ShardOfFile(out.into()));
+        let message = format!("a shard writes parts, and {} would be one file", out.display());
+        let hint = "give a folder, and merge the parts into a file when all shards are there";
+        return Err(CampaignError::Refused(message, hint));
     }
     if !one_file && out.is_file() {
         let why = "it is a file, and parts go into a folder; a campaign in one file ends in .parquet".into();
@@ -154,7 +151,7 @@ fn in_folder(
     folder: Folder,
     options: &RunOptions,
     progress: &dyn Progress,
-) -> Result<Outcome, CampaignError> {
+) -> Result<Outcome> {
     let one_file = is_file_name(out);
     let store = folder.path.clone();
     let own = options.threads.map(Threads::new).transpose()?;
@@ -230,7 +227,7 @@ fn compute(
     provenance: &Provenance,
     number: u64,
     halted: &impl Fn() -> bool,
-) -> Option<Result<Done, CampaignError>> {
+) -> Option<Result<Done>> {
     let mut table = Table::new(&provenance.layout);
     let (mut points, mut failed) = (0, 0);
     for muscle in provenance.muscles_of(number) {
@@ -248,5 +245,5 @@ fn compute(
             table.push(row);
         }
     }
-    Some(part(provenance, number, &table).map(|bytes| Done { part: number, bytes, points, failed }))
+    Some(part(provenance, number, table).map(|bytes| Done { part: number, bytes, points, failed }))
 }

@@ -1,7 +1,7 @@
 //! The rows of one muscle. They depend on the plan and the muscle's number alone.
 
 use super::plan::{constants, rounded};
-use super::{CampaignError, Inputs, Plan};
+use super::{Inputs, Plan, Result};
 use crate::PointRow;
 use mckibben::cancel::Cancelled;
 use mckibben::model::Workspace;
@@ -16,7 +16,7 @@ use mckibben_fem::solver::curve::{CurvePoint, Test};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// All rows of a plan, in its order and in memory: for plans of a moderate size, and where there are no files.
-pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>, CampaignError> {
+pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>> {
     let (done, total) = (AtomicUsize::new(0), plan.muscles() as usize);
     let one = |&number: &u64| -> Result<Vec<PointRow>, Cancelled> {
         progress.check()?;

@@ -2,7 +2,7 @@
 
 use super::resume::Marker;
 use super::store::{Folder, Opened};
-use super::{CampaignError, Shard};
+use super::{CampaignError, Result, Shard};
 use mckibben_io::files::ReadError;
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -64,7 +64,7 @@ pub struct CampaignStatus {
 }
 
 /// Looks at a folder of parts.
-pub fn status(folder: &Path) -> Result<CampaignStatus, CampaignError> {
+pub fn status(folder: &Path) -> Result<CampaignStatus> {
     let parts = Folder::parts(folder)?;
     let marker = match (Marker::read(folder), parts.values().next()) {
         (Some(marker), _) => marker,
@@ -89,19 +89,16 @@ pub fn status(folder: &Path) -> Result<CampaignStatus, CampaignError> {
     let count = Folder::shards(folder)?;
     let one = |index| {
         let shard = Shard::new(index, count)?;
-        let (mut wanted, mut have) = (0, 0);
-        for part in shard.blocks(marker.parts) {
-            wanted += 1;
-            have += u64::from(there.contains(&part));
-        }
-        let state = if have == wanted {
+        let parts_wanted = shard.blocks(marker.parts).count() as u64;
+        let parts = shard.blocks(marker.parts).filter(|part| there.contains(part)).count() as u64;
+        let state = if parts == parts_wanted {
             ShardState::Done
         } else if Folder::is_locked(folder, shard) {
             ShardState::Running
         } else {
             ShardState::Missing
         };
-        Some(ShardStatus { shard: shard.to_string(), state, parts: have, parts_wanted: wanted })
+        Some(ShardStatus { shard: shard.to_string(), state, parts, parts_wanted })
     };
     let shards: Vec<ShardStatus> = (1..=count).filter_map(one).collect();
     let of = |state| shards.iter().filter(|s| s.state == state).count() as u64;

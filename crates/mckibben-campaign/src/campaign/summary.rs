@@ -1,7 +1,7 @@
 //! What a campaign holds, in a few figures.
 
-use super::CampaignError;
 use super::store::{Field, Folder, Opened, Provenance, Which};
+use super::{CampaignError, Result};
 use crate::PointRow;
 use crate::columns::Role;
 use mckibben::status::Status;
@@ -91,7 +91,7 @@ impl Summary {
         }
     }
 
-    fn add_file(&mut self, opened: &Opened, path: &Path) -> Result<(), CampaignError> {
+    fn add_file(&mut self, opened: Opened, path: &Path) -> Result<()> {
         let fields = opened.provenance.layout.fields();
         let fields: Vec<Field> = fields.into_iter().filter(|f| f.column.role != Role::Note).collect();
         if self.ranges.is_empty() {
@@ -99,11 +99,8 @@ impl Summary {
             let range = |f: &Field| Extent { name: f.name.clone(), smallest, largest };
             self.ranges = fields.iter().map(range).collect();
         }
-        for group in 0..opened.groups() {
-            let table = opened.group(group)?;
-            for i in 0..table.rows {
-                self.add(opened.row(&table, i)?, &fields);
-            }
+        for row in opened.rows() {
+            self.add(row?, &fields);
         }
         self.bytes += std::fs::metadata(path).map_err(CampaignError::read(path))?.len();
         Ok(())
@@ -119,26 +116,25 @@ impl Summary {
 }
 
 /// Looks through a campaign: one file, or a folder of parts, which may be incomplete.
-pub fn summary(path: impl AsRef<Path>) -> Result<Summary, CampaignError> {
+pub fn summary(path: impl AsRef<Path>) -> Result<Summary> {
     let path = path.as_ref();
     if !path.is_dir() {
         let opened = Opened::file(path)?;
         let mut out = Summary::new(opened.provenance.clone());
-        out.add_file(&opened, path)?;
+        out.add_file(opened, path)?;
         return Ok(out.finished());
     }
     let (mut out, mut damaged, mut there): (Option<Summary>, _, u64) = (None, vec![], 0);
     for (number, part) in Folder::parts(path)? {
-        match Opened::file(&part).and_then(Opened::checked) {
+        let opened = Opened::file(&part).and_then(Opened::checked).and_then(|opened| {
+            let first = out.as_ref().map_or(&opened.provenance, |out| &out.provenance).clone();
+            opened.expect(Which::Part(number), &first)
+        });
+        match opened {
             Ok(opened) => {
-                let out = out.get_or_insert_with(|| Summary::new(opened.provenance.clone()));
-                super::resume::belongs(&opened.provenance, &out.provenance, &part)?;
-                if opened.which == Which::Part(number) {
-                    out.add_file(&opened, &part)?;
-                    there += 1;
-                } else {
-                    damaged.push(format!("{}: it contains a different part from its name", part.display()));
-                }
+                let new = || Summary::new(opened.provenance.clone());
+                out.get_or_insert_with(new).add_file(opened, &part)?;
+                there += 1;
             }
             Err(CampaignError::Damaged(_, why) | CampaignError::NoCampaign(_, why)) => {
                 damaged.push(format!("{}: {why}", part.display()));

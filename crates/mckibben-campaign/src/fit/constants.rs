@@ -8,8 +8,8 @@
 //!    it is the largest error, so that the sixth power is minimised.
 //! 3. Both held, (11): n.
 
-use super::FitError;
-use super::data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, FitPoint, PRESSURES, WALLS, compute_with, same};
+use super::data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, PRESSURES, WALLS, same};
+use super::{FitError, Result};
 use mckibben::formula::Coefficients;
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber};
@@ -66,36 +66,16 @@ impl Constants {
         tube.rubber = Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: self.c10_mpa, c01_mpa: 0.0 }));
         base.with_braid(braid).ok()?.with_tube(tube).ok()
     }
-
-    /// The campaign's points with these constants.
-    pub fn campaign(&self) -> Vec<FitPoint> {
-        self.points(&DIAMETERS)
-    }
-
-    /// The same for other diameters.
-    pub fn points(&self, diameters: &[f64]) -> Vec<FitPoint> {
-        compute_with(|d, s| self.muscle(d, s), diameters, &WALLS, &CONTRACTIONS, &PRESSURES)
-    }
 }
 
-/// A point of data, its error in units of the blocked force.
-fn point(outer_diameter_mm: f64, wall_mm: f64, at: MeasuredPoint, blocked: f64) -> DataPoint {
-    let (d, s) = (Some(outer_diameter_mm), Some(wall_mm));
-    let section = Section { outer_diameter_mm: d, wall_mm: s, ..Section::default() };
-    DataPoint { section, error: Some(blocked), ..DataPoint::of(at) }
-}
-
-/// F of a pressure and contraction as points.
+/// F of a pressure and contraction as points, their errors in units of the blocked force.
 fn points(d: f64, s: f64, force: impl Fn(f64, f64) -> Option<f64>) -> Vec<DataPoint> {
-    let blocked = force(FULL_PRESSURE, 0.0).unwrap_or(1.0);
+    let error = Some(force(FULL_PRESSURE, 0.0).unwrap_or(1.0));
+    let section = Section { outer_diameter_mm: Some(d), wall_mm: Some(s), ..Section::default() };
     let one = |contraction: f64, pressure_mpa: f64| {
-        let force_n = force(pressure_mpa, contraction)?;
-        Some(point(
-            d,
-            s,
-            MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) },
-            blocked,
-        ))
+        let (force_n, branch) = (force(pressure_mpa, contraction)?, Some(Direction::Mean));
+        let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
+        Some(DataPoint { section, error, ..DataPoint::of(at) })
     };
     CONTRACTIONS.iter().flat_map(|&e| PRESSURES.iter().filter_map(move |&p| one(e, p))).collect()
 }
@@ -120,13 +100,10 @@ fn elements(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
     Ok(Box::new(Axisymmetric::new(m).map_err(ModelError::from)?))
 }
 
+type Values<'a> = &'a [(Target, f64)];
+
 /// Values of the free targets.
-fn values(
-    free: &[(Target, f64)],
-    fixed: &[(Target, f64)],
-    points: &[DataPoint],
-    loss: Loss,
-) -> Result<Vec<f64>, FitError> {
+fn values(free: Values<'_>, fixed: Values<'_>, points: &[DataPoint], loss: Loss) -> Result<Vec<f64>> {
     let failed = |e: &dyn std::fmt::Display| FitError::singular(format!("the constants of the paper ({e})"));
     let (d, s) = TABLE_1_SECTION;
     let muscle = Muscle::prototype().with_section(d, s).map_err(|e| failed(&e))?;
@@ -139,7 +116,7 @@ fn values(
 }
 
 /// The constants with which our finite elements come nearest to Table 1 and (11).
-pub fn fit_constants() -> Result<Constants, FitError> {
+pub fn fit_constants() -> Result<Constants> {
     let (c10, k, n) = (Target::Law(0), Target::Stiffness, Target::StiffnessExponent);
     let (table, formula) = (points_of_table(), points_of_formula());
     let both = [table.clone(), formula.clone()].concat();

@@ -1,6 +1,7 @@
 //! The points that formulas are fitted to: of a campaign's table, or computed here.
 
 use crate::PointRow;
+use mckibben::formula::{Coefficients, Formula};
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
@@ -42,6 +43,22 @@ pub struct FitPoint {
 }
 
 impl FitPoint {
+    /// F of a formula there, in N.
+    pub fn by(&self, formula: &Formula) -> f64 {
+        formula.force_n(self.outer_diameter_mm, self.wall_mm, self.pressure_mpa, self.contraction)
+    }
+
+    /// The same less that of the point.
+    pub fn off(&self, formula: &Formula) -> f64 {
+        self.by(formula) - self.force_n
+    }
+
+    /// F of the published formula there, in N.
+    pub fn published_n(&self) -> f64 {
+        let section = Coefficients::published().section(self.outer_diameter_mm, self.wall_mm);
+        section.force_n(self.pressure_mpa, self.contraction)
+    }
+
     /// The point of a row, where it has an answer.
     pub fn of(row: &PointRow) -> Option<Self> {
         let force_n = row.force_n.filter(|f| f.is_finite() && row.status.is_ok())?;
@@ -80,56 +97,60 @@ pub fn pressure_steps(first: u32) -> Vec<f64> {
     (first..=25).map(|i| f64::from(i) / 100.0).collect()
 }
 
-/// Isometric tests of the muscles of all diameters and walls, by finite elements; `base` gives the rest of the muscle.
-/// Points without an answer are left out. The order is that of the lists, whatever the number of threads.
-pub fn compute(
-    base: &Muscle,
-    diameters: &[f64],
-    walls: &[f64],
-    contractions: &[f64],
-    pressures: &[f64],
-) -> Vec<FitPoint> {
-    compute_with(|d, s| base.with_section(d, s).ok(), diameters, walls, contractions, pressures)
+/// What is asked: muscles of every diameter and wall, at every contraction and pressure.
+#[derive(Debug, Clone, Copy)]
+pub struct Grid<'a> {
+    /// D0 in mm.
+    pub diameters: &'a [f64],
+    /// s in mm.
+    pub walls: &'a [f64],
+    /// ε
+    pub contractions: &'a [f64],
+    /// P in MPa.
+    pub pressures: &'a [f64],
 }
 
-/// The same with a muscle for each diameter and wall; sections without one are left out.
-pub fn compute_with(
-    muscle: impl Fn(f64, f64) -> Option<Muscle> + Sync,
-    diameters: &[f64],
-    walls: &[f64],
-    contractions: &[f64],
-    pressures: &[f64],
-) -> Vec<FitPoint> {
-    let sections: Vec<(f64, f64)> =
-        diameters.iter().flat_map(|&d| walls.iter().map(move |&s| (d, s))).collect();
-    let one =
-        |&(d, s): &(f64, f64)| muscle(d, s).map_or_else(Vec::new, |m| of_muscle(&m, contractions, pressures));
-    threads::map(&sections, one).concat()
+impl Grid<'static> {
+    /// The paper's campaign at the pressures of its isobaric curves: 500 points.
+    pub const PAPER: Self =
+        Grid { diameters: &DIAMETERS, walls: &WALLS, contractions: &CONTRACTIONS, pressures: &PRESSURES };
+    /// The same of the diameter it holds out.
+    pub const HELD_OUT: Self = Grid { diameters: &[HELD_OUT], ..Self::PAPER };
 }
 
-fn of_muscle(muscle: &Muscle, contractions: &[f64], pressures: &[f64]) -> Vec<FitPoint> {
-    let Ok(model) = Axisymmetric::new(muscle) else { return vec![] };
-    let mut out = vec![];
-    for &contraction in contractions {
-        let (test, w) = (Test::Isometric(contraction), &mut Workspace::new());
-        for (&pressure_mpa, point) in
-            pressures.iter().zip(model.run(w, test, pressures, Detail::Point, &Silent))
-        {
-            out.extend(point.ok().map(|p| FitPoint {
-                outer_diameter_mm: muscle.outer_diameter_mm(),
-                wall_mm: muscle.wall_mm(),
-                length_mm: muscle.length_mm(),
-                angle_deg: muscle.braid().angle_deg,
-                pressure_mpa,
-                contraction,
-                force_n: p.force_n,
-            }));
-        }
+impl Grid<'_> {
+    /// Isometric tests by finite elements; `base` gives the rest of the muscle.
+    pub fn of(&self, base: &Muscle) -> Vec<FitPoint> {
+        self.compute(|d, s| base.with_section(d, s).ok())
     }
-    out
-}
 
-/// The paper's campaign at the pressures of its isobaric curves: 500 points.
-pub fn paper_campaign(base: &Muscle) -> Vec<FitPoint> {
-    compute(base, &DIAMETERS, &WALLS, &CONTRACTIONS, &PRESSURES)
+    /// The same with a muscle for each diameter and wall. Sections without a muscle and points without an answer are left out. The order is
+    /// that of the lists, whatever the number of threads.
+    pub fn compute(&self, muscle: impl Fn(f64, f64) -> Option<Muscle> + Sync) -> Vec<FitPoint> {
+        let sections = self.diameters.iter().flat_map(|&d| self.walls.iter().map(move |&s| (d, s)));
+        let sections: Vec<(f64, f64)> = sections.collect();
+        let one = |&(d, s): &(f64, f64)| muscle(d, s).map_or_else(Vec::new, |m| self.of_muscle(&m));
+        threads::map(&sections, one).concat()
+    }
+
+    fn of_muscle(&self, muscle: &Muscle) -> Vec<FitPoint> {
+        let Ok(model) = Axisymmetric::new(muscle) else { return vec![] };
+        let mut out = vec![];
+        for &contraction in self.contractions {
+            let (test, w) = (Test::Isometric(contraction), &mut Workspace::new());
+            let curve = model.run(w, test, self.pressures, Detail::Point, &Silent);
+            for (&pressure_mpa, point) in self.pressures.iter().zip(curve) {
+                out.extend(point.ok().map(|p| FitPoint {
+                    outer_diameter_mm: muscle.outer_diameter_mm(),
+                    wall_mm: muscle.wall_mm(),
+                    length_mm: muscle.length_mm(),
+                    angle_deg: muscle.braid().angle_deg,
+                    pressure_mpa,
+                    contraction,
+                    force_n: p.force_n,
+                }));
+            }
+        }
+        out
+    }
 }

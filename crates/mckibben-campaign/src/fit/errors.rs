@@ -1,7 +1,7 @@
 //! How far forces are from reference forces, and where.
 
-use super::FitError;
 use super::data::{FitPoint, distinct, same};
+use super::{FitError, Result};
 use mckibben::formula::{ErrorSummary, RegionErrors};
 use serde::Serialize;
 
@@ -29,10 +29,7 @@ pub struct Compared {
 }
 
 /// Points beside the forces of the muscle and of the curve they belong to.
-pub fn compared(
-    points: &[FitPoint],
-    difference_n: impl Fn(&FitPoint) -> f64,
-) -> Result<Vec<Compared>, FitError> {
+pub fn compared(points: &[FitPoint], difference_n: impl Fn(&FitPoint) -> f64) -> Result<Vec<Compared>> {
     let key = |p: &FitPoint| (bits(p.outer_diameter_mm), bits(p.wall_mm));
     let mut blocked = std::collections::BTreeMap::<_, (f64, f64)>::new();
     let mut isobars = std::collections::BTreeMap::<_, f64>::new();

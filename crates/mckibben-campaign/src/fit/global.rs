@@ -12,9 +12,9 @@
 //! on diameters left out one at a time is within 5 % of the smallest such error, and at most 48. Only inner
 //! diameters are left out; without the outermost the formula would have to extrapolate, which it refuses to do later.
 
-use super::FitError;
 use super::data::{FULL_PRESSURE, FitPoint, distinct, same};
 use super::errors::{Compared, compared};
+use super::{FitError, Result};
 use mckibben::cancel;
 use mckibben::formula::{GlobalTerms, Scales, Term};
 use nalgebra::{DMatrix, DVector};
@@ -59,7 +59,7 @@ struct Problem {
 }
 
 /// Fits at most [`MOST_TERMS`] terms.
-pub fn global(points: &[FitPoint]) -> Result<GlobalFit, FitError> {
+pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
     let all = compared(points, |_| 0.0)?;
     let used: Vec<Compared> = all.into_iter().filter(|c| c.point.force_n > 0.0).collect();
     if used.is_empty() {
@@ -100,7 +100,7 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit, FitError> {
     Ok(GlobalFit { terms, steps, candidates: candidates.len(), points: used.len() })
 }
 
-fn ended() -> Result<(), FitError> {
+fn ended() -> Result<()> {
     Ok(cancel::check()?)
 }
 

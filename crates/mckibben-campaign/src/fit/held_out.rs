@@ -1,36 +1,30 @@
 //! The paper's validation on the diameter it held out (D0 35), as rows of `validate`: largest error of a formula against the
 //! finite elements, as a share of the muscle's blocked force at .25 MPa, over points where they pull.
 
-use super::data::{CONTRACTIONS, FitPoint, HELD_OUT, PRESSURES, WALLS, compute, paper_campaign};
+use super::data::{FitPoint, Grid};
 use super::errors::{compared, errors};
 use super::{Method, Rules, fitted};
-use mckibben::formula::Coefficients;
 use mckibben::muscle::Muscle;
 use mckibben_fem::verification::VerificationRow;
 
 /// The formulas by both methods, fitted without D0 35, and the published one.
 pub fn cases() -> Vec<VerificationRow> {
     let base = Muscle::prototype();
-    let campaign = paper_campaign(&base);
-    let held = compute(&base, &[HELD_OUT], &WALLS, &CONTRACTIONS, &PRESSURES);
+    let (campaign, held) = (Grid::PAPER.of(&base), Grid::HELD_OUT.of(&base));
     let row = |name: &str, tolerance: f64, largest: Option<f64>| {
         let name = format!("{name} on D0 35, held out: largest error / blocked force");
         VerificationRow::new(name, "fe", 0.0, largest, tolerance)
     };
-    let largest = |difference: &dyn Fn(&FitPoint) -> f64| {
-        compared(&held, difference).ok().and_then(|list| errors(&list, |_| true)).map(|e| e.summary.max)
+    let largest = |difference_n: &dyn Fn(&FitPoint) -> f64| {
+        compared(&held, difference_n).ok().and_then(|list| errors(&list, |_| true)).map(|e| e.summary.max)
     };
     let by = |method| {
-        let f = fitted(&campaign, method, &[]).ok()?;
-        largest(&|p| f.force_n(p.outer_diameter_mm, p.wall_mm, p.pressure_mpa, p.contraction) - p.force_n)
-    };
-    let published = |p: &FitPoint| {
-        let section = Coefficients::published().section(p.outer_diameter_mm, p.wall_mm);
-        section.force_n(p.pressure_mpa, p.contraction) - p.force_n
+        let formula = fitted(&campaign, method, &[]).ok()?;
+        largest(&|p| p.off(&formula))
     };
     vec![
         row("global formula", 0.004, by(Method::Global)),
         row("formula by the paper's method", 0.06, by(Method::Paper(Rules::default()))),
-        row("published formula", 0.08, largest(&published)),
+        row("published formula", 0.08, largest(&|p| p.published_n() - p.force_n)),
     ]
 }

@@ -3,7 +3,7 @@
 use super::data::{FitPoint, PRESSURES, distinct, same};
 use super::errors::{Compared, compared, errors, regions};
 use super::global::MOST_TERMS;
-use super::{FitError, GlobalFit, PaperMethod, Rules, SlackRule, ThinRule, global, paper_method};
+use super::{FitError, GlobalFit, PaperMethod, Result, Rules, SlackRule, ThinRule, global, paper_method};
 use crate::{PointRow, hash};
 use mckibben::formula::{
     Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made, MadeBraid, MadeRubber,
@@ -54,11 +54,7 @@ pub struct Request<'a> {
     /// Name of the formula.
     pub name: String,
     /// Name of the table, plan hash and seed, where they are known.
-    pub table: Option<String>,
-    /// Hash of the campaign's plan.
-    pub plan_hash: Option<String>,
-    /// Seed of the plan.
-    pub seed: Option<u64>,
+    pub from: Provenance,
 }
 
 #[derive(Debug, Clone)]
@@ -74,7 +70,7 @@ pub struct FittedFormula {
     pub unused: usize,
 }
 
-pub fn make(request: &Request<'_>) -> Result<FittedFormula, FitError> {
+pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
     if request.points.is_empty() {
         return Err(FitError::empty(""));
     }
@@ -108,15 +104,10 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula, FitError> {
             method: request.method.text(),
             points: fitted.len(),
             data_hash: hash::of_numbers(numbers(&fitted)),
-            table: request.table.clone(),
-            plan_hash: request.plan_hash.clone(),
-            seed: request.seed,
-            ..Provenance::default()
+            ..request.from.clone()
         },
     };
-    let list = compared(&points, |p| {
-        formula.force_n(p.outer_diameter_mm, p.wall_mm, p.pressure_mpa, p.contraction) - p.force_n
-    })?;
+    let list = compared(&points, |p| p.off(&formula))?;
     formula.errors.fit = errors(&list, |p| !held(p)).map_or_else(ErrorSummary::default, |e| e.summary);
     let seen: Vec<Compared> = list.iter().copied().filter(|c| !held(&c.point)).collect();
     formula.errors.regions = regions(&seen);
@@ -141,7 +132,7 @@ fn at_pressures(points: &[FitPoint], method: Method) -> Vec<FitPoint> {
     points.iter().copied().filter(|p| wanted(p.pressure_mpa)).collect()
 }
 
-fn single(points: &[FitPoint], quantity: &'static str, of: fn(&FitPoint) -> f64) -> Result<f64, FitError> {
+fn single(points: &[FitPoint], quantity: &'static str, of: fn(&FitPoint) -> f64) -> Result<f64> {
     let list = distinct(points.iter().map(of));
     match list.as_slice() {
         [one] => Ok(*one),
@@ -173,19 +164,11 @@ fn numbers(points: &[FitPoint]) -> impl Iterator<Item = f64> {
 }
 
 /// A formula of the paper's muscles from points.
-pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<Formula, FitError> {
+pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<Formula> {
     let made_for = Made::of(&Muscle::prototype());
     let name = if method == Method::Paper(Rules::default()) { "paper-method" } else { "global" };
-    let request = Request {
-        points,
-        made_for,
-        method,
-        hold_out,
-        name: name.into(),
-        table: None,
-        plan_hash: None,
-        seed: None,
-    };
+    let (name, from) = (name.into(), Provenance::default());
+    let request = Request { points, made_for, method, hold_out, name, from };
     Ok(make(&request)?.formula)
 }
 
@@ -201,7 +184,7 @@ fn close(a: f64, b: f64) -> bool {
 /// # Errors
 /// [`FitError::Refused`] where they have more than one, where a measure varies that no formula has,
 /// [`FitError::Refused`] without rows.
-pub fn made_for(rows: &[PointRow]) -> Result<Made, FitError> {
+pub fn made_for(rows: &[PointRow]) -> Result<Made> {
     let first = rows.first().ok_or_else(|| FitError::empty(""))?;
     let rubber = |r: &PointRow| MadeRubber {
         name: None,

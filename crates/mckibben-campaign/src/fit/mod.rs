@@ -18,6 +18,8 @@ use mckibben::cancel::Cancelled;
 pub use paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};
 use thiserror::Error;
 
+type Result<T, E = FitError> = std::result::Result<T, E>;
+
 /// Why a table gives no formula.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum FitError {

@@ -7,8 +7,8 @@
 //!
 //! Each step is a least-squares fit of its own; what one leaves over, the next does not see.
 
-use super::FitError;
 use super::data::{FitPoint, distinct, same};
+use super::{FitError, Result};
 use mckibben::formula::Coefficients;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
@@ -119,7 +119,7 @@ const THIN: (f64, f64, f64) = (35.0, 3.0, 0.05);
 const THIN_CONTRACTION: f64 = 0.05;
 
 /// The seven steps. All points count: choose pressures and diameters before.
-pub fn paper_method(points: &[FitPoint], rules: Rules) -> Result<PaperMethod, FitError> {
+pub fn paper_method(points: &[FitPoint], rules: Rules) -> Result<PaperMethod> {
     if points.is_empty() {
         return Err(FitError::empty(" at the method's pressures"));
     }
@@ -144,52 +144,46 @@ pub fn paper_method(points: &[FitPoint], rules: Rules) -> Result<PaperMethod, Fi
     Ok(PaperMethod { rules, curves, lines, walls, r2, coefficients })
 }
 
-fn enough(
-    quantity: &'static str,
-    found: usize,
-    needed: usize,
-    place: impl Fn() -> String,
-) -> Result<(), FitError> {
+fn enough(quantity: &'static str, found: usize, needed: usize, place: impl Fn() -> String) -> Result<()> {
     if found >= needed {
-        Ok(())
-    } else {
-        Err(FitError::Refused(format!(
-            "{place} has {found} different values of {quantity}; {needed} are needed at least",
-            place = place()
-        )))
+        return Ok(());
     }
+    let place = place();
+    Err(FitError::Refused(format!(
+        "{place} has {found} different values of {quantity}; {needed} are needed at least"
+    )))
 }
 
 /// Step 1.
-fn curve(d: f64, s: f64, p: f64, all: Vec<(f64, f64)>, rules: Rules) -> Result<CurveFit, FitError> {
+fn curve(d: f64, s: f64, p: f64, all: Vec<(f64, f64)>, rules: Rules) -> Result<CurveFit> {
     let thin = d < THIN.0 && s > THIN.1 && same(p, THIN.2);
-    let mut points = all;
-    let mut rule = "";
+    let mut curve =
+        CurveFit { outer_diameter_mm: d, wall_mm: s, pressure_mpa: p, abc: None, points: all, rule: "" };
     match rules.slack {
         SlackRule::TwoSided => {}
-        SlackRule::PullOnly => points.retain(|q| q.1 > 0.0),
-        SlackRule::Zero => points.iter_mut().for_each(|q| q.1 = q.1.max(0.0)),
+        SlackRule::PullOnly => curve.points.retain(|q| q.1 > 0.0),
+        SlackRule::Zero => curve.points.iter_mut().for_each(|q| q.1 = q.1.max(0.0)),
     }
-    let left =
-        |points| CurveFit { outer_diameter_mm: d, wall_mm: s, pressure_mpa: p, abc: None, points, rule };
-    if rules.slack == SlackRule::PullOnly && points.len() < 3 {
-        return Ok(CurveFit { rule: "left out: it pulls at fewer than three contractions", ..left(points) });
+    if rules.slack == SlackRule::PullOnly && curve.points.len() < 3 {
+        curve.rule = "left out: it pulls at fewer than three contractions";
+        return Ok(curve);
     }
     if thin && rules.thin != ThinRule::Whole {
-        points.retain(|q| q.0 <= THIN_CONTRACTION + 1e-9);
+        curve.points.retain(|q| q.0 <= THIN_CONTRACTION + 1e-9);
         if rules.thin == ThinRule::LeaveOut {
-            return Ok(CurveFit { rule: "left out: D0 < 35, s > 3 at 0.05 MPa", ..left(points) });
+            curve.rule = "left out: D0 < 35, s > 3 at 0.05 MPa";
+            return Ok(curve);
         }
-        rule = "straight line over ε ≤ 0.05: D0 < 35, s > 3 at 0.05 MPa";
-        let line = fit::<2>(&points).ok_or_else(|| singular(d, s, p))?;
-        let [b, c] = line.coefficients;
-        let abc = Some(PolynomialFit { coefficients: [0.0, b, c], r2: line.r2 });
-        return Ok(CurveFit { outer_diameter_mm: d, wall_mm: s, pressure_mpa: p, abc, points, rule });
+        curve.rule = "straight line over ε ≤ 0.05: D0 < 35, s > 3 at 0.05 MPa";
+        let PolynomialFit { coefficients: [b, c], r2 } =
+            fit::<2>(&curve.points).ok_or_else(|| singular(d, s, p))?;
+        curve.abc = Some(PolynomialFit { coefficients: [0.0, b, c], r2 });
+        return Ok(curve);
     }
-    let count = distinct(points.iter().map(|q| q.0)).len();
+    let count = distinct(curve.points.iter().map(|q| q.0)).len();
     enough("contraction", count, 3, || format!("the curve of D0 {d}, s {s} mm at {p} MPa"))?;
-    let abc = Some(fit::<3>(&points).ok_or_else(|| singular(d, s, p))?);
-    Ok(CurveFit { outer_diameter_mm: d, wall_mm: s, pressure_mpa: p, abc, points, rule })
+    curve.abc = Some(fit::<3>(&curve.points).ok_or_else(|| singular(d, s, p))?);
+    Ok(curve)
 }
 
 fn singular(d: f64, s: f64, p: f64) -> FitError {
@@ -197,7 +191,7 @@ fn singular(d: f64, s: f64, p: f64) -> FitError {
 }
 
 /// Step 3.
-fn line(d: f64, s: f64, curves: &[CurveFit]) -> Result<LineFit, FitError> {
+fn line(d: f64, s: f64, curves: &[CurveFit]) -> Result<LineFit> {
     let place = || format!("the muscle D0 {d}, s {s} mm");
     let used: Vec<(f64, [f64; 3])> =
         curves.iter().filter_map(|c| c.abc.map(|f| (c.pressure_mpa, f.coefficients))).collect();
@@ -211,7 +205,7 @@ fn line(d: f64, s: f64, curves: &[CurveFit]) -> Result<LineFit, FitError> {
 }
 
 /// Steps 4–5.
-fn parabolas(d: f64, lines: &[LineFit]) -> Result<WallFit, FitError> {
+fn parabolas(d: f64, lines: &[LineFit]) -> Result<WallFit> {
     let place = || format!("the diameter D0 {d} mm");
     enough("wall_mm", lines.len(), 3, place)?;
     let of = |k: usize, j: usize| {
@@ -223,7 +217,7 @@ fn parabolas(d: f64, lines: &[LineFit]) -> Result<WallFit, FitError> {
 }
 
 /// Steps 6–7.
-fn over_diameters(walls: &[WallFit]) -> Result<(Coefficients, [[f64; 6]; 3]), FitError> {
+fn over_diameters(walls: &[WallFit]) -> Result<(Coefficients, [[f64; 6]; 3])> {
     let mut x = [[[0.0; 3]; 6]; 3];
     let mut r2 = [[0.0; 6]; 3];
     for family in 0..3 {

@@ -3,14 +3,11 @@
 //! Errors are shares of the finite elements' blocked force of the same muscle at .25 MPa, over points where they pull.
 
 use super::constants::{Constants, fit_constants, table_1};
-use super::data::{
-    CONTRACTIONS, DIAMETERS, FitPoint, HELD_OUT, PRESSURES, WALLS, compute, paper_campaign, pressure_steps,
-    same,
-};
+use super::data::{FitPoint, Grid, pressure_steps, same};
 use super::errors::{Errors, compared, errors};
 use super::universal::{HeldOutRow, held_out, held_out_samples};
-use super::{FitError, Method, Rules, SlackRule, ThinRule, fitted};
-use mckibben::formula::{Body, Coefficients, Formula};
+use super::{FitError, Method, Result, Rules, SlackRule, ThinRule, fitted};
+use mckibben::formula::{Body, Formula};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use serde::Serialize;
@@ -49,27 +46,20 @@ const STEPS: usize = 6;
 /// Random muscles of the last table, and their seed.
 const RANDOM: (usize, u64) = (500, 7);
 
-fn force(c: &Coefficients, p: &FitPoint) -> f64 {
-    c.section(p.outer_diameter_mm, p.wall_mm).force_n(p.pressure_mpa, p.contraction)
-}
-
-fn of_formula(f: &Formula, p: &FitPoint) -> f64 {
-    f.force_n(p.outer_diameter_mm, p.wall_mm, p.pressure_mpa, p.contraction)
-}
-
 struct Findings(Vec<Finding>);
 
 impl Findings {
-    fn add(
+    /// Points with what they are off by, and the share that was set as a goal.
+    fn add<'a>(
         &mut self,
         comparison: impl Into<String>,
         at_most: Option<f64>,
-        points: &[FitPoint],
-        difference: impl Fn(&FitPoint) -> f64,
-        chosen: impl Fn(&FitPoint) -> bool,
-    ) -> Result<(), FitError> {
-        let errors =
-            errors(&compared(points, difference)?, chosen).ok_or_else(|| FitError::empty(" to compare"))?;
+        points: impl IntoIterator<Item = &'a FitPoint>,
+        difference_n: impl Fn(&FitPoint) -> f64,
+    ) -> Result<()> {
+        let points: Vec<FitPoint> = points.into_iter().copied().collect();
+        let errors = errors(&compared(&points, difference_n)?, |_| true);
+        let errors = errors.ok_or_else(|| FitError::empty(" to compare"))?;
         let ok = at_most.is_none_or(|most| errors.summary.max <= most);
         self.0.push(Finding { comparison: comparison.into(), at_most, ok, errors });
         Ok(())
@@ -77,30 +67,30 @@ impl Findings {
 }
 
 /// Computes everything anew.
-pub fn results(progress: &dyn Progress) -> Result<Results, FitError> {
+pub fn results(progress: &dyn Progress) -> Result<Results> {
     let base = Muscle::prototype();
-    let campaign = &paper_campaign(&base);
-    let published = Coefficients::published();
+    let campaign = &Grid::PAPER.of(&base);
     let step = |done: usize| {
         progress.report(done, STEPS);
         progress.check()
     };
     step(0)?;
     let mut out = Findings(vec![]);
-    let is_table = |p: &FitPoint| same(p.outer_diameter_mm, 50.0) && same(p.wall_mm, 1.0);
+    let is_table = |p: &&FitPoint| same(p.outer_diameter_mm, 50.0) && same(p.wall_mm, 1.0);
     let to_table =
         |p: &FitPoint| table_1(p.pressure_mpa, p.contraction).map_or(0.0, |force| force - p.force_n);
     let constants = fit_constants()?;
     step(1)?;
-    let good = constants.campaign();
-    out.add("FE with fitted constants vs Table 1 (D0 50, s 1)", Some(0.015), &good, to_table, is_table)?;
-    out.add("FE as shipped vs Table 1", None, campaign, to_table, is_table)?;
+    let good = Grid::PAPER.compute(|d, s| constants.muscle(d, s));
+    let name = "FE with fitted constants vs Table 1 (D0 50, s 1)";
+    out.add(name, Some(0.015), good.iter().filter(is_table), to_table)?;
+    out.add("FE as shipped vs Table 1", None, campaign.iter().filter(is_table), to_table)?;
 
-    let held = compute(&base, &[HELD_OUT], &WALLS, &CONTRACTIONS, &PRESSURES);
-    let all = [campaign.clone(), held].concat();
+    let held = Grid::HELD_OUT.of(&base);
+    let all = [campaign.clone(), held.clone()].concat();
     step(2)?;
-    let wide = |p: &FitPoint| p.outer_diameter_mm > 34.0 && p.wall_mm < 4.5;
-    let slim = |p: &FitPoint| p.outer_diameter_mm < 34.0;
+    let wide = |p: &&FitPoint| p.outer_diameter_mm > 34.0 && p.wall_mm < 4.5;
+    let slim = |p: &&FitPoint| p.outer_diameter_mm < 34.0;
     let variants = [
         ("", Rules::default()),
         (
@@ -113,56 +103,48 @@ pub fn results(progress: &dyn Progress) -> Result<Results, FitError> {
     ];
     for (i, (text, rules)) in variants.into_iter().enumerate() {
         let f = fitted(campaign, Method::Paper(rules), &[])?;
-        let difference = |p: &FitPoint| of_formula(&f, p) - force(published, p);
+        let difference = |p: &FitPoint| p.by(&f) - p.published_n();
         let goal = |v| (i == 0).then_some(v);
         let name = format!("paper's method on our FE vs published, D0 35-50, s 1-4{text}");
-        out.add(name, goal(0.025), &all, difference, wide)?;
-        out.add(format!("the same, D0 30, s 1-5{text}"), goal(0.09), &all, difference, slim)?;
+        out.add(name, goal(0.025), all.iter().filter(wide), difference)?;
+        out.add(format!("the same, D0 30, s 1-5{text}"), goal(0.09), all.iter().filter(slim), difference)?;
     }
 
     // With the constants of the first line, so that one set of constants answers both questions.
     let f = fitted(&good, Method::Paper(Rules::default()), &[])?;
-    let difference = |p: &FitPoint| of_formula(&f, p) - force(published, p);
+    let difference = |p: &FitPoint| p.by(&f) - p.published_n();
     let name = "paper's method on our FE with fitted constants vs published, D0 35-50, s 1-4";
-    let all_good = [good.clone(), constants.points(&[HELD_OUT])].concat();
-    out.add(name, Some(0.025), &all_good, difference, wide)?;
-    out.add("the same, D0 30, s 1-5", Some(0.09), &all_good, difference, slim)?;
+    let all_good = [good.clone(), Grid::HELD_OUT.compute(|d, s| constants.muscle(d, s))].concat();
+    out.add(name, Some(0.025), all_good.iter().filter(wide), difference)?;
+    out.add("the same, D0 30, s 1-5", Some(0.09), all_good.iter().filter(slim), difference)?;
 
     step(3)?;
     let steps = pressure_steps(1);
-    let full = compute(&base, &DIAMETERS, &WALLS, &CONTRACTIONS, &steps);
+    let full = Grid { pressures: &steps, ..Grid::PAPER }.of(&base);
     let global = fitted(&full, Method::Global, &[])?;
-    let held = compute(&base, &[HELD_OUT], &WALLS, &CONTRACTIONS, &steps);
-    let difference = |p: &FitPoint| of_formula(&global, p) - p.force_n;
-    out.add("global vs FE, all of the range (P by .01 MPa)", Some(0.004), &full, difference, |_| true)?;
-    out.add("global vs FE, D0 35 held out", Some(0.004), &held, difference, |_| true)?;
+    let held_by_steps = Grid { pressures: &steps, ..Grid::HELD_OUT }.of(&base);
+    out.add("global vs FE, all of the range (P by .01 MPa)", Some(0.004), &full, |p| p.off(&global))?;
+    out.add("global vs FE, D0 35 held out", Some(0.004), &held_by_steps, |p| p.off(&global))?;
 
     step(4)?;
     // Between the points: half steps of D0, s and ε.
     let half = |low: f64, step: f64, n: u32| (0..=n).map(|i| low + step * f64::from(i)).collect::<Vec<f64>>();
-    let halves = half(0.0, 0.025, 8);
-    let between = compute(&base, &half(30.0, 2.5, 8), &half(1.0, 0.5, 8), &halves, &steps);
-    out.add("global vs FE between the points too (half steps)", None, &between, difference, |_| true)?;
-    let finer = compute(&base, &DIAMETERS, &WALLS, &halves, &steps);
-    let of_finer = fitted(&finer, Method::Global, &[])?;
-    let difference = |p: &FitPoint| of_formula(&of_finer, p) - p.force_n;
+    let (diameters, walls, contractions) = (half(30.0, 2.5, 8), half(1.0, 0.5, 8), half(0.0, 0.025, 8));
+    let finer = Grid { contractions: &contractions, pressures: &steps, ..Grid::PAPER };
+    let between = Grid { diameters: &diameters, walls: &walls, ..finer }.of(&base);
+    out.add("global vs FE between the points too (half steps)", None, &between, |p| p.off(&global))?;
+    let of_finer = fitted(&finer.of(&base), Method::Global, &[])?;
     let name = "global of a campaign with ε by 2.5 % vs FE, between the points too";
-    out.add(name, Some(0.004), &between, difference, |_| true)?;
+    out.add(name, Some(0.004), &between, |p| p.off(&of_finer))?;
 
-    let difference = |p: &FitPoint| force(published, p) - p.force_n;
-    out.add("published formula vs FE, the campaign", None, campaign, difference, |_| true)?;
-    out.add("published formula vs FE, between the points too", None, &between, difference, |p| {
-        p.pressure_mpa > 0.045
-    })?;
-    out.add("published formula vs FE, D0 35", None, &all, difference, |p| {
-        same(p.outer_diameter_mm, HELD_OUT)
-    })?;
+    let published = |p: &FitPoint| p.published_n() - p.force_n;
+    out.add("published formula vs FE, the campaign", None, campaign, published)?;
+    let in_range = between.iter().filter(|p| p.pressure_mpa > 0.045);
+    out.add("published formula vs FE, between the points too", None, in_range, published)?;
+    out.add("published formula vs FE, D0 35", None, &held, published)?;
     let ours = fitted(campaign, Method::Paper(Rules::default()), &[])?;
-    let difference = |p: &FitPoint| of_formula(&ours, p) - p.force_n;
-    out.add("paper's method on our FE vs FE, the campaign", None, campaign, difference, |_| true)?;
-    out.add("paper's method on our FE vs FE, D0 35", None, &all, difference, |p| {
-        same(p.outer_diameter_mm, HELD_OUT)
-    })?;
+    out.add("paper's method on our FE vs FE, the campaign", None, campaign, |p| p.off(&ours))?;
+    out.add("paper's method on our FE vs FE, D0 35", None, &held, |p| p.off(&ours))?;
     step(5)?;
     let random_muscles = held_out(&held_out_samples(RANDOM.0, RANDOM.1));
     let global_terms = terms(&global);

@@ -1,6 +1,6 @@
 //! Formulas from tables of points: the paper's method, `global`, and what is refused.
 
-use mckibben::formula::{Coefficients, Formula, Made};
+use mckibben::formula::{Coefficients, Formula, Made, Provenance};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
 use mckibben::status::Status;
@@ -37,17 +37,8 @@ fn published() -> Vec<FitPoint> {
 }
 
 fn request(points: &[FitPoint], method: Method) -> Request<'_> {
-    let made_for = Made::of(&Muscle::prototype());
-    Request {
-        points,
-        made_for,
-        method,
-        hold_out: &[],
-        name: "f".into(),
-        table: None,
-        plan_hash: None,
-        seed: None,
-    }
+    let (made_for, from) = (Made::of(&Muscle::prototype()), Provenance::default());
+    Request { points, made_for, method, hold_out: &[], name: "f".into(), from }
 }
 
 #[test]
@@ -229,7 +220,7 @@ fn the_shipped_campaign_is_what_is_computed() {
     let rows: Vec<Vec<f64>> =
         text.lines().skip(1).map(|l| l.split(',').map(|v| v.parse().unwrap()).collect()).collect();
     let diameters = [&DIAMETERS[..], &[HELD_OUT]].concat();
-    let points = compute(&Muscle::prototype(), &diameters, &WALLS, &CONTRACTIONS, &PRESSURES);
+    let points = Grid { diameters: &diameters, ..Grid::PAPER }.of(&Muscle::prototype());
     assert_eq!(rows.len(), points.len());
     for (row, p) in rows.iter().zip(&points) {
         assert_eq!(row[..2], [p.outer_diameter_mm, p.wall_mm]);
@@ -244,12 +235,12 @@ fn the_shipped_campaign_is_what_is_computed() {
 #[test]
 fn no_pull_is_promised_where_the_muscle_lies_slack() {
     let base = Muscle::prototype();
-    let f = fitted(&paper_campaign(&base), Method::Global, &[]).unwrap();
+    let f = fitted(&Grid::PAPER.of(&base), Method::Global, &[]).unwrap();
     let contractions: Vec<f64> = (0..=8).map(|i| 0.025 * f64::from(i)).collect();
-    let walls = [2.5, 4.0, 5.0];
-    let points = compute(&base, &[30.0, 35.0, 42.5, 50.0], &walls, &contractions, &pressure_steps(5));
-    let list =
-        compared(&points, |p| f.force_n(p.outer_diameter_mm, p.wall_mm, p.pressure_mpa, p.contraction));
+    let (diameters, walls) = (&[30.0, 35.0, 42.5, 50.0], &[2.5, 4.0, 5.0]);
+    let grid = Grid { diameters, walls, contractions: &contractions, pressures: &pressure_steps(5) };
+    let points = grid.of(&base);
+    let list = compared(&points, |p| p.by(&f));
     let slack: Vec<_> = list.unwrap().into_iter().filter(|c| c.point.force_n < 0.0).collect();
     assert!(slack.len() > 100, "{}", slack.len());
     for c in slack {

@@ -1,6 +1,6 @@
 //! Goals on muscles that no fit has seen, and that a fit gives the same on any number of threads.
 
-use mckibben::formula::{Form, UniversalFormula};
+use mckibben::formula::{Form, Provenance, UniversalFormula};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::progress::Silent;
 use mckibben_campaign::fit::universal::*;
@@ -40,7 +40,7 @@ fn longer_muscles_than_the_campaigns_are_as_good() {
 }
 
 fn request() -> UniversalRequest {
-    UniversalRequest { form: Form::Membrane, name: "mine".into(), table: None, plan_hash: None, seed: None }
+    UniversalRequest { form: Form::Membrane, name: "mine".into(), from: Provenance::default() }
 }
 
 /// The same samples give the same coefficients to the bit on one thread and on four.

@@ -2,6 +2,7 @@
 
 pub use crate::measured::{MeasuredPoint, mean_of_branches, read_measured};
 
+use crate::identify::{Spread, spread};
 use crate::measured::DataPoint;
 use mckibben::analysis::Evaluation;
 use mckibben::cancel;
@@ -29,7 +30,7 @@ pub struct Comparison {
 /// Compares a model with measured points. Where the model is slack it counts as 0 N.
 pub fn compare(evaluation: &mut Evaluation<'_>, points: &[MeasuredPoint]) -> Result<Comparison, ModelError> {
     let info = evaluation.model.info();
-    let (mut squares, mut sum, mut max_n, mut count) = (0.0, 0.0, 0.0_f64, 0usize);
+    let mut differences = vec![];
     let mut failed: Option<(usize, ModelError)> = None;
     for point in points {
         cancel::check()?;
@@ -40,28 +41,22 @@ pub fn compare(evaluation: &mut Evaluation<'_>, points: &[MeasuredPoint]) -> Res
             info.range.check(&info.name, pressure_mpa, contraction)
         };
         match checked.and_then(|()| evaluation.borne_force_n(pressure_mpa, contraction)) {
-            Ok(force) => {
-                let difference = force.max(0.0) - point.force_n;
-                squares += difference * difference;
-                sum += difference;
-                max_n = max_n.max(difference.abs());
-                count += 1;
-            }
+            Ok(force) => differences.push(force.max(0.0) - point.force_n),
             Err(error) => failed = Some(failed.map_or((1, error), |(n, first)| (n + 1, first))),
         }
     }
-    if count == 0
+    if differences.is_empty()
         && let Some((_, error)) = failed
     {
         return Err(error);
     }
-    let n = count.max(1) as f64;
+    let Spread { points, rms_n, max_n, mean_n, .. } = spread("", &differences);
     Ok(Comparison {
         model: info.name.to_string(),
-        rms_n: (squares / n).sqrt(),
+        rms_n,
         max_n,
-        mean_n: sum / n,
-        points: count,
+        mean_n,
+        points,
         unanswered: failed.map(|(n, error)| (n, error.to_string())),
     })
 }
@@ -86,10 +81,6 @@ pub fn compare_volumes(evaluation: &mut Evaluation<'_>, points: &[DataPoint]) ->
         let here = evaluation.response(p, e).ok();
         differences.extend(here.and_then(|r| Some(r.volume_mm3? - point.volume_mm3?)));
     }
-    let n = differences.len() as f64;
-    (!differences.is_empty()).then(|| VolumeComparison {
-        points: differences.len(),
-        rms_mm3: (differences.iter().map(|d| d * d).sum::<f64>() / n).sqrt(),
-        mean_mm3: differences.iter().sum::<f64>() / n,
-    })
+    let Spread { points, rms_n: rms_mm3, mean_n: mean_mm3, .. } = spread("", &differences);
+    (points > 0).then_some(VolumeComparison { points, rms_mm3, mean_mm3 })
 }

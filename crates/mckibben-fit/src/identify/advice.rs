@@ -1,10 +1,9 @@
 //! Sentences about data and result: what does not fit together, what is not identifiable, where the model does not follow.
 
-use super::default_parameters::distinct;
 use super::parameter::{NO_LOCK, sets_limit};
-use super::{Build, Identification, IdentifyError, PointFit, Request, Target, signs};
-use crate::least_squares::Loss;
-use crate::measured::{DataPoint, Quantity};
+use super::{Build, Identification, IdentifyError, PointFit, Request, Result, Target, signs};
+use crate::least_squares::{Loss, robust_deviation};
+use crate::measured::{DataPoint, Quantity, distinct};
 use crate::rubber::MODULI;
 use mckibben::cancel;
 use mckibben::model::{Ideal, Workspace};
@@ -33,7 +32,7 @@ fn show(v: f64) -> String {
 ///
 /// # Errors
 /// [`IdentifyError::Flipped`] where most of them have the wrong sign.
-pub fn doubts(muscle: &Muscle, points: &[DataPoint]) -> Result<Vec<String>, IdentifyError> {
+pub fn doubts(muscle: &Muscle, points: &[DataPoint]) -> Result<Vec<String>> {
     let mut notes = signs::check(muscle, points, true)?;
     notes.extend(units(muscle, points));
     Ok(notes)
@@ -58,7 +57,7 @@ pub(super) fn before(
     free: &[Target],
     points: &[DataPoint],
     history: bool,
-) -> Result<Vec<String>, IdentifyError> {
+) -> Result<Vec<String>> {
     let mut notes = vec![];
     if let Some(sentence) = units(muscle, points) {
         if !free.iter().any(|t| t.is_geometry()) {
@@ -71,19 +70,19 @@ pub(super) fn before(
     notes.extend(no_branch(points).filter(|_| !history));
     // Minor loops pass one place with several pulls.
     notes.extend(contradictions(points).filter(|_| !history));
-    if distinct(points.iter().map(|p| p.at.pressure_mpa)) == 1 {
+    if distinct(points.iter().map(|p| p.at.pressure_mpa)).len() == 1 {
         notes.push(
             "all points have the same pressure: rubber, braid and offset can hardly be distinguished; measure at two more pressures"
                 .into(),
         );
-    } else if distinct(points.iter().map(|p| p.at.contraction)) == 1 {
+    } else if distinct(points.iter().map(|p| p.at.contraction)).len() == 1 {
         notes.push(
             "all points have the same contraction: measure at others too; the decrease of the pull with contraction identifies the rubber".into(),
         );
     }
     let lengths = points.iter().map(|p| p.section.length_mm.unwrap_or(muscle.length_mm()));
     let ends = [&SEATING, &SLIP, &GRIP].into_iter().map(Target::Measure).find(|t| free.contains(t));
-    if let Some(end) = ends.filter(|_| distinct(lengths) == 1) {
+    if let Some(end) = ends.filter(|_| distinct(lengths).len() == 1) {
         let look = if end == Target::Measure(&SEATING) {
             "the zero of the length"
         } else {
@@ -109,8 +108,7 @@ pub(super) fn ideal_pull(muscle: &Muscle, p: &DataPoint) -> Option<f64> {
 /// The order of the curves of points: of one muscle, pressure and branch.
 pub(super) fn compare_curves(a: &DataPoint, b: &DataPoint) -> Ordering {
     let key = |p: &DataPoint| {
-        let s = &p.section;
-        let measures = [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].map(|v| v.unwrap_or(0.0));
+        let measures = p.section.values().map(|(_, value)| value.unwrap_or(0.0));
         let at = [p.at.pressure_mpa, f64::from(p.at.branch.map_or(0, |b| 1 + b as u8))];
         measures.into_iter().chain(at)
     };
@@ -221,11 +219,8 @@ const FAR: f64 = 5.0;
 
 /// Which residuals lie far off the others.
 pub(super) fn outliers(residuals: &[f64], weights: &[f64]) -> Vec<bool> {
-    let scaled: Vec<f64> = residuals.iter().zip(weights).map(|(r, w)| r.abs() * w.sqrt()).collect();
-    let mut sorted = scaled.clone();
-    sorted.sort_by(f64::total_cmp);
-    let median = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
-    let limit = FAR * 1.4826 * median;
+    let (scaled, deviation) = robust_deviation(residuals, weights);
+    let limit = FAR * deviation;
     let judged = residuals.len() >= 6;
     scaled.iter().zip(residuals).map(|(s, r)| judged && *s > limit && r.abs() > 1e-6).collect()
 }

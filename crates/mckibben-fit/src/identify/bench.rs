@@ -8,9 +8,9 @@
 //! that 95 % of the points do not exceed takes the place of t s (the 0.95 (n + 1)-th smallest of n, interpolated).
 
 use super::problem::Problem;
-use super::{Candidate, PointFit, Request};
-use crate::least_squares::{Estimate, Unknown, slopes, t95};
-use crate::measured::DataPoint;
+use super::{Identification, PointFit, Request};
+use crate::least_squares::{Unknown, slopes, t95};
+use crate::measured::{DataPoint, MeasuredPoint};
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Bench, Direction};
 use mckibben::units::plausible;
@@ -18,18 +18,13 @@ use mckibben::units::plausible;
 /// Pressures and contractions of the grid.
 const GRID: (usize, usize) = (3, 5);
 
-/// What was found, as far as it is needed here.
-pub(super) struct Found<'a> {
-    pub(super) x: &'a [f64],
-    pub(super) unknowns: &'a [Unknown],
-    pub(super) estimate: &'a Estimate,
-    pub(super) candidate: &'a Candidate,
-    pub(super) points: &'a [PointFit],
-    pub(super) freedom: usize,
-}
-
-/// The bench of the muscle itself; `None` where no point is of it, or the fit's own half-width is not known.
-pub(super) fn bench(request: &Request<'_>, found: &Found<'_>) -> Option<Bench> {
+/// The bench of the muscle itself, from unknowns with their values and covariance; `None` where no point is of it, or the fit's own half-width
+/// is not known.
+pub(super) fn bench(
+    request: &Request<'_>,
+    found: &Identification,
+    (unknowns, x, covariance): (&[Unknown], &[f64], &[Vec<f64>]),
+) -> Option<Bench> {
     let muscle = found.candidate.muscle();
     let of_it = |f: &&PointFit| found.candidate.of_section(&f.point.section).is_ok_and(|m| m == *muscle);
     let own: Vec<&PointFit> = found.points.iter().filter(of_it).collect();
@@ -54,17 +49,12 @@ pub(super) fn bench(request: &Request<'_>, found: &Found<'_>) -> Option<Bench> {
     let fitted = (found.points.len() as f64 / found.freedom as f64).sqrt();
     let scatter_n = scatter.map_or_else(|| t * (squares / found.freedom as f64).sqrt(), |n| n * fitted);
     let free: Vec<_> = request.free.iter().map(|p| p.target).collect();
-    let covariance = &found.estimate.covariance;
     let half_width_n = |pressure_mpa: f64, e: f64| -> Option<f64> {
-        let at = crate::measured::MeasuredPoint {
-            pressure_mpa,
-            contraction: e - offset,
-            force_n: 0.0,
-            branch: branches.last().copied(),
-        };
+        let (contraction, branch) = (e - offset, branches.last().copied());
+        let at = MeasuredPoint { pressure_mpa, contraction, force_n: 0.0, branch };
         let point = [DataPoint::of(at)];
-        let problem = Problem::new(request, &free, (&point, None), found.x);
-        let columns = slopes(&problem, found.unknowns, found.x)?;
+        let problem = Problem::new(request, &free, (&point, None), x);
+        let columns = slopes(&problem, unknowns, x)?;
         let g: Vec<f64> = columns.iter().map(|c| c.first().copied().unwrap_or(0.0)).collect();
         let row = |row: &Vec<f64>| row.iter().zip(&g).map(|(c, g)| c * g).sum::<f64>();
         let variance: f64 = covariance.iter().zip(&g).map(|(c, g)| g * row(c)).sum();
@@ -86,6 +76,8 @@ pub(super) fn bench(request: &Request<'_>, found: &Found<'_>) -> Option<Bench> {
             lengths_mm.push(length_mm);
         }
     }
+    let half_widths =
+        |row: &Vec<Option<f64>>| row.iter().map(|half| digits(half.unwrap_or(largest))).collect();
     let bench = Bench {
         laboratory: None,
         model: (request.build)(muscle).ok()?.info().name.to_string(),
@@ -95,10 +87,7 @@ pub(super) fn bench(request: &Request<'_>, found: &Found<'_>) -> Option<Bench> {
         pressure_mpa,
         contraction,
         scatter_n: digits(scatter_n),
-        fit_n: grid
-            .iter()
-            .map(|row| row.iter().map(|half| digits(half.unwrap_or(largest))).collect())
-            .collect(),
+        fit_n: grid.iter().map(half_widths).collect(),
         parameters: request.free.iter().map(|p| p.target.name(request.muscle)).collect(),
         covariance: written(covariance),
         of: String::new(),

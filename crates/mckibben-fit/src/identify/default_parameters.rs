@@ -1,9 +1,7 @@
 //! What is free where nothing is said.
 
-use super::{
-    Build, Candidate, Identification, IdentifyError, Parameter, Request, Target, identify, own_value,
-};
-use crate::measured::DataPoint;
+use super::{Build, Candidate, Identification, Parameter, Request, Result, Target, identify, own_value};
+use crate::measured::{DataPoint, distinct};
 use mckibben::model::Workspace;
 use mckibben::muscle::measures::{
     FRICTION_COEFFICIENT, FRICTION_EXPONENT, FRICTION_LEVER, FRICTION_PRESLIDING,
@@ -36,7 +34,7 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> 
     let has = |branch| points.iter().any(|p| p.at.branch == Some(branch));
     if has(Direction::Contraction) && has(Direction::Elongation) {
         out.push(Target::Measure(&FRICTION_COEFFICIENT));
-        if distinct(points.iter().map(|p| p.at.pressure_mpa)) > 2 {
+        if distinct(points.iter().map(|p| p.at.pressure_mpa)).len() > 2 {
             out.push(Target::Measure(&FRICTION_EXPONENT));
         }
     }
@@ -45,7 +43,7 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> 
 
 /// [`identify`] with the [`default_targets`] that are not fixed; a stiffness that the data do not determine is left at the
 /// muscle's own.
-pub fn identify_default(request: &Request<'_>) -> Result<Identification, IdentifyError> {
+pub fn identify_default(request: &Request<'_>) -> Result<Identification> {
     let fixed = |t: &Target| request.fixed.iter().any(|f| f.0 == *t);
     let targets: Vec<Target> = default_targets(request.muscle, request.points, request.history)
         .into_iter()
@@ -88,12 +86,4 @@ pub fn matters(muscle: &Muscle, target: Target, points: &[DataPoint], build: &Bu
             _ => false,
         }
     })
-}
-
-/// How many different values there are.
-pub(super) fn distinct(values: impl Iterator<Item = f64>) -> usize {
-    let mut list: Vec<f64> = values.collect();
-    list.sort_by(f64::total_cmp);
-    list.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * (1e-3 + b.abs()));
-    list.len()
 }

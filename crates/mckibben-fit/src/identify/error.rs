@@ -6,6 +6,8 @@ use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
 use thiserror::Error;
 
+pub(crate) type Result<T, E = IdentifyError> = std::result::Result<T, E>;
+
 /// Why nothing was identified. Lines are those of the data file.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum IdentifyError {

@@ -5,7 +5,7 @@
 //! F₀: the mean of both branches, F_c: half the width of the loop, zᵢ: states of the [`Presliding`], moved from row to row by the change of the
 //! contraction times L0. A table begins on the branch that its first row states; without one at z = 0. Between two rows the muscle moves one way.
 
-use super::IdentifyError;
+use super::{IdentifyError, Result};
 use crate::measured::{DataPoint, Quantity};
 use mckibben::muscle::{Direction, Presliding};
 
@@ -15,7 +15,7 @@ fn continues(row: &DataPoint, before: &DataPoint) -> bool {
 }
 
 /// The rows with the direction in which the muscle came to them, for spreads and for the ± of the bench.
-pub(super) fn directed(points: &[DataPoint]) -> Result<Vec<DataPoint>, IdentifyError> {
+pub(super) fn directed(points: &[DataPoint]) -> Result<Vec<DataPoint>> {
     let mut out: Vec<DataPoint> = vec![];
     for row in points {
         if row.measured != Quantity::Force {

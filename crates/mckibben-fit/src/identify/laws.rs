@@ -6,7 +6,7 @@
 //! that stiffens does, and the constants that follow can be ones that no rubber has.
 
 use super::advice::neighbours;
-use super::{Identification, IdentifyError, Parameter, Request, Target, identify};
+use super::{Identification, IdentifyError, Parameter, Request, Result, Target, identify};
 use crate::least_squares::aicc;
 use mckibben::cancel::Cancelled;
 use mckibben::muscle::{Rubber, Tube};
@@ -20,7 +20,7 @@ const EARLY_LOCK: f64 = 3.0;
 pub struct LawTrial {
     pub law: &'static str,
     /// What was found with it.
-    pub found: Result<Identification, IdentifyError>,
+    pub found: Result<Identification>,
     /// AICc; infinite where nothing was found.
     pub aicc: f64,
     /// Correlation of neighbouring residuals, −1 to 1; 0 for errors that are independent.
@@ -30,7 +30,7 @@ pub struct LawTrial {
 }
 
 /// Every law with a fixed number of constants, lowest AICc first.
-pub fn try_laws(request: &Request<'_>) -> Result<Vec<LawTrial>, IdentifyError> {
+pub fn try_laws(request: &Request<'_>) -> Result<Vec<LawTrial>> {
     let mut trials = vec![];
     for kind in Law::KINDS.iter().filter(|kind| !kind.is_sum) {
         if let Some(trial) = trial(request, kind) {

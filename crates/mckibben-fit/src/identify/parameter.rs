@@ -100,11 +100,8 @@ impl Target {
     /// Its unit; empty for a plain number.
     pub fn unit(self, muscle: &Muscle) -> &'static str {
         match self {
-            Law(i) => constant(muscle, i).map_or("", |c| c.constant.unit()),
-            Stiffness => "N/mm",
-            DeadVolume => "mm³",
             Target::Measure(m) => m.unit(),
-            _ => "",
+            other => other.dimension(muscle).unit_inside().name,
         }
     }
 

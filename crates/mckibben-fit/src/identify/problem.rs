@@ -42,21 +42,10 @@ pub struct Problem<'a> {
     /// All rows in time order, where the friction has their history.
     history: Option<&'a [DataPoint]>,
     chunks: Vec<Chunk>,
-    scales: Scales,
+    /// N per unit of what was read, by [`Quantity`].
+    scales: [f64; 4],
     /// Whether the model knows all derivatives.
     analytic: bool,
-}
-
-/// N per unit of what was read.
-#[derive(Debug, Clone, Copy)]
-struct Scales {
-    contraction: f64,
-    pressure: f64,
-    volume: f64,
-}
-
-impl Scales {
-    const ONE: Self = Self { contraction: 1.0, pressure: 1.0, volume: 1.0 };
 }
 
 /// F, ∂F/∂ε and ∂F/∂P.
@@ -78,18 +67,6 @@ fn local(
     let by_contraction = -model.stiffness_n_per_mm(&r)? * m.muscle().length_mm();
     let by_pressure = model.force_per_pressure_mm2(&r)?;
     Ok(Local { force: r.force_n, by_contraction, by_pressure })
-}
-
-/// V in mm³.
-fn volume(
-    m: &dyn ForceModel,
-    w: &mut Workspace,
-    p: f64,
-    e: f64,
-    branch: Direction,
-) -> Result<f64, ModelError> {
-    let volume = Evaluation::new(m, w, branch).response(p, e)?.volume_mm3;
-    volume.ok_or_else(|| ModelError::NoVolume { model: m.info().name.to_string() })
 }
 
 /// Newton's method for what was read, from where it was read.
@@ -138,63 +115,51 @@ impl<'a> Problem<'a> {
             points,
             history,
             chunks: chunks(points),
-            scales: Scales::ONE,
+            scales: [1.0; 4],
             analytic: false,
         };
-        out.scales = out.mean_slopes(start).unwrap_or(Scales::ONE);
+        out.scales = out.mean_slopes(start).unwrap_or([1.0; 4]);
         out.analytic = out.knows_derivatives(start);
         out
     }
 
     /// N per unit of what a point's bench read.
     pub fn scale(&self, quantity: Quantity) -> f64 {
-        match quantity {
-            Quantity::Force => 1.0,
-            Quantity::Contraction => self.scales.contraction,
-            Quantity::Pressure => self.scales.pressure,
-            Quantity::Volume => self.scales.volume,
-        }
+        self.scales[quantity as usize]
     }
 
     /// The muscle at values of the free targets.
     pub fn candidate(&self, x: &[f64]) -> Option<Candidate> {
-        let values =
-            self.request.fixed.iter().copied().chain(self.free.iter().copied().zip(x.iter().copied()));
-        Candidate::new(self.request.muscle, &values.collect::<Vec<_>>()).ok()
+        self.request.candidate(x).ok()
     }
 
     /// Residual of every point in N, or why it has none.
     pub fn rows(&self, x: &[f64]) -> Option<Vec<Result<f64, ModelError>>> {
         let candidate = self.candidate(x)?;
         let shares = self.shares(&candidate);
+        let offset = candidate.contraction_offset;
         self.over_rows(&candidate, |m, w, i| {
             let point = &self.points[i];
-            let at = &point.at;
-            match point.measured {
-                Quantity::Force => {
-                    let e = at.contraction + candidate.contraction_offset;
-                    if let Some(share) = shares.as_ref().and_then(|list| list.get(i)) {
-                        let half =
-                            Evaluation::new(m, w, Direction::Elongation).friction_n(at.pressure_mpa, e)?;
-                        return Ok(m.force_n(w, at.pressure_mpa, e)? - share * half - at.force_n);
+            let (at, branch) = (&point.at, point.at.direction());
+            let (p, e) = (at.pressure_mpa, at.contraction + offset);
+            let off = match point.measured {
+                Quantity::Force => match shares.as_ref().and_then(|list| list.get(i)) {
+                    Some(share) => {
+                        let half = Evaluation::new(m, w, Direction::Elongation).friction_n(p, e)?;
+                        m.force_n(w, p, e)? - share * half - at.force_n
                     }
-                    Ok(Evaluation::new(m, w, at.direction()).force_n(at.pressure_mpa, e)? - at.force_n)
-                }
-                Quantity::Contraction => {
-                    let (_, e, _) = found(m, w, point, candidate.contraction_offset)?;
-                    Ok(self.scales.contraction * (e - candidate.contraction_offset - at.contraction))
-                }
-                Quantity::Pressure => {
-                    let (p, _, _) = found(m, w, point, candidate.contraction_offset)?;
-                    Ok(self.scales.pressure * (p - at.pressure_mpa))
-                }
+                    None => Evaluation::new(m, w, branch).force_n(p, e)? - at.force_n,
+                },
+                Quantity::Contraction => found(m, w, point, offset)?.1 - offset - at.contraction,
+                Quantity::Pressure => found(m, w, point, offset)?.0 - p,
                 Quantity::Volume => {
-                    let e = at.contraction + candidate.contraction_offset;
-                    let inside = volume(m, w, at.pressure_mpa, e, at.direction())?;
-                    let read = point.volume_mm3.unwrap_or_default();
-                    Ok(self.scales.volume * (inside + candidate.dead_volume_mm3 - read))
+                    let inside = Evaluation::new(m, w, branch).response(p, e)?.volume_mm3;
+                    let none = || ModelError::NoVolume { model: m.info().name.to_string() };
+                    inside.ok_or_else(none)? + candidate.dead_volume_mm3
+                        - point.volume_mm3.unwrap_or_default()
                 }
-            }
+            };
+            Ok(self.scale(point.measured) * off)
         })
     }
 
@@ -230,7 +195,7 @@ impl<'a> Problem<'a> {
         out.into_iter().collect()
     }
 
-    fn mean_slopes(&self, start: &[f64]) -> Option<Scales> {
+    fn mean_slopes(&self, start: &[f64]) -> Option<[f64; 4]> {
         if self.points.iter().all(|p| p.measured == Quantity::Force) {
             return None;
         }
@@ -247,11 +212,11 @@ impl<'a> Problem<'a> {
         };
         let length = candidate.muscle().length_mm();
         let by_volume = |l: &Local| l.by_contraction / (length * l.by_pressure);
-        Some(Scales {
-            contraction: mean(Quantity::Contraction, &|l| l.by_contraction),
-            pressure: mean(Quantity::Pressure, &|l| l.by_pressure),
-            volume: mean(Quantity::Volume, &by_volume),
-        })
+        let (contraction, pressure) = (
+            mean(Quantity::Contraction, &|l| l.by_contraction),
+            mean(Quantity::Pressure, &|l| l.by_pressure),
+        );
+        Some([1.0, contraction, pressure, mean(Quantity::Volume, &by_volume)])
     }
 
     /// Whether the model has all of ∂F/∂θ.
@@ -393,11 +358,11 @@ impl Residuals for Problem<'_> {
                 _ => found(m, w, point, offset)?,
             };
             let slopes = self.slopes((m, w), point, &candidate, x, &names, (p, e, &here))?;
+            let scale = self.scale(point.measured);
             let factor = match point.measured {
-                Quantity::Force => 1.0,
-                Quantity::Volume => self.scales.volume,
-                Quantity::Contraction => -self.scales.contraction / here.by_contraction,
-                Quantity::Pressure => -self.scales.pressure / here.by_pressure,
+                Quantity::Force | Quantity::Volume => scale,
+                Quantity::Contraction => -scale / here.by_contraction,
+                Quantity::Pressure => -scale / here.by_pressure,
             };
             Ok(slopes.into_iter().map(|s| factor * s).collect::<Vec<f64>>())
         })?;

@@ -115,13 +115,19 @@ fn count<S: Serializer>(points: &[DataPoint], serializer: S) -> Result<S::Ok, S:
 }
 
 impl Identification {
+    /// The muscle with its bench, where it has one.
+    pub fn with_bench(&self) -> Muscle {
+        let muscle = self.muscle.clone();
+        if let Some(bench) = &self.bench { muscle.with_bench(bench.clone()) } else { muscle }
+    }
+
     pub fn parameter(&self, target: Target) -> Option<&Identified> {
         self.parameters.iter().find(|p| p.target == target)
     }
 }
 
 /// rms, largest and mean of a list of residuals.
-pub(super) fn spread(label: impl Into<String>, residuals: &[f64]) -> Spread {
+pub(crate) fn spread(label: impl Into<String>, residuals: &[f64]) -> Spread {
     let n = residuals.len().max(1) as f64;
     Spread {
         label: label.into(),

@@ -1,18 +1,18 @@
 //! From points and parameters to an [`Identification`].
 
-use super::bench::{self, Found};
+use super::bench::bench;
 use super::problem::Problem;
 use super::result::{spread, spreads};
 use super::{
-    Build, Identification, Identified, IdentifyError, Parameter, PointFit, Target, advice, history,
-    own_value, signs,
+    Build, Candidate, Identification, Identified, IdentifyError, Parameter, PointFit, Result, Target, advice,
+    history, own_value, signs,
 };
 use crate::least_squares::{Estimate, EstimateError, Known, Loss, Residuals, Unknown, estimate};
 use crate::measured::{DataPoint, Quantity};
 use mckibben::cancel::Cancelled;
 use mckibben::model::ModelError;
 use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, GRIP, SEATING, SLIP};
-use mckibben::muscle::{Direction, Muscle};
+use mckibben::muscle::{Direction, Muscle, MuscleError};
 use mckibben::progress::{Progress, Silent};
 use mckibben::rubber::RubberLaw;
 
@@ -50,6 +50,15 @@ impl<'a> Request<'a> {
     }
 }
 
+impl Request<'_> {
+    /// The muscle at values of what is free.
+    pub(super) fn candidate(&self, x: &[f64]) -> Result<Candidate, MuscleError> {
+        let free = self.free.iter().map(|p| p.target).zip(x.iter().copied());
+        let values: Vec<_> = self.fixed.iter().copied().chain(free).collect();
+        Candidate::new(self.muscle, &values)
+    }
+}
+
 /// Half the width of the hysteresis loop that the data show at 1 MPa, roughly: a start for C.
 fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {
     let sum = |branch| {
@@ -64,7 +73,7 @@ fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {
 }
 
 /// Starts and bounds of the free parameters.
-fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>, IdentifyError> {
+fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>> {
     let muscle = request.muscle;
     let mut seen: Vec<Target> = vec![];
     for target in request.free.iter().map(|p| p.target).chain(request.fixed.iter().map(|f| f.0)) {
@@ -114,7 +123,7 @@ fn chosen(request: &Request<'_>) -> (Vec<DataPoint>, Vec<DataPoint>) {
     counted.partition(|p| request.two_sided || p.measured != Quantity::Force || p.at.force_n > 0.0)
 }
 
-fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec<f64>, bool), IdentifyError> {
+fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec<f64>, bool)> {
     let stated = points.iter().filter(|p| p.error.is_some()).count();
     if let Some(without) = points.iter().find(|p| p.error.is_none()).filter(|_| stated > 0) {
         return Err(IdentifyError::Data(format!(
@@ -128,7 +137,7 @@ fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec
 }
 
 /// Identifies the free parameters of a muscle so that its model comes closest to the points.
-pub fn identify(request: &Request<'_>) -> Result<Identification, IdentifyError> {
+pub fn identify(request: &Request<'_>) -> Result<Identification> {
     let directed = if request.history { history::directed(request.points)? } else { vec![] };
     let request = if request.history { &Request { points: &directed, ..*request } } else { request };
     let flipped = signs::check(request.muscle, request.points, request.two_sided)?;
@@ -145,7 +154,7 @@ pub fn identify(request: &Request<'_>) -> Result<Identification, IdentifyError> 
     }
 }
 
-fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification, IdentifyError> {
+fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     if request.free.is_empty() {
         return Err(IdentifyError::Refused(
             "nothing is free: name at least one parameter to identify".into(),
@@ -161,8 +170,7 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification, I
     }
     let mut notes = advice::before(muscle, &free, &given, request.history)?;
     notes.extend(flipped.iter().cloned());
-    let values = request.fixed.iter().copied().chain(free.iter().copied().zip(start.iter().copied()));
-    let first = super::Candidate::new(muscle, &values.collect::<Vec<_>>())?;
+    let first = request.candidate(&start)?;
     (request.build)(first.muscle()).map_err(IdentifyError::Model)?;
 
     let history = request.history.then_some(request.points);
@@ -179,7 +187,7 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification, I
         Some(residuals) => Known::new(&problem).with(&start, residuals),
         None => Known::new(&problem),
     };
-    let before = rms(&known.at(&start).unwrap_or_default());
+    let before = spread("start", &known.at(&start).unwrap_or_default()).rms_n;
     let found = estimate(&known, &unknowns, &weights, request.loss).map_err(|e| match e {
         EstimateError::TooFew { points, unknowns } => IdentifyError::too_few(points, slack.len(), unknowns),
         EstimateError::NoMinimum { ref at, .. } => {
@@ -213,10 +221,6 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification, I
     let all = spread("all", &found.residuals);
     let inside = found.at_bound.iter().filter(|b| !**b).count();
     let freedom = points.len().saturating_sub(inside).max(1);
-    let (estimate, candidate_of) = (&found, &candidate);
-    let of =
-        Found { x: &x, unknowns: &unknowns, estimate, candidate: candidate_of, points: &fitted, freedom };
-    let bench = bench::bench(request, &of);
     let mut out = Identification {
         muscle: candidate.muscle().clone(),
         candidate,
@@ -232,8 +236,9 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification, I
         deviation: found.deviation,
         errors_stated,
         notes: vec![],
-        bench,
+        bench: None,
     };
+    out.bench = bench(request, &out, (&unknowns, &x, &found.covariance));
     notes.extend(advice::after(&out, request));
     out.notes = notes;
     Ok(out)
@@ -245,7 +250,7 @@ const SOFTEST_MPA: f64 = 1e-3;
 const LONGEST_END: f64 = 0.3;
 
 /// Refuses a modulus that fell towards zero.
-fn rubber_is_left(request: &Request<'_>, start: &Muscle, end: &Muscle) -> Result<(), IdentifyError> {
+fn rubber_is_left(request: &Request<'_>, start: &Muscle, end: &Muscle) -> Result<()> {
     let modulus = |m: &Muscle| m.tube().rubber.law.shear_modulus_mpa();
     let sought = request.free.iter().find(|p| matches!(p.target, Target::Law(_) | Target::Modulus));
     match sought {
@@ -273,7 +278,7 @@ fn given_way_mm(request: &Request<'_>, target: Target, value: f64, muscle: &Musc
 type Rows = Vec<Result<f64, ModelError>>;
 
 /// Points without an answer at the start are left out, where they are few: those that are left, and what was left out.
-fn leave_out(points: &[DataPoint], rows: &Rows) -> Result<(Vec<DataPoint>, Option<String>), IdentifyError> {
+fn leave_out(points: &[DataPoint], rows: &Rows) -> Result<(Vec<DataPoint>, Option<String>)> {
     let all = points.len();
     let failed: Vec<(u64, ModelError)> =
         points.iter().zip(rows).filter_map(|(p, r)| Some((p.line, r.as_ref().err()?.clone()))).collect();
@@ -288,10 +293,6 @@ fn leave_out(points: &[DataPoint], rows: &Rows) -> Result<(Vec<DataPoint>, Optio
     let note =
         format!("{n} points ({at}) have no answer of the model at the start and were left out: {error}");
     Ok((kept, Some(note)))
-}
-
-fn rms(r: &[f64]) -> f64 {
-    (r.iter().map(|r| r * r).sum::<f64>() / r.len().max(1) as f64).sqrt()
 }
 
 fn parameters(

@@ -1,6 +1,6 @@
 //! Points whose sign is flipped: a muscle pulls under pressure, and pulls less the shorter it is.
 
-use super::{IdentifyError, advice};
+use super::{IdentifyError, Result, advice};
 use crate::measured::{DataPoint, Quantity};
 use mckibben::cancel;
 use mckibben::muscle::Muscle;
@@ -16,11 +16,7 @@ fn lines(list: &[u64]) -> String {
 }
 
 /// Sentences on single points with the wrong sign; `two_sided`: forces below zero are measurements.
-pub(super) fn check(
-    muscle: &Muscle,
-    points: &[DataPoint],
-    two_sided: bool,
-) -> Result<Vec<String>, IdentifyError> {
+pub(super) fn check(muscle: &Muscle, points: &[DataPoint], two_sided: bool) -> Result<Vec<String>> {
     let points: Vec<&DataPoint> = points.iter().filter(|p| p.weight > 0.0).collect();
     let mut notes = pushing(muscle, &points, two_sided)?;
     cancel::check()?;
@@ -29,7 +25,7 @@ pub(super) fn check(
 }
 
 /// Forces below zero where the muscle pulls.
-fn pushing(muscle: &Muscle, points: &[&DataPoint], two_sided: bool) -> Result<Vec<String>, IdentifyError> {
+fn pushing(muscle: &Muscle, points: &[&DataPoint], two_sided: bool) -> Result<Vec<String>> {
     let pulls: Vec<(&DataPoint, f64)> = points
         .iter()
         .filter(|p| p.measured == Quantity::Force)
@@ -55,7 +51,7 @@ fn pushing(muscle: &Muscle, points: &[&DataPoint], two_sided: bool) -> Result<Ve
 }
 
 /// Pulls that rise with the contraction.
-fn rising(points: &[&DataPoint]) -> Result<Vec<String>, IdentifyError> {
+fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
     let mut order: Vec<&DataPoint> = points.iter().copied().filter(|p| p.at.force_n > 0.0).collect();
     let compare = |a: &DataPoint, b: &DataPoint| advice::compare_curves(a, b).then(a.set.cmp(&b.set));
     order.sort_by(|a, b| compare(a, b).then(a.at.contraction.total_cmp(&b.at.contraction)));

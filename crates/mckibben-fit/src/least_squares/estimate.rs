@@ -157,11 +157,6 @@ impl Inner<'_> {
     fn x(&self, u: &DVector<f64>) -> Vec<f64> {
         self.unknowns.iter().zip(u.iter()).map(|(k, &u)| k.outer(u).0).collect()
     }
-
-    /// Columns ∂r/∂x, not weighted.
-    fn columns(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
-        slopes(self.residuals, self.unknowns, x)
-    }
 }
 
 /// What lies beside the end of a search.
@@ -253,7 +248,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_> {
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let columns = self.columns(&self.x(&self.u))?;
+        let columns = slopes(self.residuals, self.unknowns, &self.x(&self.u))?;
         let mut j = DMatrix::zeros(self.roots.len(), self.u.len());
         for (c, column) in columns.iter().enumerate() {
             let slope = self.unknowns[c].outer(self.u[c]).1;
@@ -356,13 +351,19 @@ pub fn estimate(
     statistics(&Inner { residuals, unknowns, roots: DVector::zeros(0), u, wall: None }, all)
 }
 
-/// Huber's factors on the weights.
-fn huber(r: &[f64], weights: &[f64]) -> Vec<f64> {
+/// Weighted sizes of residuals, and 1.4826 times the median of those that count.
+pub(crate) fn robust_deviation(r: &[f64], weights: &[f64]) -> (Vec<f64>, f64) {
     let scaled: Vec<f64> = r.iter().zip(weights).map(|(r, w)| r.abs() * w.sqrt()).collect();
     let mut sorted: Vec<f64> = scaled.iter().zip(weights).filter(|p| *p.1 > 0.0).map(|p| *p.0).collect();
     sorted.sort_by(f64::total_cmp);
     let median = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
-    let limit = HUBER * 1.4826 * median;
+    (scaled, 1.4826 * median)
+}
+
+/// Huber's factors on the weights.
+fn huber(r: &[f64], weights: &[f64]) -> Vec<f64> {
+    let (scaled, deviation) = robust_deviation(r, weights);
+    let limit = HUBER * deviation;
     scaled.iter().map(|&s| if s <= limit || s == 0.0 { 1.0 } else { limit / s }).collect()
 }
 
@@ -385,7 +386,7 @@ fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, Estimate
     let x = inner.x(&inner.u);
     let unknowns = inner.unknowns;
     let residuals = inner.residuals.at(&x).ok_or(EstimateError::Start)?;
-    let columns = inner.columns(&x).ok_or(EstimateError::Start)?;
+    let columns = slopes(inner.residuals, unknowns, &x).ok_or(EstimateError::Start)?;
     let at_bound: Vec<bool> = unknowns.iter().zip(&x).map(|(u, &x)| u.is_at_bound(x)).collect();
     let inside: Vec<usize> = (0..x.len()).filter(|&i| !at_bound[i]).collect();
     let points = weights.iter().filter(|w| **w > 0.0).count();

@@ -7,10 +7,14 @@
 mod aicc;
 mod bounds;
 mod estimate;
+#[cfg(test)]
+mod noise;
 mod student;
 
 pub use aicc::aicc;
 pub use bounds::Unknown;
-pub(crate) use estimate::Known;
 pub use estimate::{Estimate, EstimateError, Loss, Residuals, estimate, slopes};
+pub(crate) use estimate::{Known, robust_deviation};
+#[cfg(test)]
+pub(crate) use noise::Noise;
 pub use student::t95;

@@ -36,15 +36,19 @@ pub struct Section {
 }
 
 impl Section {
-    /// Whether it says this measure of the muscle.
-    pub fn states(&self, measure: &Measure) -> bool {
-        let own = [
+    /// Its measures, with those values that it states.
+    pub fn values(&self) -> [(&'static Measure, Option<f64>); 4] {
+        [
             (&OUTER_DIAMETER, self.outer_diameter_mm),
             (&WALL, self.wall_mm),
             (&LENGTH, self.length_mm),
             (&ANGLE, self.angle_deg),
-        ];
-        own.iter().any(|(m, value)| *m == measure && value.is_some())
+        ]
+    }
+
+    /// Whether it says this measure of the muscle.
+    pub fn states(&self, measure: &Measure) -> bool {
+        self.values().iter().any(|(m, value)| *m == measure && value.is_some())
     }
 
     /// The muscle with these measures.
@@ -86,17 +90,22 @@ pub struct DataPoint {
 
 impl DataPoint {
     pub fn of(at: MeasuredPoint) -> Self {
-        Self {
-            at,
-            measured: Quantity::Force,
-            volume_mm3: None,
-            error: None,
-            weight: 1.0,
-            section: Section::default(),
-            line: 0,
-            set: 0,
-        }
+        let (measured, section) = (Quantity::Force, Section::default());
+        Self { at, measured, volume_mm3: None, error: None, weight: 1.0, section, line: 0, set: 0 }
     }
+}
+
+/// The different values of a list, rising.
+pub fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut list: Vec<f64> = values.collect();
+    list.sort_by(f64::total_cmp);
+    list.dedup_by(|a, b| same(*a, *b));
+    list
+}
+
+/// Whether two of them are one value.
+pub fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-6 * (1e-3 + b.abs())
 }
 
 /// The mean of the two hysteresis branches, muscle by muscle; see [`mean_of_branches`](super::mean_of_branches). A mean keeps the line of its
@@ -104,8 +113,7 @@ impl DataPoint {
 pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
     let (mut groups, mut places): (Vec<Vec<DataPoint>>, HashMap<_, usize>) = Default::default();
     for p in points {
-        let Section { outer_diameter_mm, wall_mm, length_mm, angle_deg } = p.section;
-        let section = [outer_diameter_mm, wall_mm, length_mm, angle_deg].map(|v| v.map(f64::to_bits));
+        let section = p.section.values().map(|(_, value)| value.map(f64::to_bits));
         let place = *places.entry((section, p.set, p.measured as u8)).or_insert(groups.len());
         match groups.get_mut(place) {
             Some(group) => group.push(*p),

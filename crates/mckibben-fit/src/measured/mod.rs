@@ -3,5 +3,5 @@
 mod data;
 mod read;
 
-pub use data::{DataPoint, MeasuredPoint, Quantity, Section, mean_of_branches, mean_of_data};
+pub use data::{DataPoint, MeasuredPoint, Quantity, Section, distinct, mean_of_branches, mean_of_data, same};
 pub use read::{PointOptions, read_data, read_measured, read_points};

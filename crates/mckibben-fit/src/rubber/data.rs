@@ -9,7 +9,7 @@ use mckibben_io::table::{Column, Columns, Meaning, TESTS, Table, TableError, Und
 use std::io::Read;
 
 /// What the file does not say.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ReadOptions {
     /// The mode, where there is no column of it.
     pub mode: Mode,
@@ -17,12 +17,6 @@ pub struct ReadOptions {
     pub area_mm2: Option<f64>,
     /// Length at rest, for a column of extensions or lengths.
     pub gauge_length_mm: Option<f64>,
-}
-
-impl Default for ReadOptions {
-    fn default() -> Self {
-        Self { mode: Mode::Uniaxial, area_mm2: None, gauge_length_mm: None }
-    }
 }
 
 /// [`read_tests`] of a table that says everything.

@@ -1,7 +1,7 @@
 //! A law with its constants, and how well it does.
 
 use super::problem::{Problem, Raw};
-use super::{FitSettings, Mode, TensionFitError, TensionPoint, linear, no_fit, nonlinear, ogden};
+use super::{FitSettings, Mode, Result, TensionPoint, linear, no_fit, nonlinear, ogden};
 use crate::least_squares::{aicc, t95};
 use mckibben::rubber::{
     ConstantValue, Form, Law, LawConstants, Ogden, RubberLaw, Stability, is_stable_at, muscle_stability,
@@ -119,11 +119,7 @@ impl FittedLaw {
 }
 
 /// The free fit and, where that is unstable in a muscle, the stable one; or the stable one alone.
-pub(super) fn laws(
-    form: Form,
-    problem: &Problem,
-    settings: &FitSettings,
-) -> Result<Vec<FittedLaw>, TensionFitError> {
+pub(super) fn laws(form: Form, problem: &Problem, settings: &FitSettings) -> Result<Vec<FittedLaw>> {
     let hoop = settings.hoop_stretch;
     let fit = |held: bool| {
         let raw = match form.basis() {
@@ -151,13 +147,7 @@ pub(super) fn laws(
     }
 }
 
-fn judged(
-    form: Form,
-    constrained: bool,
-    raw: Raw,
-    problem: &Problem,
-    hoop: f64,
-) -> Result<FittedLaw, TensionFitError> {
+fn judged(form: Form, constrained: bool, raw: Raw, problem: &Problem, hoop: f64) -> Result<FittedLaw> {
     let law = form.law_of(&raw.constants).ok_or_else(|| no_fit(form, "its constants are not complete"))?;
     let squares = problem.squares(&law).filter(|s| s.is_finite());
     let squares = squares.ok_or_else(|| no_fit(form, "its stresses are not finite"))?;

@@ -11,7 +11,7 @@
 
 use super::convex::{Inequality, normal, solve};
 use super::problem::{Problem, Raw};
-use super::{TensionFitError, no_fit};
+use super::{Result, no_fit};
 use crate::least_squares::{Loss, Residuals, Unknown, estimate};
 use mckibben::rubber::{Form, Law, RubberLaw, log_hessian, muscle_states};
 
@@ -44,7 +44,7 @@ fn scale(basis: &Law, problem: &Problem) -> f64 {
     problem.modulus_mpa * (stretch - stretch.powi(-3)) / basis.planar_stress_mpa(stretch)
 }
 
-pub(super) fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw, TensionFitError> {
+pub(super) fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw> {
     let columns = columns(basis, problem).ok_or_else(|| no_fit(form, "a stress is not finite"))?;
     let unknowns: Vec<Unknown> = basis.iter().map(|law| Unknown::free(0.0, scale(law, problem))).collect();
     let linear = Linear { columns: &columns, measured: problem.measured() };
@@ -63,12 +63,7 @@ pub(super) fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw, 
 const CUTS: usize = 40;
 
 /// The fit among the laws that are stable in a muscle.
-pub(super) fn stable(
-    form: Form,
-    basis: &[Law],
-    problem: &Problem,
-    hoop_stretch: f64,
-) -> Result<Raw, TensionFitError> {
+pub(super) fn stable(form: Form, basis: &[Law], problem: &Problem, hoop_stretch: f64) -> Result<Raw> {
     let columns = columns(basis, problem).ok_or_else(|| no_fit(form, "a stress is not finite"))?;
     let (n, d) = normal(&columns, &problem.measured(), &problem.weights);
     let margin = 1e-3 * problem.modulus_mpa;

@@ -45,7 +45,7 @@ pub(crate) use warning::MODULI;
 /// # Errors
 /// [`TensionFitError`]: bad settings, too few points, no stiffness; or, where none of the laws has a fit, why the first one
 /// has none.
-pub fn fit_tension(points: &[TensionPoint], settings: &FitSettings) -> Result<TensionFit, TensionFitError> {
+pub fn fit_tension(points: &[TensionPoint], settings: &FitSettings) -> Result<TensionFit> {
     fit_tension_with(points, settings, &Silent)
 }
 
@@ -54,7 +54,7 @@ pub fn fit_tension_with(
     points: &[TensionPoint],
     settings: &FitSettings,
     progress: &dyn Progress,
-) -> Result<TensionFit, TensionFitError> {
+) -> Result<TensionFit> {
     check(settings)?;
     let sorted = if settings.history { runs::Sorted::history(points) } else { runs::sort(points) };
     let mut warnings = warning::of_runs(&sorted);
@@ -107,7 +107,7 @@ pub fn fit_tension_with(
     })
 }
 
-fn check(settings: &FitSettings) -> Result<(), TensionFitError> {
+fn check(settings: &FitSettings) -> Result<()> {
     let bad = |what, value, expected| {
         Err(TensionFitError::Refused(format!("{what} is {value}; it must be {expected}")))
     };
@@ -124,7 +124,7 @@ fn check(settings: &FitSettings) -> Result<(), TensionFitError> {
 }
 
 /// The laws that are asked for, or all that the points carry.
-fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>, TensionFitError> {
+fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>> {
     let carried = |f: &Form| points >= f.fewest_points();
     let asked = if settings.forms.is_empty() { Form::all() } else { settings.forms.clone() };
     let forms: Vec<Form> = asked.iter().copied().filter(carried).collect();
@@ -137,6 +137,8 @@ fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>, TensionFit
         _ => Ok(forms),
     }
 }
+
+pub(crate) type Result<T, E = TensionFitError> = std::result::Result<T, E>;
 
 /// Why there is no fit.
 #[derive(Debug, Clone, PartialEq, Error)]

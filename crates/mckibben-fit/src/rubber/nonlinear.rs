@@ -6,7 +6,7 @@
 //! of q. The fit begins at several q and the lowest minimum is taken.
 
 use super::problem::{Problem, Raw};
-use super::{TensionFitError, no_fit};
+use super::{Result, no_fit};
 use crate::least_squares::{Loss, Residuals, Unknown, estimate};
 use mckibben::rubber::{Form, Law, MUSCLE_AXIAL_STRETCH, RubberLaw};
 
@@ -79,7 +79,7 @@ fn of_muscle(hoop: f64) -> f64 {
 }
 
 /// The fit; with the hoop stretch of a muscle the limit is kept a little beyond what its wall reaches.
-pub(super) fn fit(form: Form, problem: &Problem, hoop: Option<f64>) -> Result<Raw, TensionFitError> {
+pub(super) fn fit(form: Form, problem: &Problem, hoop: Option<f64>) -> Result<Raw> {
     let mu = problem.modulus_mpa;
     let example = form.example().ok_or_else(|| no_fit(form, "its constants are not complete"))?;
     let law = example.scaled(mu / example.shear_modulus_mpa());

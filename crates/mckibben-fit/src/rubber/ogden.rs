@@ -7,7 +7,7 @@
 
 use super::convex::{Inequality, normal, solve, subsets};
 use super::problem::{Problem, Raw};
-use super::{TensionFitError, no_fit};
+use super::{Result, TensionFitError, no_fit};
 use crate::least_squares::{Estimate, Loss, Residuals, Unknown, estimate};
 use mckibben::cancel;
 use mckibben::rubber::{Form, Law, Ogden};
@@ -95,7 +95,7 @@ fn starts(count: usize, problem: &Problem) -> Vec<Start> {
     out
 }
 
-pub(super) fn fit(form: Form, problem: &Problem) -> Result<Raw, TensionFitError> {
+pub(super) fn fit(form: Form, problem: &Problem) -> Result<Raw> {
     let count = form.terms().unwrap_or(1);
     let mut best: Option<(f64, Vec<f64>, Estimate)> = None;
     let mut why = None;

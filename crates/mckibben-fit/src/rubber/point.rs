@@ -34,32 +34,23 @@ impl Mode {
     /// Those in which one stretch says all.
     pub const OF_ONE_STRETCH: [Mode; 3] = [Mode::Uniaxial, Mode::Planar, Mode::Equibiaxial];
     pub const WORDS: &'static str = "uniaxial, planar (or pure shear), equibiaxial (or biaxial), general";
+    /// The spellings of each, its name first.
+    const SPELLINGS: [&'static [&'static str]; 4] = [
+        &["uniaxial", "uniaxialtension", "simpletension", "tension", "tensile", "ut"],
+        &["planar", "planartension", "pureshear", "constrainedtension", "pt", "ps"],
+        &["equibiaxial", "equibiaxialtension", "biaxial", "biaxialtension", "et", "eb"],
+        &["general", "generalbiaxial", "generalbiaxialtension", "bt"],
+    ];
 
     pub fn name(self) -> &'static str {
-        match self {
-            Mode::Uniaxial => "uniaxial",
-            Mode::Planar => "planar",
-            Mode::Equibiaxial => "equibiaxial",
-            Mode::General => "general",
-        }
+        Self::SPELLINGS[self as usize][0]
     }
 
     /// From a word, without regard to case, hyphens, underscores and spaces.
     pub fn parse(word: &str) -> Option<Self> {
         let plain: String = word.chars().filter(|c| c.is_alphanumeric()).collect();
-        match plain.to_lowercase().as_str() {
-            "uniaxial" | "uniaxialtension" | "simpletension" | "tension" | "tensile" | "ut" => {
-                Some(Mode::Uniaxial)
-            }
-            "planar" | "planartension" | "pureshear" | "constrainedtension" | "pt" | "ps" => {
-                Some(Mode::Planar)
-            }
-            "equibiaxial" | "equibiaxialtension" | "biaxial" | "biaxialtension" | "et" | "eb" => {
-                Some(Mode::Equibiaxial)
-            }
-            "general" | "generalbiaxial" | "generalbiaxialtension" | "bt" => Some(Mode::General),
-            _ => None,
-        }
+        let plain = plain.to_lowercase();
+        Self::ALL.into_iter().find(|mode| Self::SPELLINGS[*mode as usize].contains(&plain.as_str()))
     }
 
     /// λ2 for λ1; `None` in a general test, where it is measured.

@@ -5,7 +5,7 @@
 //!
 //!   P(t) = [λ² S_a(t) − λ⁻¹ S_l(t)]/λ.
 
-use super::OverTimeFitError;
+use super::{OverTimeFitError, Result};
 use mckibben::rubber::RubberLaw;
 use mckibben::rubber::over_time::{OgdenRoxburgh, Prony, Softened};
 use mckibben_io::table::{Columns, HISTORIES, Table, TableError, read_text};
@@ -82,14 +82,14 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
     }
 
     /// Nominal stresses over a history, in MPa.
-    pub fn over(mut self, history: &[TimePoint]) -> Result<Vec<f64>, OverTimeFitError> {
+    pub fn over(mut self, history: &[TimePoint]) -> Result<Vec<f64>> {
         check(history)?;
         Ok(history.iter().map(|p| self.at(p.time_s, p.stretch)).collect())
     }
 }
 
 /// Times do not go back, and numbers are numbers.
-pub(super) fn check(history: &[TimePoint]) -> Result<(), OverTimeFitError> {
+pub(super) fn check(history: &[TimePoint]) -> Result<()> {
     let mut before = f64::NEG_INFINITY;
     for (index, p) in history.iter().enumerate() {
         let wrong = |why| {

@@ -10,7 +10,7 @@
 //! weighted by its samples; points that are weighted by the time they stand for are the caller's choice.
 
 use super::bar::check;
-use super::{Bar, OverTimeFitError, TimePoint, columns};
+use super::{Bar, OverTimeFitError, Result, TimePoint, columns};
 use crate::least_squares::{Loss, Unknown, estimate};
 use crate::rubber::{FitSettings, Form, Mode, TensionPoint, fit_tension};
 use mckibben::rubber::over_time::{Branch, Prony};
@@ -74,7 +74,7 @@ fn with_moduli(law: &Law, moduli: &[f64]) -> Law {
 }
 
 /// Fits a law and a series of so many branches to a history that starts from rest.
-pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<PronyFit, OverTimeFitError> {
+pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<PronyFit> {
     check(history)?;
     let points = history.len();
     let (first, last) = (history.first(), history.last());

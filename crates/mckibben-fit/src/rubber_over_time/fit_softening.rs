@@ -5,8 +5,8 @@
 //! that depend on the rate are taken for softening.
 
 use super::bar::check;
-use super::{Bar, OverTimeFitError, TimePoint, columns};
-use crate::least_squares::{Loss, Unknown, estimate};
+use super::{Bar, OverTimeFitError, Result, TimePoint, columns};
+use crate::least_squares::{Estimate, EstimateError, Loss, Unknown, estimate};
 use crate::rubber::{FitSettings, Form, Mode, TensionPoint, fit_tension};
 use mckibben::rubber::over_time::{OgdenRoxburgh, Prony};
 use mckibben::rubber::{Law, RubberLaw};
@@ -52,7 +52,7 @@ impl SofteningFit {
 }
 
 /// Fits a law and its softening to a history in the order of time.
-pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit, OverTimeFitError> {
+pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit> {
     check(history)?;
     let mut virgin = vec![];
     let (mut low, mut high) = (1.0, 1.0);
@@ -93,33 +93,20 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit, 
         found.iter().all(|v| v.is_finite()).then_some(found)
     };
     let weights = vec![1.0; later];
-    let mut best = None;
-    let mut why = None;
+    let mut best: Result<(f64, Estimate), EstimateError> = Err(EstimateError::Start);
     for (m, beta) in [(0.3, 0.02), (0.02, 0.3), (0.1, 0.1)] {
         let unknowns = [
             Unknown { start: 1.8, low: 1.0, high: 50.0, scale: 1.0 },
             Unknown::above(m * w_max_mpa, 0.0, w_max_mpa),
             Unknown::above(beta, 1e-6, 1.0),
         ];
-        match estimate(&differences, &unknowns, &weights, Loss::Squares) {
-            Ok(found) => {
-                let squares: f64 = found.residuals.iter().map(|r| r * r).sum();
-                if best.as_ref().is_none_or(|(s, _)| squares < *s) {
-                    best = Some((squares, found));
-                }
-            }
-            Err(error) => why = Some(error),
+        let found = estimate(&differences, &unknowns, &weights, Loss::Squares);
+        let found = found.map(|found| (found.residuals.iter().map(|r| r * r).sum(), found));
+        if best.as_ref().map_or(true, |best| found.as_ref().is_ok_and(|found| found.0 < best.0)) {
+            best = found;
         }
     }
-    let (squares, found) = match (best, why) {
-        (Some(best), _) => best,
-        (None, Some(error)) => return Err(OverTimeFitError::NotConverged("softening", error)),
-        (None, None) => {
-            return Err(OverTimeFitError::Refused(format!(
-                "{later} points do not determine the softening; give a longer test"
-            )));
-        }
-    };
+    let (squares, found) = best.map_err(|error| OverTimeFitError::NotConverged("softening", error))?;
     let OgdenRoxburgh { r, m_mpa, beta } =
         OgdenRoxburgh { r: found.x[0], m_mpa: found.x[1], beta: found.x[2] }.validated()?;
     Ok(SofteningFit {

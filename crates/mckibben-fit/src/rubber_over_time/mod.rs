@@ -18,6 +18,8 @@ use mckibben::rubber::Law;
 use serde::{Serialize, Serializer};
 use thiserror::Error;
 
+pub(crate) type Result<T, E = OverTimeFitError> = std::result::Result<T, E>;
+
 /// Why no constants of rubber over time were found.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum OverTimeFitError {

@@ -1,9 +1,8 @@
 //! How far the finite elements are from measured pulls, and what share of the measured points the ± covers.
 
 use super::case::{MuscleCase, muscles};
-use super::residual::{Fitter, Left, Residual, compared, fitted, residuals};
-use crate::identify::Build;
-use crate::identify::IdentifyError;
+use super::residual::{Fitter, Left, Residual, compared, residuals};
+use crate::identify::{self, Build};
 use crate::measured::mean_of_data;
 use mckibben::cancel::Cancelled;
 use mckibben::progress::{CancelOnly, Progress};
@@ -76,9 +75,9 @@ fn rms(set: &'static MuscleCase, left: &Left) -> VerificationRow {
 }
 
 /// Identifies a muscle from the mean of its branches as its first fit says, and compares all its points with it.
-pub fn of_first_fit(set: &MuscleCase, by: Fitter<'_>) -> Result<Vec<Residual>, IdentifyError> {
+pub fn of_first_fit(set: &MuscleCase, by: Fitter<'_>) -> identify::Result<Vec<Residual>> {
     let Some(fit) = set.fits.first() else { return Ok(vec![]) };
     let means = mean_of_data(&set.points);
-    let (muscle, _) = fitted(fit, &means, by)?;
+    let (muscle, _) = by.fitted(fit, &means)?;
     Ok(residuals(by.build, &muscle, &compared(&means, &set.points)))
 }

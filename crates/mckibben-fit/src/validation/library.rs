@@ -9,29 +9,12 @@ use super::held_out::points_of;
 use super::residual::{Left, residuals};
 use crate::identify::Build;
 use crate::measured::DataPoint;
+use mckibben::catalogue;
 use mckibben::muscle::Muscle;
-use mckibben::nearest::nearest;
 use serde::Serialize;
-use thiserror::Error;
 
 /// What stands before the name of a muscle of the library, where a muscle file may stand: `lib:dmsp-20-300`.
 pub const PREFIX: &str = "lib:";
-
-/// Why there is no such muscle.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[error(
-    "there is no muscle \"{PREFIX}{name}\" in the library{}",
-    .nearest.as_ref().map_or_else(
-        || format!("; known: {}", .known.iter().map(|n| format!("{PREFIX}{n}")).collect::<Vec<_>>().join(", ")),
-        |n| format!(" (did you mean {PREFIX}{n}?)"),
-    )
-)]
-pub struct UnknownMuscle {
-    pub name: String,
-    /// The name that was probably meant.
-    pub nearest: Option<String>,
-    pub known: Vec<String>,
-}
 
 /// The names of the muscles that are built in.
 pub fn names() -> Vec<String> {
@@ -44,14 +27,11 @@ pub fn named(word: &str) -> Option<&str> {
     head.eq_ignore_ascii_case(PREFIX).then_some(name.trim())
 }
 
-/// The muscle file of a muscle that is built in.
-pub fn file(name: &str) -> Result<String, UnknownMuscle> {
-    let plain = name.trim().to_lowercase().replace([' ', '_'], "-");
-    text_of(&plain, IDENTIFIED).ok_or_else(|| {
-        let known = names();
-        let nearest = nearest(&plain, known.iter().map(String::as_str)).map(str::to_owned);
-        UnknownMuscle { name: name.chars().take(60).collect(), nearest, known }
-    })
+/// The muscle file of a muscle that is built in; else that there is none of this name.
+pub fn file(name: &str) -> Result<String, String> {
+    let names = names();
+    let found = catalogue::named("muscle of the library", &names, |name| (name, &[]), name)?;
+    Ok(text_of(found, IDENTIFIED).unwrap_or_default())
 }
 
 /// The muscles of the library that are built in, each with its identified muscle.
@@ -118,7 +98,7 @@ mod tests {
         let points = points_of(case, fit);
         let request = Request::new(&fit.muscle, &fit.free, &points, &elements);
         let found = identify(&request).unwrap();
-        (found.muscle.clone().with_bench(found.bench.clone().unwrap()), found)
+        (found.with_bench(), found)
     }
 
     /// Whether a constant of the muscle that is kept is that of the refit. A factor on all moduli is compared as the modulus that it gives.
@@ -176,7 +156,7 @@ mod tests {
         );
         assert!(parse_muscle(&file("DMSP_20 300").unwrap()).unwrap().bench().is_some());
         let error = file("dmsp-20-30").unwrap_err();
-        assert!(error.to_string().ends_with("(did you mean lib:dmsp-20-300?)"), "{error}");
-        assert!(file("zzzzzzzzzz").unwrap_err().to_string().contains("known: lib:dmsp-10-250, "));
+        assert!(error.ends_with("(did you mean dmsp-20-300?)"), "{error}");
+        assert!(file("zzzzzzzzzz").unwrap_err().contains("known: dmsp-10-250, "));
     }
 }

@@ -26,26 +26,17 @@ use crate::identify::{Build, Parameter, Request, Target, identify};
 use crate::measured::{DataPoint, MeasuredPoint, mean_of_branches, read_measured};
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::cancel::Cancelled;
-use mckibben::model::{ForceModel, Ideal, ModelError, ThickWall, Workspace};
+#[cfg(test)]
+use mckibben::model::{ForceModel, ModelError};
+use mckibben::model::{Ideal, ThickWall, Workspace};
 use mckibben::muscle::measures::END_FACTOR;
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use mckibben::muscle::{Muscle, file::parse_muscle};
 use mckibben::progress::Progress;
-use mckibben::rubber::{Law, NeoHookean};
 use mckibben::verification::{Measure, VerificationRow};
 
-/// As [`Build`], of any kind.
-type Builder<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
-
 const SOURCE: &str = "Tondu 2012 [tondu2012], Fig. 3, mean of the branches";
-const POINTS: &str = include_str!("../../data/measured/tondu2012/points.csv");
-
-/// The measured muscle with a neo-Hookean rubber of 0.5 MPa, and strands that do not stretch.
-fn muscle() -> Option<Muscle> {
-    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.5 }));
-    let tube = Tube::new(14.0, 0.49, 300.0, rubber);
-    let braid = Braid { angle_deg: 20.0, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
-    Muscle::new(tube, braid, Terminals::default(), None).ok()
-}
+/// The folder of the measured muscle, which begins with a neo-Hookean rubber of 0.5 MPa, and strands that do not stretch.
+const FOLDER: &str = "tondu2012";
 
 /// Every comparison with a measured muscle, whose finite elements `elements` builds.
 pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Cancelled> {
@@ -60,11 +51,11 @@ pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<Verifi
 
 /// Models beside the 20° muscle.
 fn hand_made(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Cancelled> {
-    let points = read_measured(POINTS.as_bytes()).map(|p| mean_of_branches(&p)).unwrap_or_default();
-    let thick: &Builder<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
-    let ideal: &Builder<'_> = &|m| Ok(Box::new(Ideal::new(m)));
+    let points = points();
+    let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
+    let ideal: &Build<'_> = &|m| Ok(Box::new(Ideal::new(m)));
     let (modulus, ends) = (Target::Modulus, Target::Measure(&END_FACTOR));
-    let cases: [(&str, &Builder<'_>, &[Target], f64); 4] = [
+    let cases: [(&str, &Build<'_>, &[Target], f64); 4] = [
         ("ideal, nothing fitted", ideal, &[], 0.10),
         ("thick-wall, modulus fitted", thick, &[modulus], 0.03),
         ("thick-wall, modulus and end factor fitted", thick, &[modulus, ends], 0.01),
@@ -80,9 +71,14 @@ fn hand_made(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<Verifi
     Ok(rows)
 }
 
+fn points() -> Vec<MeasuredPoint> {
+    let text = case::text_of(FOLDER, "points.csv").unwrap_or_default();
+    read_measured(text.as_bytes()).map(|p| mean_of_branches(&p)).unwrap_or_default()
+}
+
 /// The 20° muscle with what is fitted of it.
-fn fitted(build: &Builder<'_>, parameters: &[Target], points: &[MeasuredPoint]) -> Option<Muscle> {
-    let m = muscle()?;
+fn fitted(build: &Build<'_>, parameters: &[Target], points: &[MeasuredPoint]) -> Option<Muscle> {
+    let m = parse_muscle(&case::text_of(FOLDER, "muscle.toml")?).ok()?;
     let free: Vec<Parameter> = parameters.iter().copied().map(Parameter::free).collect();
     let data: Vec<DataPoint> = points.iter().copied().map(DataPoint::of).collect();
     let request = Request { two_sided: true, ..Request::new(&m, &free, &data, build) };
@@ -91,7 +87,7 @@ fn fitted(build: &Builder<'_>, parameters: &[Target], points: &[MeasuredPoint]) 
 
 fn row(
     name: &str,
-    build: &Builder<'_>,
+    build: &Build<'_>,
     parameters: &[Target],
     points: &[MeasuredPoint],
     allowed: f64,
@@ -128,7 +124,7 @@ mod tests {
         assert!((92.0..95.5).contains(&rms[0]) && (5.0..7.0).contains(&rms[2]), "{rms:?}");
         assert!((14.0..20.0).contains(&rms[3]), "{rms:?}");
         assert!((rows[0].reference - 1090.0).abs() < 1.0, "{}", rows[0].reference);
-        let points = mean_of_branches(&read_measured(POINTS.as_bytes()).unwrap());
+        let points = points();
         let free = [Target::Modulus, Target::Measure(&END_FACTOR)];
         let muscle = fitted(&|m| Ok(Box::new(ThickWall::new(m))), &free, &points).unwrap();
         assert!((muscle.measure(&END_FACTOR).unwrap() - 1.11).abs() < 0.01, "{:?}", muscle.terminals());

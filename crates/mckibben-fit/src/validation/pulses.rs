@@ -13,7 +13,7 @@
 
 use super::case::{CaseFit, MuscleCase};
 use super::coverage::validated;
-use super::residual::{Fitter, fitted};
+use super::residual::Fitter;
 use crate::identify::Build;
 use crate::measured::mean_of_data;
 use mckibben::analysis::{ATMOSPHERE_MPA, Evaluation};
@@ -163,7 +163,7 @@ pub(super) fn cases(
     let Some(set) = sets.iter().find(|set| set.facts.name == "dmsp-10-hose") else { return vec![] };
     let means = mean_of_data(&set.points);
     let row = |fit: &CaseFit| {
-        let found = fitted(fit, &means, Fitter { build, progress }).ok();
+        let found = Fitter { build, progress }.fitted(fit, &means).ok();
         let predicted = found.and_then(|(muscle, _)| Some((predict(build, &muscle).ok()?, muscle)));
         let (of, muscle) = predicted.unzip();
         let angle = muscle.map_or_else(String::new, |m| format!(" ({:.1}°)", m.braid().angle_deg));

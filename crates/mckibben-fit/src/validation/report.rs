@@ -1,9 +1,9 @@
 //! The validation report of a measured muscle: the errors of each fit at the points it was fitted to and at the points it predicts.
 
 use super::case::{By, CaseFit, FittedSubset, MuscleCase};
-use super::residual::{Fitter, Left, Residual, compared, fitted, residuals};
+use super::residual::{Fitter, Left, Residual, compared, residuals};
 use crate::identify::{Build, Identified, IdentifyError};
-use crate::measured::{DataPoint, mean_of_data};
+use crate::measured::{DataPoint, distinct, mean_of_data, same};
 use crate::rubber_over_time::OverTimeFitError;
 use mckibben::cancel::Cancelled;
 use mckibben::muscle::{Direction, Muscle};
@@ -27,16 +27,23 @@ pub enum ReportError {
     Rubber(String, OverTimeFitError),
 }
 
-/// A fit, and what is left of its points.
-#[derive(Debug, Clone)]
+/// What was fitted to which points, and what was found.
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "MeasuredFit")]
 pub struct FitResult {
+    /// Number of the case.
+    #[serde(skip)]
     pub case: usize,
-    pub fit: usize,
-    /// The points it was fitted to: `all`, `nothing`, or their lengths or pressures.
+    /// Its name.
+    pub fit: String,
+    /// Its points: `all`, `nothing`, or their lengths, pressures or contractions.
     pub fitted_to: String,
+    /// What was found, with its error.
     pub parameters: Vec<Identified>,
+    #[serde(skip)]
     pub muscle: Muscle,
     /// What is left, group by group: that of the fitted points before those that are predicted.
+    #[serde(skip)]
     pub groups: Vec<Group>,
 }
 
@@ -67,14 +74,9 @@ pub struct Group {
 pub struct MeasuredBranch {
     /// The branch: `contraction` while the muscle shortened or its pressure rose, `elongation` back.
     pub branch: Direction,
-    /// How many points.
-    pub points: usize,
-    /// Root mean square in N.
-    pub rms_n: f64,
-    /// Mean of measured − computed in N.
-    pub bias_n: f64,
-    /// Share of the points within the ±, with its part for friction if the muscle states none.
-    pub held: Option<f64>,
+    /// Its points; the ± has its part for friction if the muscle states none.
+    #[serde(flatten)]
+    pub left: Left,
 }
 
 /// Errors of a fit at points of about one contraction.
@@ -84,12 +86,8 @@ pub struct MeasuredBin {
     pub from: f64,
     /// to less than this.
     pub to: f64,
-    /// How many points.
-    pub points: usize,
-    /// Mean of measured − computed in N.
-    pub bias_n: f64,
-    /// Root mean square in N.
-    pub rms_n: f64,
+    #[serde(flatten)]
+    pub left: Left,
 }
 
 /// Bins of ε.
@@ -104,14 +102,13 @@ pub fn report(
     let means: Vec<Vec<DataPoint>> = cases.iter().map(|case| mean_of_data(&case.points)).collect();
     let mut tasks = vec![];
     for (i, (case, means)) in cases.iter().zip(&means).enumerate() {
-        for (k, fit) in case.fits.iter().enumerate() {
-            tasks.extend(trainings(fit, means).into_iter().map(|t| (i, k, t)));
-        }
+        let trainings = case.fits.iter().flat_map(|fit| trainings(fit, means));
+        tasks.extend(trainings.map(|training| (i, training)));
     }
     let done = AtomicUsize::new(0);
     let by = Fitter { build, progress: &CancelOnly(progress) };
-    let one = |(case, fit, training): &(usize, usize, Training)| {
-        let result = run((cases[*case], &means[*case]), (*case, *fit), training, by);
+    let one = |(case, training): &(usize, Training<'_>)| {
+        let result = run(*case, (cases[*case], &means[*case]), training, by);
         progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, tasks.len());
         result
     };
@@ -119,18 +116,17 @@ pub fn report(
 }
 
 fn run(
+    number: usize,
     (case, means): (&MuscleCase, &[DataPoint]),
-    (number, fit_number): (usize, usize),
-    training: &Training,
+    training: &Training<'_>,
     by: Fitter<'_>,
 ) -> Result<FitResult, ReportError> {
     by.progress.check()?;
-    let fit = &case.fits[fit_number];
+    let fit = training.fit;
     let source = if fit.both_branches { &case.points } else { means };
-    let (training_points, others): (Vec<DataPoint>, Vec<DataPoint>) =
-        source.iter().partition(|p| training.holds(p, &fit.muscle));
-    let label = training.label(&training_points, &fit.muscle);
-    let (muscle, parameters) = fitted(fit, &training_points, by).map_err(|error| match error {
+    let (inside, others): (Vec<DataPoint>, Vec<DataPoint>) = source.iter().partition(|p| training.holds(p));
+    let label = training.label(&training.values(&inside));
+    let (muscle, parameters) = by.fitted(fit, &inside).map_err(|error| match error {
         IdentifyError::Cancelled(cancelled) => cancelled.into(),
         error => {
             let of = format!("{}, fit \"{}\" on {label}", case.facts.name, fit.name);
@@ -144,22 +140,19 @@ fn run(
         let left = residuals(by.build, &muscle, &wanted);
         Group { unanswered: wanted.len() - left.len(), ..Group::of(of, blind, &left) }
     };
-    let mut groups = vec![group(label.clone(), nothing, &|p| training.holds(p, &fit.muscle))];
-    if let Some(by) = training.by {
-        let values = by.values(&others, &fit.muscle);
-        // One value each, or all that lie outside of a range.
-        let ranged = matches!(fit.split.map(|s| s.fitted), Some(FittedSubset::Range(..)));
-        if ranged && !values.is_empty() {
-            groups.push(group(by.label(&values), true, &|p| !training.holds(p, &fit.muscle)));
-        } else {
-            groups.extend(values.iter().map(|v| {
-                let keep = |p: &DataPoint| same(by.value(p, &fit.muscle), *v);
-                group(by.label(&[*v]), true, &keep)
-            }));
-        }
+    let mut groups = vec![group(label.clone(), nothing, &|p| training.holds(p))];
+    let values = training.values(&others);
+    // One value each, or all that lie outside of a range.
+    if fit.split.is_some_and(|split| matches!(split.fitted, FittedSubset::Range(..))) && !values.is_empty() {
+        groups.push(group(training.label(&values), true, &|p| !training.holds(p)));
+    } else {
+        groups.extend(values.iter().map(|v| {
+            let keep = |p: &DataPoint| training.value(p).is_some_and(|own| same(own, *v));
+            group(training.label(&[*v]), true, &keep)
+        }));
     }
     let fitted_to = if nothing { "nothing".into() } else { label };
-    Ok(FitResult { case: number, fit: fit_number, fitted_to, parameters, muscle, groups })
+    Ok(FitResult { case: number, fit: fit.name.clone(), fitted_to, parameters, muscle, groups })
 }
 
 impl Group {
@@ -168,22 +161,20 @@ impl Group {
         let end = means().map(|r| r.contraction).fold(0.0, f64::max);
         let bins = (0..).map(|i| (f64::from(i) * BIN, f64::from(i + 1) * BIN));
         let bins = bins.take_while(|bin| bin.0 <= end).map(|(from, to)| {
-            let Left { points, bias_n, rms_n, .. } =
-                Left::of(means().filter(|r| (from..to).contains(&r.contraction)));
-            MeasuredBin { from, to, points, bias_n, rms_n }
+            let left = Left::of(means().filter(|r| (from..to).contains(&r.contraction)));
+            MeasuredBin { from, to, left }
         });
         let by_branch = [Direction::Contraction, Direction::Elongation].map(|branch| {
-            let Left { points, rms_n, bias_n, held, .. } =
-                Left::of(left.iter().filter(|r| r.branch == branch));
-            MeasuredBranch { branch, points, rms_n, bias_n, held }
+            let left = Left::of(left.iter().filter(|r| r.branch == branch));
+            MeasuredBranch { branch, left }
         });
         let branches = Left::of(left.iter().filter(|r| !r.branch.is_mean()));
         Self {
             of,
             blind,
             unanswered: 0,
-            by_contraction: bins.filter(|bin| bin.points > 0).collect(),
-            by_branch: by_branch.into_iter().filter(|b| b.points > 0).collect(),
+            by_contraction: bins.filter(|bin| bin.left.points > 0).collect(),
+            by_branch: by_branch.into_iter().filter(|b| b.left.points > 0).collect(),
             means: Left::of(means()),
             branch_points: branches.points,
             branch_held: branches.held,
@@ -192,79 +183,63 @@ impl Group {
 }
 
 /// Points that are fitted in one go.
-pub(super) struct Training {
-    pub by: Option<By>,
+#[derive(Clone, Copy)]
+pub(super) struct Training<'a> {
+    pub fit: &'a CaseFit,
     low: f64,
     high: f64,
     /// Fitted are those outside.
     outside: bool,
 }
 
-pub(super) fn same(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-6 * (1e-3 + b.abs())
-}
-
-impl By {
-    pub(super) fn value(self, point: &DataPoint, muscle: &Muscle) -> f64 {
-        match self {
-            Self::Length => point.section.length_mm.unwrap_or(muscle.length_mm()),
-            Self::Pressure => point.at.pressure_mpa,
-            Self::Contraction => point.at.contraction,
-        }
-    }
-
-    fn unit(self) -> &'static str {
-        match self {
-            Self::Length => " mm",
-            Self::Pressure => " MPa",
-            Self::Contraction => "",
-        }
-    }
-
-    /// The values of points, each once.
-    pub(super) fn values(self, points: &[DataPoint], muscle: &Muscle) -> Vec<f64> {
-        let mut list: Vec<f64> = points.iter().map(|p| self.value(p, muscle)).collect();
-        list.sort_by(f64::total_cmp);
-        list.dedup_by(|a, b| same(*a, *b));
-        list
-    }
-
-    /// `233, 281 mm`, or `0.04 to 0.6 MPa` where there are many.
-    pub(super) fn label(self, values: &[f64]) -> String {
-        let text = match values {
-            [first, .., last] if values.len() > 5 => format!("{first} to {last}"),
-            _ => values.iter().map(f64::to_string).collect::<Vec<_>>().join(", "),
-        };
-        text + self.unit()
-    }
-}
-
-pub(super) fn trainings(fit: &CaseFit, means: &[DataPoint]) -> Vec<Training> {
-    let Some(split) = fit.split else {
-        return vec![Training { by: None, low: 0.0, high: 0.0, outside: false }];
-    };
-    let by = Some(split.by);
+pub(super) fn trainings<'a>(fit: &'a CaseFit, means: &[DataPoint]) -> Vec<Training<'a>> {
+    let all = Training { fit, low: f64::NEG_INFINITY, high: f64::INFINITY, outside: false };
     let each = |outside| {
-        let values = split.by.values(means, &fit.muscle).into_iter();
-        values.map(|v| Training { by, low: v, high: v, outside }).collect()
+        let values = all.values(means).into_iter();
+        values.map(|v| Training { low: v, high: v, outside, ..all }).collect()
     };
-    match split.fitted {
-        FittedSubset::One => each(false),
-        FittedSubset::Others => each(true),
-        FittedSubset::Range(low, high) => vec![Training { by, low, high, outside: false }],
+    match fit.split.map(|split| split.fitted) {
+        None => vec![all],
+        Some(FittedSubset::One) => each(false),
+        Some(FittedSubset::Others) => each(true),
+        Some(FittedSubset::Range(low, high)) => vec![Training { low, high, ..all }],
     }
 }
 
-impl Training {
-    pub fn holds(&self, point: &DataPoint, muscle: &Muscle) -> bool {
-        let Some(by) = self.by else { return true };
-        let v = by.value(point, muscle);
+impl Training<'_> {
+    /// The quantity that divides the points.
+    pub fn value(&self, point: &DataPoint) -> Option<f64> {
+        Some(match self.fit.split?.by {
+            By::Length => point.section.length_mm.unwrap_or(self.fit.muscle.length_mm()),
+            By::Pressure => point.at.pressure_mpa,
+            By::Contraction => point.at.contraction,
+        })
+    }
+
+    pub fn holds(&self, point: &DataPoint) -> bool {
+        let Some(v) = self.value(point) else { return true };
         let inside = (v > self.low || same(v, self.low)) && (v < self.high || same(v, self.high));
         inside != self.outside
     }
 
-    pub(super) fn label(&self, points: &[DataPoint], muscle: &Muscle) -> String {
-        self.by.map_or_else(|| "all".into(), |by| by.label(&by.values(points, muscle)))
+    /// The values of points, each once.
+    pub fn values(&self, points: &[DataPoint]) -> Vec<f64> {
+        distinct(points.iter().filter_map(|p| self.value(p)))
+    }
+
+    /// `233, 281 mm`, or `0.04 to 0.6 MPa` where there are many.
+    pub fn label(&self, values: &[f64]) -> String {
+        let unit = match self.fit.split.map(|split| split.by) {
+            None => return "all".into(),
+            Some(By::Length) => " mm",
+            Some(By::Pressure) => " MPa",
+            Some(By::Contraction) => "",
+        };
+        let text = match values {
+            [first, .., last] if values.len() > 5 => format!("{first} to {last}"),
+            _ => values.iter().map(f64::to_string).collect::<Vec<_>>().join(", "),
+        };
+        text + unit
     }
 }
 
@@ -289,7 +264,7 @@ mod tests {
             assert_eq!((r.groups[0].blind, r.groups[1].blind), (false, true));
             assert_eq!(r.groups[1].of, "0.4, 0.5 MPa");
             let all: usize = r.groups.iter().map(|g| g.means.points).sum();
-            let binned: usize = r.groups.iter().flat_map(|g| &g.by_contraction).map(|b| b.points).sum();
+            let binned: usize = r.groups.iter().flat_map(|g| &g.by_contraction).map(|b| b.left.points).sum();
             assert_eq!((all, binned), (189, 189));
         }
         let blind = |r: &FitResult| r.groups[1].means.rms_n;

@@ -1,8 +1,8 @@
 //! What a model of a muscle leaves of measured pulls.
 
 use super::case::CaseFit;
-use crate::identify::{Build, Identification, Identified, IdentifyError, Request, identify};
-use crate::measured::{DataPoint, Quantity, Section};
+use crate::identify::{Build, Identification, Identified, Request, Result, identify};
+use crate::measured::{DataPoint, MeasuredPoint, Quantity, Section};
 use mckibben::analysis::Evaluation;
 use mckibben::model::{BlockedAt, ForceModel, Reference, Workspace, blocked_scale_n};
 use mckibben::muscle::{Direction, Muscle};
@@ -64,36 +64,6 @@ fn half_width_n(evaluation: &mut Evaluation<'_>, point: &DataPoint, blocked_n: f
     Some(half_n.hypot(evaluation.friction_uncertainty_n(at.pressure_mpa, at.contraction, blocked_n)))
 }
 
-fn residual(
-    model: &dyn ForceModel,
-    w: &mut Workspace,
-    point: &DataPoint,
-    blocked_n: f64,
-) -> Option<Residual> {
-    let pressure_mpa = point.at.pressure_mpa;
-    let mut evaluation = Evaluation::new(model, w, point.at.direction());
-    let here = evaluation.response(pressure_mpa, point.at.contraction).ok()?;
-    let left_n = match point.measured {
-        // A muscle that hangs slack pulls with nothing.
-        Quantity::Force => point.at.force_n - here.force_n.max(0.0),
-        Quantity::Contraction | Quantity::Pressure => point.at.force_n - here.force_n,
-        Quantity::Volume => {
-            let per_contraction = evaluation.stiffness_n_per_mm(&here).ok()?;
-            let volume_per_contraction = evaluation.force_per_pressure_mm2(&here).ok()?;
-            (point.volume_mm3? - here.volume_mm3?) * per_contraction / volume_per_contraction
-        }
-    };
-    Some(Residual {
-        contraction: point.at.contraction,
-        contraction_share: point.at.contraction / model.muscle().max_ideal_contraction(),
-        left_n,
-        branch: point.at.direction(),
-        pressure_mpa,
-        blocked_n,
-        half_width_n: half_width_n(&mut evaluation, point, blocked_n),
-    })
-}
-
 /// The model of the muscle of some rows, where it has one.
 struct Asked {
     section: Section,
@@ -107,14 +77,37 @@ impl Asked {
     /// Finite elements answer a neighbour of the last point fast, so that each pressure is asked once for its blocked force.
     fn residual(&mut self, point: &DataPoint) -> Option<Residual> {
         let (model, w) = (self.model.as_deref()?, &mut self.workspace);
-        let p = point.at.pressure_mpa;
-        let known = self.blocked.iter().find(|known| known.0 == p).map(|known| known.1);
+        let MeasuredPoint { pressure_mpa, contraction, force_n, .. } = point.at;
+        let branch = point.at.direction();
+        let known = self.blocked.iter().find(|known| known.0 == pressure_mpa).map(|known| known.1);
         let blocked_n = known.unwrap_or_else(|| {
-            let blocked_n = model.force_n(w, p, 0.0).ok();
-            self.blocked.push((p, blocked_n));
+            let blocked_n = model.force_n(w, pressure_mpa, 0.0).ok();
+            self.blocked.push((pressure_mpa, blocked_n));
             blocked_n
-        });
-        residual(model, w, point, blocked_n?)
+        })?;
+        let mut evaluation = Evaluation::new(model, w, branch);
+        let here = evaluation.response(pressure_mpa, contraction).ok()?;
+        let left_n = match point.measured {
+            // A muscle that hangs slack pulls with nothing.
+            Quantity::Force => force_n - here.force_n.max(0.0),
+            Quantity::Contraction | Quantity::Pressure => force_n - here.force_n,
+            Quantity::Volume => {
+                let per_contraction = evaluation.stiffness_n_per_mm(&here).ok()?;
+                let volume_per_contraction = evaluation.force_per_pressure_mm2(&here).ok()?;
+                (point.volume_mm3? - here.volume_mm3?) * per_contraction / volume_per_contraction
+            }
+        };
+        let contraction_share = contraction / model.muscle().max_ideal_contraction();
+        let half_width_n = half_width_n(&mut evaluation, point, blocked_n);
+        Some(Residual {
+            contraction,
+            contraction_share,
+            left_n,
+            branch,
+            pressure_mpa,
+            blocked_n,
+            half_width_n,
+        })
     }
 }
 
@@ -125,12 +118,8 @@ pub(super) fn residuals(build: &Build<'_>, muscle: &Muscle, points: &[&DataPoint
     for point in points {
         let known = models.iter().position(|m| m.section == point.section).unwrap_or_else(|| {
             let model = point.section.apply(muscle).ok().and_then(|m| build(&m).ok());
-            models.push(Asked {
-                section: point.section,
-                model,
-                workspace: Workspace::new(),
-                blocked: vec![],
-            });
+            let (section, workspace) = (point.section, Workspace::new());
+            models.push(Asked { section, model, workspace, blocked: vec![] });
             models.len() - 1
         });
         out.extend(models.get_mut(known).and_then(|asked| asked.residual(point)));
@@ -145,27 +134,25 @@ pub struct Fitter<'a> {
     pub progress: &'a dyn Progress,
 }
 
-/// A fit to points that begins with a muscle: least squares of the pulls, from one side, without history.
-pub(super) fn identified(
-    muscle: &Muscle,
-    fit: &CaseFit,
-    points: &[DataPoint],
-    by: Fitter<'_>,
-) -> Result<Identification, IdentifyError> {
-    identify(&Request { progress: by.progress, ..Request::new(muscle, &fit.free, points, by.build) })
-}
-
-/// The muscle and the constants of a fit to points.
-pub(super) fn fitted(
-    fit: &CaseFit,
-    points: &[DataPoint],
-    by: Fitter<'_>,
-) -> Result<(Muscle, Vec<Identified>), IdentifyError> {
-    if fit.free.is_empty() {
-        return Ok((fit.muscle.clone(), vec![]));
+impl Fitter<'_> {
+    /// A fit to points that begins with a muscle: least squares of the pulls, from one side, without history.
+    pub(super) fn identified(
+        &self,
+        from: &Muscle,
+        fit: &CaseFit,
+        points: &[DataPoint],
+    ) -> Result<Identification> {
+        identify(&Request { progress: self.progress, ..Request::new(from, &fit.free, points, self.build) })
     }
-    let found = identified(&fit.muscle, fit, points, by)?;
-    Ok((found.muscle, found.parameters))
+
+    /// The muscle and the constants of a fit to points.
+    pub(super) fn fitted(&self, fit: &CaseFit, points: &[DataPoint]) -> Result<(Muscle, Vec<Identified>)> {
+        if fit.free.is_empty() {
+            return Ok((fit.muscle.clone(), vec![]));
+        }
+        let found = self.identified(&fit.muscle, fit, points)?;
+        Ok((found.muscle, found.parameters))
+    }
 }
 
 /// Means of branches and points without one, then the single branches. A point whose other branch is missing is in the second list alone.

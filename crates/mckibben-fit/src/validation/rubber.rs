@@ -4,7 +4,7 @@ use super::case::{CaseError, Facts};
 use super::report::ReportError;
 use super::stress::{history, tests};
 use crate::rubber::{Form, Mode, Parameter, ReadOptions, TensionPoint, read_tests};
-use crate::rubber_over_time::{OverTimeFitError, TimePoint, read_history};
+use crate::rubber_over_time::{self, TimePoint, read_history};
 use mckibben::progress::Progress;
 use mckibben_io::table::Columns;
 use serde::{Deserialize, Serialize};
@@ -51,7 +51,7 @@ impl RubberCase {
         self.len() == 0
     }
 
-    fn run(&self, fit: &RubberCaseFit, progress: &dyn Progress) -> Result<RubberFitResult, OverTimeFitError> {
+    fn run(&self, fit: &RubberCaseFit, progress: &dyn Progress) -> rubber_over_time::Result<RubberFitResult> {
         match &self.points {
             Points::Tests(points) => tests(fit, points, progress),
             Points::History(points) => history(fit, points, progress),
@@ -63,12 +63,12 @@ impl RubberCase {
 pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<RubberFitResult>, ReportError> {
     let mut out = vec![];
     for (number, case) in cases.iter().enumerate() {
-        for (k, fit) in case.fits.iter().enumerate() {
+        for fit in &case.fits {
             progress.check()?;
             let found = case.run(fit, progress).map_err(|error| {
                 ReportError::Rubber(format!("{}, fit \"{}\"", case.facts.name, fit.name), error)
             })?;
-            out.push(RubberFitResult { case: number, fit: k, ..found });
+            out.push(RubberFitResult { case: number, fit: fit.name.clone(), law: fit.form.name(), ..found });
         }
     }
     Ok(out)
@@ -90,18 +90,26 @@ pub struct RubberCaseFit {
     pub relaxation: Option<usize>,
 }
 
-/// A fit, and what it leaves.
-#[derive(Debug, Clone, Default)]
+/// A law that was fitted, and what was found.
+#[derive(Debug, Clone, Default, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "MeasuredRubberFit")]
 pub struct RubberFitResult {
+    /// Number of the case.
+    #[serde(skip)]
     pub case: usize,
-    pub fit: usize,
-    /// Constants found; with a Prony series those at once.
+    /// Its name.
+    pub fit: String,
+    /// The law.
+    pub law: String,
+    /// Its constants, with a Prony series those at once.
     pub parameters: Vec<Parameter>,
-    /// gᵢ and τᵢ in s.
+    /// Shares and time constants in s of the Prony series, where one was fitted.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub prony: Vec<(f64, f64)>,
     /// Whether the law is stable in a muscle.
     pub stable: bool,
     /// What is left, group by group: fitted points before those that are predicted.
+    #[serde(skip)]
     pub groups: Vec<RubberGroup>,
 }
 
@@ -139,15 +147,10 @@ mod tests {
         let found = report(&cases, &Silent).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(found.len(), cases.iter().map(|c| c.fits.len()).sum::<usize>());
         for r in &found {
-            let fit = &cases[r.case].fits[r.fit];
-            assert!(
-                r.groups.iter().any(|g| !g.blind && g.points > 5),
-                "{} {}",
-                cases[r.case].facts.name,
-                fit.name
-            );
-            let blind = !fit.modes.is_empty();
-            assert!(!blind || r.groups.iter().any(|g| g.blind), "{} {}", cases[r.case].facts.name, fit.name);
+            let name = format!("{} {}", cases[r.case].facts.name, r.fit);
+            assert!(r.groups.iter().any(|g| !g.blind && g.points > 5), "{name}");
+            let fit = cases[r.case].fits.iter().find(|f| f.name == r.fit).unwrap();
+            assert!(fit.modes.is_empty() || r.groups.iter().any(|g| g.blind), "{name}");
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::rubber::{RubberCaseFit, RubberFitResult, RubberGroup};
 use crate::rubber::{FitSettings, Mode, TensionFit, TensionPoint, fit_tension_with, no_fit};
-use crate::rubber_over_time::{Bar, OverTimeFitError, TimePoint, fit_prony};
+use crate::rubber_over_time::{Bar, Result, TimePoint, fit_prony};
 use mckibben::progress::Progress;
 use mckibben::rubber::Law;
 use mckibben::rubber::over_time::Prony;
@@ -10,33 +10,24 @@ use mckibben::rubber::over_time::Prony;
 /// Strain that tells a move from a hold.
 const MOVE: f64 = 1e-3;
 
-/// The law that a fit found: held stable where the free one is not.
-fn law_of(
-    fit: &RubberCaseFit,
-    points: &[TensionPoint],
-    settings: FitSettings,
-    progress: &dyn Progress,
-) -> Result<(TensionFit, Law, RubberFitResult), OverTimeFitError> {
-    let found = fit_tension_with(points, &settings, progress)?;
-    let taken = found.recommended.or(Some(0)).and_then(|i| found.laws.get(i)).cloned();
-    let Some(taken) = taken else {
-        let none = || no_fit(fit.form, "no law was left");
-        return Err(found.failed.into_iter().next().unwrap_or_else(none).into());
-    };
-    let result = RubberFitResult {
-        stable: taken.quality.stable,
-        parameters: taken.parameters,
-        ..RubberFitResult::default()
-    };
-    Ok((found, taken.law, result))
-}
+type Found = Result<(TensionFit, Law, RubberFitResult)>;
 
-fn settings(fit: &RubberCaseFit) -> FitSettings {
-    FitSettings {
-        forms: vec![fit.form],
-        fit_modes: fit.modes.clone(),
-        up_to_stretch: fit.up_to_stretch,
-        ..FitSettings::default()
+impl RubberCaseFit {
+    /// The law that it finds: held stable where the free one is not.
+    fn law(&self, points: &[TensionPoint], settings: FitSettings, progress: &dyn Progress) -> Found {
+        let found = fit_tension_with(points, &settings, progress)?;
+        let taken = found.recommended.or(Some(0)).and_then(|i| found.laws.get(i)).cloned();
+        let Some(taken) = taken else {
+            let none = || no_fit(self.form, "no law was left");
+            return Err(found.failed.into_iter().next().unwrap_or_else(none).into());
+        };
+        let (stable, parameters) = (taken.quality.stable, taken.parameters);
+        Ok((found, taken.law, RubberFitResult { stable, parameters, ..RubberFitResult::default() }))
+    }
+
+    fn settings(&self) -> FitSettings {
+        let (forms, fit_modes) = (vec![self.form], self.modes.clone());
+        FitSettings { forms, fit_modes, up_to_stretch: self.up_to_stretch, ..FitSettings::default() }
     }
 }
 
@@ -44,9 +35,9 @@ pub(super) fn tests(
     fit: &RubberCaseFit,
     points: &[TensionPoint],
     progress: &dyn Progress,
-) -> Result<RubberFitResult, OverTimeFitError> {
-    let (found, law, result) = law_of(fit, points, settings(fit), progress)?;
-    let whole = FitSettings { up_to_stretch: None, ..settings(fit) };
+) -> Result<RubberFitResult> {
+    let (found, law, result) = fit.law(points, fit.settings(), progress)?;
+    let whole = FitSettings { up_to_stretch: None, ..fit.settings() };
     // What lies behind a rupture is left out of both.
     let beyond = match fit.up_to_stretch {
         Some(end) => {
@@ -75,11 +66,11 @@ pub(super) fn history(
     fit: &RubberCaseFit,
     points: &[TimePoint],
     progress: &dyn Progress,
-) -> Result<RubberFitResult, OverTimeFitError> {
+) -> Result<RubberFitResult> {
     let strip = |p: &TimePoint| TensionPoint::new(Mode::Uniaxial, p.stretch, p.nominal_stress_mpa);
     let list: Vec<TensionPoint> = points.iter().map(strip).collect();
-    let elastic = FitSettings { history: true, ..settings(fit) };
-    let (_, mut law, mut result) = law_of(fit, &list, elastic, progress)?;
+    let elastic = FitSettings { history: true, ..fit.settings() };
+    let (_, mut law, mut result) = fit.law(&list, elastic, progress)?;
     let mut prony = Prony::default();
     if let Some(branches) = fit.relaxation {
         let found = fit_prony(points, fit.form, branches)?;

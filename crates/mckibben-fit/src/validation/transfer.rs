@@ -3,59 +3,35 @@
 //! Specimen, fittings, gauge and zero of the length differ. The ± of a muscle that somebody else identified ([`mckibben::uncertainty::transfer_n`]) holds
 //! at least 95 % of the points of each direction.
 
-use super::case::MuscleCase;
 use super::coverage::{AT_LEAST, share_row};
 use super::library::library;
 use super::residual::{Left, residuals};
 use crate::identify::Build;
 use crate::measured::{DataPoint, mean_of_data};
-use mckibben::muscle::Muscle;
 use mckibben::verification::VerificationRow;
 
-/// What the constants of one laboratory leave of the points of another.
-#[derive(Debug, Clone, Copy)]
-pub struct Transfer {
-    pub from: &'static MuscleCase,
-    pub to: &'static MuscleCase,
-    /// What is left: measured less computed.
-    pub left: Left,
-}
-
-/// Every ordered pair of muscles of the library that are one product.
-pub fn transfers(elements: &Build<'_>) -> Vec<Transfer> {
+/// The share of the points of the other laboratory that the ± holds, of every ordered pair of muscles of the library that are one product.
+pub fn cases(elements: &Build<'_>) -> Vec<VerificationRow> {
     let all = library().unwrap_or_default();
-    let mut out = vec![];
+    let mut rows = vec![];
     for (from, muscle) in &all {
         for (to, other) in &all {
-            let same = from.facts.product.is_some() && from.facts.product == to.facts.product;
-            if same && from.facts.name != to.facts.name {
-                out.push(Transfer { from, to, left: left(muscle, to, other, elements) });
+            let (from, to_facts) = (&from.facts, &to.facts);
+            if from.product.is_none() || from.product != to_facts.product || from.name == to_facts.name {
+                continue;
             }
+            let mut points: Vec<DataPoint> = mean_of_data(&to.points);
+            // They state their length or have that of their muscle.
+            for point in &mut points {
+                point.section.length_mm.get_or_insert(other.length_mm());
+            }
+            let means: Vec<&DataPoint> = points.iter().filter(|p| p.at.direction().is_mean()).collect();
+            let left = Left::of(residuals(elements, muscle, &means).iter());
+            let (title, other) = (&to_facts.title, &from.title);
+            let name =
+                format!("{title}: {} points by fe with the constants of {other}, within the ±", left.points);
+            rows.push(share_row(name, &to_facts.source, left.held, AT_LEAST));
         }
     }
-    out
-}
-
-/// What a muscle leaves of the points of another one of its product, which state their length or have that of their muscle.
-fn left(muscle: &Muscle, to: &MuscleCase, other: &Muscle, elements: &Build<'_>) -> Left {
-    let mut points: Vec<DataPoint> = mean_of_data(&to.points);
-    for point in &mut points {
-        point.section.length_mm.get_or_insert(other.length_mm());
-    }
-    let means: Vec<&DataPoint> = points.iter().filter(|p| p.at.direction().is_mean()).collect();
-    Left::of(residuals(elements, muscle, &means).iter())
-}
-
-/// The share of the points of the other laboratory that the ± holds.
-pub fn cases(elements: &Build<'_>) -> Vec<VerificationRow> {
-    transfers(elements).into_iter().map(|t| row(&t)).collect()
-}
-
-fn row(t: &Transfer) -> VerificationRow {
-    let (from, to) = (&t.from.facts, &t.to.facts);
-    let name = format!(
-        "{}: {} points by fe with the constants of {}, within the ±",
-        to.title, t.left.points, from.title
-    );
-    share_row(name, &to.source, t.left.held, AT_LEAST)
+    rows
 }

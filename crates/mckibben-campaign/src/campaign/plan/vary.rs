@@ -67,12 +67,8 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
             }
             Values::Interval(..) => vec![low, high],
         };
-        if let Some(value) = all.into_iter().find(|value| measure.check(*value).is_err()) {
-            return Err(match measure.bounds {
-                Bounds::Even => format!("reaches {value}; it must be an even whole number"),
-                Bounds::Between(low, high) => format!("reaches {value}; it must be between {low} and {high}"),
-                _ => format!("reaches {value}; it must be zero or above"),
-            });
+        if let Some(error) = all.into_iter().find_map(|value| measure.check(value).err()) {
+            return Err(format!("is not possible: {error}"));
         }
         least = f64::NEG_INFINITY;
     }

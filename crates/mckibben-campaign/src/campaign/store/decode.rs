@@ -2,7 +2,8 @@
 
 use super::{Field, Provenance, Table, Which, part_name};
 use crate::PointRow;
-use crate::campaign::CampaignError;
+use crate::campaign::resume::belongs;
+use crate::campaign::{CampaignError, Result};
 use mckibben_io::files::ReadError;
 use mckibben_io::parquet::{Reader, TableError};
 use std::path::{Path, PathBuf};
@@ -21,7 +22,7 @@ pub(crate) struct Opened {
 }
 
 impl Opened {
-    pub(crate) fn file(path: &Path) -> Result<Self, CampaignError> {
+    pub(crate) fn file(path: &Path) -> Result<Self> {
         let file = mckibben_io::files::open(path).map_err(CampaignError::unread(path))?;
         if file.metadata().map_err(CampaignError::read(path))?.len() > MAX_BYTES {
             return Err(CampaignError::unread(path)(ReadError::TooLarge { limit: MAX_BYTES }));
@@ -30,11 +31,11 @@ impl Opened {
     }
 
     /// Opens a part that has not been written yet.
-    pub(crate) fn bytes(bytes: Vec<u8>, path: &Path) -> Result<Self, CampaignError> {
+    pub(crate) fn bytes(bytes: Vec<u8>, path: &Path) -> Result<Self> {
         Self::new(Reader::bytes(bytes).map_err(|error| failed(error, path))?, path)
     }
 
-    fn new(reader: Reader, path: &Path) -> Result<Self, CampaignError> {
+    fn new(reader: Reader, path: &Path) -> Result<Self> {
         let none = |why| CampaignError::NoCampaign(path.into(), why);
         let (provenance, which) = Provenance::read(&reader.pairs()).map_err(none)?;
         if let Some(name) = provenance.layout.lacks(&reader.names()) {
@@ -49,27 +50,50 @@ impl Opened {
     }
 
     /// The same, if all its groups are read without an error.
-    pub(crate) fn checked(self) -> Result<Self, CampaignError> {
-        (0..self.groups()).try_for_each(|index| self.group(index).map(drop))?;
+    pub(crate) fn checked(self) -> Result<Self> {
+        (0..self.reader.groups()).try_for_each(|index| self.group(index).map(drop))?;
         Ok(self)
     }
 
-    /// Number of row groups.
-    pub(crate) fn groups(&self) -> usize {
-        self.reader.groups()
+    /// The same, if it is this share of a campaign.
+    pub(crate) fn expect(self, which: Which, of: &Provenance) -> Result<Self> {
+        belongs(&self.provenance, of, &self.path)?;
+        let why = match which {
+            Which::Whole => "it contains only a part of the campaign",
+            Which::Part(_) => "it contains a different part from its name",
+        };
+        if self.which == which { Ok(self) } else { Err(CampaignError::damaged(&self.path, why)) }
     }
 
-    /// The rows of a group.
-    pub(crate) fn group(&self, index: usize) -> Result<Table, CampaignError> {
+    /// Its tables, one for each group of rows.
+    pub(crate) fn tables(self) -> impl Iterator<Item = Result<Table>> {
+        (0..self.reader.groups()).map(move |index| self.group(index))
+    }
+
+    pub(crate) fn rows(self) -> impl Iterator<Item = Result<PointRow>> {
+        let path = self.path.clone();
+        flat(self.tables(), move |table| {
+            let path = path.clone();
+            (0..table.rows).map(move |i| table.row(i).map_err(|error| CampaignError::damaged(&path, error)))
+        })
+    }
+
+    fn group(&self, index: usize) -> Result<Table> {
         let columns = self.fields.iter().map(|field| (field.name.as_str(), field.kind()));
         let (columns, rows) = self.reader.group(index, columns).map_err(|error| failed(error, &self.path))?;
         Ok(Table::of(&self.fields, columns, rows))
     }
+}
 
-    /// A row of a table of this file.
-    pub(crate) fn row(&self, table: &Table, i: usize) -> Result<PointRow, CampaignError> {
-        table.row(i).map_err(|e| CampaignError::damaged(&self.path, e))
-    }
+/// What each holds, one after another; an error stays one.
+pub(in crate::campaign) fn flat<A, B, Parts: Iterator<Item = Result<B>>>(
+    wholes: impl Iterator<Item = Result<A>>,
+    parts: impl Fn(A) -> Parts,
+) -> impl Iterator<Item = Result<B>> {
+    wholes.flat_map(move |whole| {
+        let (whole, error) = whole.map_or_else(|error| (None, Some(error)), |whole| (Some(whole), None));
+        whole.map(&parts).into_iter().flatten().chain(error.map(Err))
+    })
 }
 
 /// What the system does not read is one thing, and what is not as it was written another.
@@ -90,10 +114,11 @@ pub(in crate::campaign) enum PartSource {
 }
 
 impl PartSource {
-    pub(in crate::campaign) fn open(self, number: u64) -> Result<Opened, CampaignError> {
-        match self {
+    pub(in crate::campaign) fn open(self, number: u64, of: &Provenance) -> Result<Opened> {
+        let opened = match self {
             PartSource::File(path) => Opened::file(&path),
             PartSource::Memory(bytes) => Opened::bytes(bytes, Path::new(&part_name(number))),
-        }
+        };
+        opened?.expect(Which::Part(number), of)
     }
 }

@@ -1,85 +1,50 @@
 //! Rows → Parquet files.
 
 use super::provenance::VERSION;
-use super::{Provenance, Table, Which};
-use crate::campaign::CampaignError;
+use super::{Provenance, Table, Which, part_name};
+use crate::campaign::{CampaignError, Result};
 use mckibben_io::parquet::{GROUP, TableError, Writer};
-use std::fs::File;
 use std::io::Write;
 use std::path::Path;
 
-/// A file of a campaign that is being written, row group by row group.
-struct Encoder<'a> {
-    out: Writer<'a>,
-    group: Table,
-}
-
-impl<'a> Encoder<'a> {
-    fn new(
-        sink: &'a mut (dyn Write + Send),
-        provenance: &Provenance,
-        which: Which,
-    ) -> Result<Self, TableError> {
-        let fields: Vec<_> = provenance.layout.fields().iter().map(|f| f.parquet()).collect();
-        let pairs = provenance.write(which);
-        let out = Writer::new(sink, "campaign", &format!("mckibben {VERSION}"), &fields, pairs)?;
-        Ok(Self { out, group: Table::new(&provenance.layout) })
-    }
-
-    /// Adds a table; a group that is full is written, and the next begins.
-    fn add(&mut self, table: &Table) -> Result<(), TableError> {
-        let mut from = 0;
-        while from < table.rows {
-            let to = table.rows.min(from + GROUP - self.group.rows);
-            self.group.extend(table, from, to);
-            from = to;
-            if self.group.rows == GROUP {
-                self.write()?;
-            }
-        }
-        Ok(())
-    }
-
-    fn write(&mut self) -> Result<(), TableError> {
-        if self.group.rows > 0 {
-            self.out.group(&self.group.columns)?;
-            self.group = self.group.emptied();
-        }
-        Ok(())
-    }
-
-    fn finish(mut self) -> Result<(), TableError> {
-        self.write()?;
-        self.out.finish()
-    }
-}
-
 /// A part as the bytes of its file.
-pub(crate) fn part(provenance: &Provenance, number: u64, table: &Table) -> Result<Vec<u8>, CampaignError> {
+pub(crate) fn part(provenance: &Provenance, number: u64, table: Table) -> Result<Vec<u8>> {
     let mut bytes = vec![];
-    let mut encode = || {
-        let mut encoder = Encoder::new(&mut bytes, provenance, Which::Part(number))?;
-        encoder.add(table)?;
-        encoder.finish()
-    };
-    encode().map_err(|error: TableError| CampaignError::Encode(error.to_string()))?;
+    let (which, name) = (Which::Part(number), part_name(number));
+    write(provenance, which, std::iter::once(Ok(table)), &mut bytes, Path::new(&name))?;
     Ok(bytes)
 }
 
-/// The whole table into an empty file, group by group; how the tables are cut does not matter.
-pub(crate) fn whole(
+/// Tables into an empty file, row group by row group; how the tables are cut does not matter.
+pub(crate) fn write(
     provenance: &Provenance,
-    tables: impl Iterator<Item = Result<Table, CampaignError>>,
-    file: &mut File,
+    which: Which,
+    tables: impl Iterator<Item = Result<Table>>,
+    file: &mut (dyn Write + Send),
     path: &Path,
-) -> Result<(), CampaignError> {
+) -> Result<()> {
     let failed = |error| match error {
         TableError::Io(source) => CampaignError::Write(path.into(), source),
         TableError::Table(why) => CampaignError::Encode(why),
     };
-    let mut encoder = Encoder::new(file, provenance, Which::Whole).map_err(failed)?;
+    let fields: Vec<_> = provenance.layout.fields().iter().map(|f| f.parquet()).collect();
+    let (pairs, program) = (provenance.write(which), format!("mckibben {VERSION}"));
+    let mut out = Writer::new(file, "campaign", &program, &fields, pairs).map_err(failed)?;
+    let mut group = Table::new(&provenance.layout);
     for table in tables {
-        encoder.add(&table?).map_err(failed)?;
+        let (table, mut from) = (table?, 0);
+        while from < table.rows {
+            let to = table.rows.min(from + GROUP - group.rows);
+            group.extend(&table, from, to);
+            from = to;
+            if group.rows == GROUP {
+                out.group(&group.columns).map_err(failed)?;
+                group = group.emptied();
+            }
+        }
     }
-    encoder.finish().map_err(failed)
+    if group.rows > 0 {
+        out.group(&group.columns).map_err(failed)?;
+    }
+    out.finish().map_err(failed)
 }

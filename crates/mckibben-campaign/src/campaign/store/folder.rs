@@ -2,10 +2,10 @@
 //!
 //! A part appears whole or not at all: written under a temporary name, brought to the disk, renamed.
 
-use crate::campaign::{CampaignError, Shard};
+use crate::campaign::{CampaignError, Result, Shard};
 use mckibben_io::files::Unfinished;
 use std::collections::BTreeMap;
-use std::fs::{File, OpenOptions, TryLockError};
+use std::fs::{DirEntry, File, OpenOptions, TryLockError};
 use std::io::Error;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
@@ -33,16 +33,22 @@ const OTHER_FORMATS: [&str; 12] =
     ["csv", "tsv", "txt", "md", "json", "xls", "xlsx", "ods", "arrow", "feather", "h5", "mat"];
 
 /// Refuses a name that promises another format than is written.
-pub(crate) fn check_name(path: &Path) -> Result<(), CampaignError> {
+pub(crate) fn check_name(path: &Path) -> Result<()> {
     let ending = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
     if ending.is_some_and(|e| OTHER_FORMATS.contains(&e.as_str())) && !path.is_dir() {
-        return Err(CampaignError::OtherFormat(path.into()));
+        return Err(CampaignError::other_format(path));
     }
     Ok(())
 }
 
 fn lock_name(shard: Shard) -> String {
     format!("{LOCK}-{}", shard.file_name())
+}
+
+fn names(folder: &Path) -> Result<Vec<String>> {
+    let name = |entry: std::io::Result<DirEntry>| Ok(entry?.file_name().to_string_lossy().into_owned());
+    let names = std::fs::read_dir(folder).and_then(|entries| entries.map(name).collect());
+    names.map_err(CampaignError::read(folder))
 }
 
 /// A folder of parts.
@@ -55,27 +61,22 @@ pub(crate) struct Folder {
 
 impl Folder {
     /// Opens or makes a folder for writing; no other process may write to it, save other shards.
-    pub(crate) fn for_writing(path: &Path, shard: Option<Shard>) -> Result<Self, CampaignError> {
+    pub(crate) fn for_writing(path: &Path, shard: Option<Shard>) -> Result<Self> {
         std::fs::create_dir_all(path).map_err(CampaignError::write(path))?;
         let mut folder = Self { path: path.into(), locks: vec![] };
         folder.lock(LOCK, shard.is_some())?;
-        match shard {
-            Some(shard) => {
-                folder.lock(&lock_name(shard), false)?;
-                folder.sweep_shard(shard)?;
-            }
-            // Nobody else is writing: what is unfinished stays so.
-            None => folder.sweep()?,
+        if let Some(shard) = shard {
+            folder.lock(&lock_name(shard), false)?;
         }
+        folder.sweep(shard)?;
         Ok(folder)
     }
 
-    fn lock(&mut self, name: &str, shared: bool) -> Result<(), CampaignError> {
+    fn lock(&mut self, name: &str, shared: bool) -> Result<()> {
         let path = self.path.join(name);
         if path.is_symlink() {
-            return Err(CampaignError::write(&path)(Error::other(
-                "is a link, and the lock of a folder lies in it",
-            )));
+            let error = Error::other("is a link, and the lock of a folder lies in it");
+            return Err(CampaignError::write(&path)(error));
         }
         let open = OpenOptions::new().create(true).truncate(false).read(true).write(true).open(&path);
         let file = open.map_err(CampaignError::write(&path))?;
@@ -112,71 +113,48 @@ impl Folder {
     }
 
     /// Of how many shards that is which began last.
-    pub(crate) fn shards(path: &Path) -> Result<u64, CampaignError> {
+    pub(crate) fn shards(path: &Path) -> Result<u64> {
         let begun = |name: String| {
             let shard = Shard::of_file_name(name.strip_prefix(LOCK)?.strip_prefix('-')?)?;
             Some((path.join(name).metadata().ok()?.modified().ok()?, shard.count()))
         };
-        let folder = Self { path: path.into(), locks: vec![] };
-        Ok(folder.names()?.into_iter().filter_map(begun).max().map_or(1, |newest| newest.1))
+        Ok(names(path)?.into_iter().filter_map(begun).max().map_or(1, |newest| newest.1))
     }
 
-    /// Removes what killed processes left of the parts of a shard, whose lock is held.
-    pub(crate) fn sweep_shard(&self, shard: Shard) -> Result<(), CampaignError> {
-        let unfinished = |name: &str| {
-            let rest = name.strip_prefix(Unfinished::PREFIX)?;
-            part_number(&rest[..rest.find(".parquet")? + ".parquet".len()])
-        };
-        for name in self.names()?.iter().filter(|name| unfinished(name).is_some_and(|part| shard.holds(part)))
-        {
-            let path = self.path.join(name);
-            std::fs::remove_file(&path).map_err(CampaignError::write(&path))?;
-        }
-        Ok(())
-    }
-
-    fn names(&self) -> Result<Vec<String>, CampaignError> {
-        let mut out = vec![];
-        for entry in std::fs::read_dir(&self.path).map_err(CampaignError::read(&self.path))? {
-            let entry = entry.map_err(CampaignError::read(&self.path))?;
-            out.push(entry.file_name().to_string_lossy().into_owned());
-        }
-        Ok(out)
-    }
-
-    fn sweep(&self) -> Result<(), CampaignError> {
-        for name in self.names()?.iter().filter(|n| n.starts_with(Unfinished::PREFIX)) {
-            let path = self.path.join(name);
-            std::fs::remove_file(&path).map_err(CampaignError::write(&path))?;
+    /// Removes what killed processes left: of the parts of a shard, whose lock is held; without one all, since nobody else is writing.
+    fn sweep(&self, shard: Option<Shard>) -> Result<()> {
+        let part = |rest: &str| part_number(&rest[..rest.find(".parquet")? + ".parquet".len()]);
+        for name in names(&self.path)? {
+            let Some(rest) = name.strip_prefix(Unfinished::PREFIX) else { continue };
+            if shard.is_none_or(|shard| part(rest).is_some_and(|part| shard.holds(part))) {
+                self.discard(&self.path.join(&name))?;
+            }
         }
         Ok(())
     }
 
     /// The parts that are there.
-    pub(crate) fn parts(path: &Path) -> Result<BTreeMap<u64, PathBuf>, CampaignError> {
-        let folder = Self { path: path.into(), locks: vec![] };
-        let names = folder.names()?;
-        Ok(names.into_iter().filter_map(|n| Some((part_number(&n)?, path.join(n)))).collect())
+    pub(crate) fn parts(path: &Path) -> Result<BTreeMap<u64, PathBuf>> {
+        Ok(names(path)?.into_iter().filter_map(|n| Some((part_number(&n)?, path.join(n)))).collect())
     }
 
     /// Writes parts so that they survive whatever follows.
-    pub(crate) fn write(&self, parts: &mut Vec<(u64, Vec<u8>)>) -> Result<(), CampaignError> {
+    pub(crate) fn write(&self, parts: &mut Vec<(u64, Vec<u8>)>) -> Result<()> {
         if parts.is_empty() {
             return Ok(());
         }
         for (number, bytes) in parts.drain(..) {
             let path = self.path.join(part_name(number));
-            let fail = |e: std::io::Error| CampaignError::write(&path)(e);
             // Removed again if anything fails before it is renamed.
-            let file = Unfinished::inside(&path, true).and_then(|file| file.with(&bytes)).map_err(fail)?;
-            file.put(true).map_err(fail)?;
+            let file = Unfinished::inside(&path, true).and_then(|file| file.with(&bytes));
+            file.and_then(|file| file.put(true)).map_err(CampaignError::write(&path))?;
         }
         mckibben_io::files::sync(&self.path);
         Ok(())
     }
 
     /// Removes parts, and the folder if nothing else is in it: they are in one file now.
-    pub(crate) fn remove(mut self, parts: impl Iterator<Item = u64>) -> Result<(), CampaignError> {
+    pub(crate) fn remove(mut self, parts: impl Iterator<Item = u64>) -> Result<()> {
         let remove = |path: PathBuf| match std::fs::remove_file(&path) {
             Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
                 Err(CampaignError::write(&path)(error))
@@ -186,7 +164,7 @@ impl Folder {
         for part in parts {
             remove(self.path.join(part_name(part)))?;
         }
-        let names = self.names()?;
+        let names = names(&self.path)?;
         // Some systems do not remove what is open.
         self.locks.clear();
         let ours = [LOCK, Unfinished::PREFIX, MARKER];
@@ -198,7 +176,7 @@ impl Folder {
         Ok(())
     }
 
-    pub(crate) fn discard(&self, part: &Path) -> Result<(), CampaignError> {
+    pub(crate) fn discard(&self, part: &Path) -> Result<()> {
         std::fs::remove_file(part).map_err(CampaignError::write(part))
     }
 }

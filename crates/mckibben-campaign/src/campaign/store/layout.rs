@@ -21,8 +21,8 @@ pub struct Layout {
 pub(crate) struct Field {
     pub(crate) name: String,
     pub(crate) column: &'static Column,
-    /// Which of a group.
-    key: Option<String>,
+    /// Its key in a group.
+    pub(crate) key: String,
 }
 
 impl Field {
@@ -47,14 +47,9 @@ impl Field {
         mckibben_io::parquet::Field { name: self.name.clone(), kind: self.kind(), packing }
     }
 
-    /// Its key in a group.
-    pub(crate) fn key(&self) -> &str {
-        self.key.as_deref().unwrap_or(&self.name)
-    }
-
     /// Its value in one of the lists of a row.
     pub(crate) fn of(&self, list: &[(String, f64)]) -> Option<f64> {
-        list.iter().find(|(key, _)| key == self.key()).map(|(_, value)| *value)
+        list.iter().find(|(key, _)| *key == self.key).map(|(_, value)| *value)
     }
 
     /// The number that a row has in it; of groups, the constants alone.
@@ -76,16 +71,15 @@ impl Layout {
 
     pub(crate) fn fields(&self) -> Vec<Field> {
         let of = |column: &'static Column| {
-            let one = |name: String, key: Option<String>| Field { name, column, key };
-            match (column.slot)(&mut PointRow::default()) {
-                Slot::Constants(_) => self.constants.iter().map(|k| one(k.clone(), None)).collect(),
-                Slot::Measures(_) => self.measures.iter().map(|k| one(k.clone(), None)).collect(),
-                Slot::Sensitivities(_) => {
-                    let name = |k: &String| format!("d_force_d_{}", k.replace('.', "_"));
-                    self.sensitivities.iter().map(|k| one(name(k), Some(k.clone()))).collect()
-                }
-                _ => vec![one(column.name.into(), None)],
-            }
+            let alone = [column.name.to_owned()];
+            let (keys, before) = match (column.slot)(&mut PointRow::default()) {
+                Slot::Constants(_) => (&self.constants[..], ""),
+                Slot::Measures(_) => (&self.measures[..], ""),
+                Slot::Sensitivities(_) => (&self.sensitivities[..], "d_force_d_"),
+                _ => (&alone[..], ""),
+            };
+            let name = |key: &String| format!("{before}{}", key.replace('.', "_"));
+            keys.iter().map(|k| Field { name: name(k), column, key: k.clone() }).collect::<Vec<_>>()
         };
         COLUMNS.iter().flat_map(of).collect()
     }

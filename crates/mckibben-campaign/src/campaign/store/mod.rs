@@ -9,8 +9,8 @@ mod table;
 
 pub use provenance::Provenance;
 
-pub(super) use decode::{Opened, PartSource};
-pub(super) use encode::{part, whole};
+pub(super) use decode::{Opened, PartSource, flat};
+pub(super) use encode::{part, write};
 pub(super) use folder::{Folder, MARKER, check_name, is_file_name, part_name};
 pub(super) use layout::Field;
 #[cfg(test)]

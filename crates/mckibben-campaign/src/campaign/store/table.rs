@@ -32,11 +32,11 @@ fn fill(column: &Column, i: usize, field: &Field, row: &mut PointRow) -> Option<
         (Column::Int32(c), Slot::Count(v)) => *v = u32::try_from(*c.get(i)?).unwrap_or(0),
         (Column::Double(c), Slot::Number(v)) => *v = *c.get(i)?,
         (Column::Double(c), Slot::Constants(list) | Slot::Measures(list)) => {
-            list.push((field.key().to_owned(), *c.get(i)?));
+            list.push((field.key.clone(), *c.get(i)?));
         }
         (Column::Optional(c), Slot::Optional(v)) => *v = *c.get(i)?,
         (Column::Optional(c), Slot::Sensitivities(list)) => {
-            list.extend(c.get(i)?.map(|v| (field.key().to_owned(), v)));
+            list.extend(c.get(i)?.map(|v| (field.key.clone(), v)));
         }
         (Column::Text(c), Slot::Text(v)) => *v = text(c)?,
         (Column::Text(c), Slot::Status(v)) => match text(c)?.parse() {

@@ -114,7 +114,7 @@ fn another_plan_or_version_is_refused_with_a_hint() {
     assert!(before == (bytes(&part(&store, 0)), bytes(&file)), "both are as they were");
 
     let older = Provenance { version: "0.0.9".into(), ..Provenance::of(&plan()) };
-    let bytes = encode(&older, 0, &table_of(&plan(), 0)).unwrap();
+    let bytes = encode(&older, 0, table_of(&plan(), 0)).unwrap();
     std::fs::write(part(&store, 0), bytes).unwrap();
     let error = run(&plan(), &store, &RunOptions::default(), &Silent).unwrap_err();
     assert!(error.to_string().contains("was written by mckibben 0.0.9"), "{error}");
@@ -135,7 +135,7 @@ fn parts_that_claim_the_same_and_differ_are_a_conflict() {
     run_to(&one);
     std::fs::create_dir(&other).unwrap();
     // The rows of muscle 4 under the name of muscle 3.
-    let forged = encode(&Provenance::of(&plan()), 3, &table_of(&plan(), 4)).unwrap();
+    let forged = encode(&Provenance::of(&plan()), 3, table_of(&plan(), 4)).unwrap();
     std::fs::write(part(&other, 3), forged).unwrap();
     assert_eq!(Opened::file(&part(&other, 3)).unwrap().which, Which::Part(3));
     let error = merge(&[one, other], &dir.path().join("m.parquet"), false).unwrap_err();
@@ -185,13 +185,17 @@ fn a_run_killed_before_it_removed_its_parts_is_tidied_up() {
 }
 
 #[test]
-fn what_a_killed_run_left_unfinished_is_swept_away() {
+fn what_a_killed_run_or_merge_left_unfinished_is_swept_away() {
     let dir = folder();
     let left = dir.path().join(".unfinished-abc");
     std::fs::write(&left, b"PAR1").unwrap();
     run_to(dir.path());
     assert!(!left.exists());
     assert_eq!(read(dir.path()).unwrap().len(), 72);
+    let (left, merged) = (dir.path().join(".unfinished-m.parquet-k1ll3d"), dir.path().join("m.parquet"));
+    std::fs::write(&left, b"PAR1").unwrap();
+    merge(&[dir.path().into()], &merged, false).unwrap();
+    assert!(!left.exists());
 }
 
 fn replacing() -> RunOptions {
@@ -293,21 +297,10 @@ fn foreign_files_among_the_parts_of_a_finished_campaign_stay() {
 }
 
 #[test]
-fn what_a_killed_merge_left_is_swept_away() {
-    let dir = folder();
-    let parts = dir.path().join("parts");
-    run_to(&parts);
-    let left = dir.path().join(".unfinished-m.parquet-k1ll3d");
-    std::fs::write(&left, b"PAR1").unwrap();
-    merge(&[parts], &dir.path().join("m.parquet"), false).unwrap();
-    assert!(!left.exists());
-}
-
-#[test]
 fn numbers_that_a_file_only_claims_are_not_counted_to() {
     let dir = folder();
     let many = Provenance { muscles: u64::MAX, ..Provenance::of(&plan()) };
-    std::fs::write(part(dir.path(), 0), encode(&many, 0, &table_of(&plan(), 0)).unwrap()).unwrap();
+    std::fs::write(part(dir.path(), 0), encode(&many, 0, table_of(&plan(), 0)).unwrap()).unwrap();
     let error = read(dir.path()).unwrap_err().to_string();
     assert!(error.contains("18446744073709551614 of 18446744073709551615 parts are missing"), "{error}");
     assert_eq!(summary(dir.path()).unwrap().missing_parts, u64::MAX - 1);

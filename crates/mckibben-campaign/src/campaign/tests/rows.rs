@@ -89,7 +89,7 @@ fn contractions_can_be_shares_of_the_largest() {
 /// Reading goes row group by row group; how a table was cut into parts cannot be seen from its groups.
 #[test]
 fn tables_larger_than_a_group_come_back_row_by_row() {
-    use crate::campaign::store::{Layout, Opened, Provenance, Table, whole};
+    use crate::campaign::store::{Layout, Opened, Provenance, Table, Which, write};
     let plan = Plan::parse(
         "[sampling]\nmethod = \"latin-hypercube\"\nsamples = 700\n[vary]\ntube.length = \"100..200\"\n\
          [test]\ncontractions = \"0..0.5:0.05\"\npressures = \"0..0.09:0.01\"\n",
@@ -115,9 +115,9 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
         });
         let path = dir.path().join(format!("{cut}.parquet"));
         let mut file = std::fs::File::create(&path).unwrap();
-        whole(&provenance, tables, &mut file, &path).unwrap();
+        write(&provenance, Which::Whole, tables, &mut file, &path).unwrap();
         files.push(bytes(&path));
-        assert_eq!(Opened::file(&path).unwrap().groups(), 2);
+        assert_eq!(Opened::file(&path).unwrap().tables().count(), 2);
         let mut count = 0;
         for (i, found) in super::super::rows(&path).unwrap().enumerate() {
             assert_eq!(found.unwrap(), row(i as u64));

@@ -139,5 +139,5 @@ fn a_shard_is_one_of_a_number() {
     }
     let file = Path::new("x.parquet");
     let error = run(&plan(), file, &share("1/2"), &Silent).unwrap_err();
-    assert!(matches!(error, CampaignError::ShardOfFile { .. }));
+    assert!(matches!(error, CampaignError::Refused(..)));
 }

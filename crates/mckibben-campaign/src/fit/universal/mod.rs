@@ -13,7 +13,7 @@
 mod held_out;
 mod points;
 
-use super::FitError;
+use super::{FitError, Result};
 use crate::hash;
 pub use held_out::{HeldOutRow, held_out, held_out_samples, rubber_laws};
 use mckibben::formula::{
@@ -51,12 +51,8 @@ pub struct UniversalRequest {
     pub form: Form,
     /// Name of the formula.
     pub name: String,
-    /// Name of the table.
-    pub table: Option<String>,
-    /// Hash of the campaign's plan.
-    pub plan_hash: Option<String>,
-    /// Seed of the plan.
-    pub seed: Option<u64>,
+    /// Name of the table, hash of the campaign's plan and its seed.
+    pub from: Provenance,
 }
 
 /// One row of the linear problem.
@@ -75,7 +71,7 @@ pub fn universal(
     samples: &[Sample],
     request: &UniversalRequest,
     progress: &dyn Progress,
-) -> Result<UniversalFormula, FitError> {
+) -> Result<UniversalFormula> {
     let steps = FOLDS as usize + 2;
     let step = |done: usize| {
         progress.report(done, steps);
@@ -98,10 +94,7 @@ pub fn universal(
         provenance: Provenance {
             method: format!("universal ({method}; {} terms)", products.len()),
             data_hash: hash::of_numbers(numbers(samples)),
-            table: request.table.clone(),
-            plan_hash: request.plan_hash.clone(),
-            seed: request.seed,
-            ..Provenance::default()
+            ..request.from.clone()
         },
     };
     step(0)?;
@@ -192,7 +185,7 @@ fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]])
 fn solve<'a>(
     products: &[[u8; 5]],
     equations: impl Iterator<Item = &'a Equation>,
-) -> Result<Vec<UniversalTerm>, FitError> {
+) -> Result<Vec<UniversalTerm>> {
     let list: Vec<&Equation> = equations.collect();
     let (rows, columns) = (list.len(), products.len());
     if rows < 2 * columns {
@@ -248,21 +241,10 @@ pub fn products(form: Form) -> Vec<[u8; 5]> {
     match form {
         Form::Bulge => BULGE.to_vec(),
         Form::Membrane => {
-            let mut out = vec![[0; 5]];
-            let unit = |i: usize| {
-                let mut n = [0_u8; 5];
-                n[i] = 1;
-                n
-            };
-            out.extend((0..5).map(unit));
-            out.extend((0..5).flat_map(|i| {
-                (i..5).map(move |j| {
-                    let mut n = unit(i);
-                    n[j] += 1;
-                    n
-                })
-            }));
-            out
+            let unit = |i: usize| [0, 1, 2, 3, 4].map(|k| u8::from(k == i));
+            let pair = |i: usize, j: usize| [0, 1, 2, 3, 4].map(|k| u8::from(k == i) + u8::from(k == j));
+            let pairs = (0..5).flat_map(|i| (i..5).map(move |j| pair(i, j)));
+            [[0; 5]].into_iter().chain((0..5).map(unit)).chain(pairs).collect()
         }
     }
 }

@@ -1,7 +1,7 @@
 //! From the rows of a campaign to points with their muscles.
 
 use crate::PointRow;
-use crate::fit::FitError;
+use crate::fit::{FitError, Result};
 use mckibben::formula::UniversalSummary;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
@@ -43,7 +43,7 @@ fn muscle(row: &PointRow) -> Option<Muscle> {
 }
 
 /// Muscles with the points where they pull; pressures without a blocked force are left out.
-pub fn samples(rows: &[PointRow]) -> Result<Vec<Sample>, FitError> {
+pub fn samples(rows: &[PointRow]) -> Result<Vec<Sample>> {
     let known = |r: &&PointRow| r.status.is_ok() && r.force_n.is_some_and(f64::is_finite);
     if let Some((column, _)) = rows.iter().find_map(|r| r.measures.first()) {
         return Err(FitError::varies(column));

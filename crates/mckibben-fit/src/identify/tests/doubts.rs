@@ -109,16 +109,7 @@ fn a_model_that_misses_in_a_pattern_is_told() {
     // Points of a muscle at 25°, an ideal angle of 22° held: smooth residuals.
     let m = soft();
     let wrong = m.with_braid(Braid { angle_deg: 22.0, ..m.braid().clone() }).unwrap();
-    let mut points = vec![];
-    let model = ThickWall::new(&m);
-    for pressure_mpa in [0.2, 0.3, 0.4] {
-        for i in 0..12 {
-            let contraction = f64::from(i) * 0.015;
-            let force_n = model.force_n(&mut Workspace::new(), pressure_mpa, contraction).unwrap();
-            let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) };
-            points.push(DataPoint::of(at));
-        }
-    }
+    let points = curves(&m, &[0.2, 0.3, 0.4], 0.015);
     let f = found(&wrong, &["mu"], &points, Loss::Squares).unwrap();
     assert!(f.notes.iter().any(|n| n.contains("follow a pattern")), "{:?}", f.notes);
     let f = found(&m, &["mu"], &noisy(&points, 3.0, 4), Loss::Squares).unwrap();
@@ -207,15 +198,7 @@ fn a_modulus_that_falls_to_zero_is_no_result() {
 fn ends_that_give_way_by_too_much_are_not_determined() {
     let seating = 9.0;
     let m = soft();
-    let points: Vec<DataPoint> = [150.0, 250.0, 400.0]
-        .into_iter()
-        .flat_map(|length_mm| {
-            bench(&m, seating / length_mm).into_iter().map(move |p| DataPoint {
-                section: crate::measured::Section { length_mm: Some(length_mm), ..p.section },
-                ..p
-            })
-        })
-        .collect();
+    let points = of_lengths(&m, seating);
     let free = free(&m, &["mu=0.5", "terminals.seating"]);
     let request = Request { two_sided: true, ..Request::new(&m, &free, &points, &with_ends) };
     let f = identify(&request).unwrap();
@@ -252,21 +235,18 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
         let (mut held, mut all, mut widest) = (0, 0, 0.0_f64);
         for seed in 0..60 {
             let f = found(m, names, &noisy(&truth, 4.0, 1 + 7 * seed), Loss::Squares).unwrap();
-            let own = f.muscle.clone().with_bench(f.bench.clone().unwrap());
+            let own = f.with_bench();
             let (model, w) = (ThickWall::new(&own), &mut Workspace::new());
             for (i, p) in noisy(&truth, 4.0, 1000 + 13 * seed).iter().enumerate() {
                 // Between the points that were fitted, inside of their range.
                 let e = p.at.contraction + if i % 2 == 0 && p.at.contraction < 0.15 { 0.02 } else { 0.0 };
                 let noise = p.at.force_n - truth[i].at.force_n;
-                let measured = Evaluation::new(&ThickWall::new(m), w, p.at.direction())
-                    .force_n(p.at.pressure_mpa, e)
-                    .unwrap()
-                    + noise;
-                let found =
-                    Evaluation::new(&model, w, p.at.direction()).force_n(p.at.pressure_mpa, e).unwrap();
-                let parts = Evaluation::new(&model, w, p.at.direction())
-                    .uncertainty(p.at.pressure_mpa, e, found)
-                    .unwrap();
+                let (pressure, branch) = (p.at.pressure_mpa, p.at.direction());
+                let exact = Evaluation::new(&ThickWall::new(m), w, branch).force_n(pressure, e);
+                let measured = exact.unwrap() + noise;
+                let mut model = Evaluation::new(&model, w, branch);
+                let found = model.force_n(pressure, e).unwrap();
+                let parts = model.uncertainty(pressure, e, found).unwrap();
                 assert!(
                     parts.fit.is_some() && parts.measured.is_none() && parts.friction.is_none(),
                     "{parts:?}"
@@ -287,7 +267,7 @@ fn the_bench_stands_in_the_muscle_file() {
     use mckibben::muscle::file::{parse_muscle, to_toml};
     let m = soft();
     let f = found(&m, &["mu", "braid.stiffness"], &noisy(&bench(&m, 0.0), 4.0, 3), Loss::Squares).unwrap();
-    let own = f.muscle.clone().with_bench(f.bench.unwrap());
+    let own = f.with_bench();
     let b = own.bench().unwrap().clone();
     assert_eq!((b.points, b.pressure_mpa, b.contraction), (15, (0.1, 0.4), (0.0, 0.2)));
     assert_eq!((b.model.as_str(), &b.branches[..]), ("thick-wall", &[Direction::Mean][..]));
@@ -324,7 +304,7 @@ fn a_bench_that_was_edited_says_nothing() {
     use mckibben::muscle::file::{parse_muscle, to_toml};
     let m = soft();
     let f = found(&m, &["mu", "braid.stiffness"], &noisy(&bench(&m, 0.0), 4.0, 3), Loss::Squares).unwrap();
-    let text = to_toml(&f.muscle.clone().with_bench(f.bench.unwrap()));
+    let text = to_toml(&f.with_bench());
     let (muscle, table) = text.split_once("[identified]").unwrap();
     let mut edited: Vec<String> = vec![];
     let mut before = ' ';
@@ -367,7 +347,7 @@ fn chains_that_never_lock_are_said() {
             assert!(f.notes.iter().any(|n| n.contains("law = \"neo-hookean\"")), "{:?}", f.notes);
         }
         assert!(deviation > 0.0 || limit > 100.0, "{limit}");
-        let own = f.muscle.clone().with_bench(f.bench.unwrap());
+        let own = f.with_bench();
         assert!(parse_muscle(&to_toml(&own)).unwrap().bench().is_some());
     }
 }

@@ -2,26 +2,13 @@ mod doubts;
 mod history;
 
 use super::*;
-use crate::least_squares::Loss;
+use crate::least_squares::{Loss, Noise};
 use crate::measured::MeasuredPoint;
 use mckibben::cancel::Cancelled;
 use mckibben::model::{ForceModel, ModelError, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
 use mckibben::progress::Progress;
 use mckibben::rubber::{Law, MooneyRivlin, NeoHookean, Yeoh};
-
-/// Numbers as good as normal ones: the sum of twelve from a linear congruential generator.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f64 {
-        let mut one = || {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (self.0 >> 11) as f64 / (1u64 << 53) as f64
-        };
-        (0..12).map(|_| one()).sum::<f64>() - 6.0
-    }
-}
 
 fn thick(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
     Ok(Box::new(ThickWall::new(m)))
@@ -76,6 +63,20 @@ fn bench(m: &Muscle, offset: f64) -> Vec<DataPoint> {
                 model.force_n(&mut Workspace::new(), pressure_mpa, contraction + offset).unwrap() + signed;
             let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(branch) };
             out.push(DataPoint { line: out.len() as u64 + 2, ..DataPoint::of(at) });
+        }
+    }
+    out
+}
+
+/// Pulls at twelve contractions of each pressure.
+fn curves(m: &Muscle, pressures: &[f64], step: f64) -> Vec<DataPoint> {
+    let model = ThickWall::new(m);
+    let mut out = vec![];
+    for &pressure_mpa in pressures {
+        for contraction in (0..12).map(|i| step * f64::from(i)) {
+            let force_n = model.force_n(&mut Workspace::new(), pressure_mpa, contraction).unwrap();
+            let branch = Some(Direction::Mean);
+            out.push(DataPoint::of(MeasuredPoint { pressure_mpa, contraction, force_n, branch }));
         }
     }
     out
@@ -262,27 +263,22 @@ fn tables_with_all_columns_are_read() {
     assert_eq!((first.measured, first.error, first.weight), (Quantity::Contraction, Some(0.002), 2.0));
     assert_eq!((first.section.outer_diameter_mm, first.line), (Some(14.0), 2));
     assert_eq!((points[1].measured, points[1].error, points[1].weight), (Quantity::Force, None, 1.0));
-    let error = |row: &str| {
-        let text = format!("pressure_mpa,contraction,force_n,measured,weight,force_error_n\n{row}\n");
-        read_data(text.as_bytes()).unwrap_err().to_string()
+}
+
+/// What a bench would read of muscles of three lengths whose ends give way by so much, in mm.
+fn of_lengths(m: &Muscle, seating_mm: f64) -> Vec<DataPoint> {
+    let of_length = |length_mm: f64| {
+        let section = Section { length_mm: Some(length_mm), ..Section::default() };
+        bench(m, seating_mm / length_mm).into_iter().map(move |p| DataPoint { section, ..p })
     };
-    assert!(error("0.1,0,3,length,,").contains("neither \"force\""));
-    assert!(error("0.1,0,3,,-1,").contains("column weight: -1"));
-    assert!(error("0.1,0,3,,,0").contains("not a valid standard error"));
+    [150.0, 250.0, 400.0].into_iter().flat_map(of_length).collect()
 }
 
 /// Ends that give way by δ shift a muscle by δ/L0: several lengths tell δ, the modulus and an error of the length's zero apart.
 #[test]
 fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
     let (m, seating) = (soft(), 1.6);
-    let of_length = |length_mm: f64| {
-        let own = bench(&m, seating / length_mm).into_iter();
-        own.map(move |p| {
-            let section = crate::measured::Section { length_mm: Some(length_mm), ..p.section };
-            DataPoint { section, ..p }
-        })
-    };
-    let points: Vec<DataPoint> = [150.0, 250.0, 400.0].into_iter().flat_map(of_length).collect();
+    let points = of_lengths(&m, seating);
     let free = free(&m, &["mu=0.5", "terminals.seating", "contraction_offset"]);
     let request = Request::new(&m, &free, &points, &with_ends);
     let found = identify(&request).unwrap();
@@ -310,7 +306,7 @@ fn muscles_of_several_lengths_tell_slip_and_grip() {
             let way = slip * (force_n + bore * pressure_mpa);
             let contraction = (x * (length_mm - 2.0 * grip) - way) / length_mm;
             let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) };
-            let section = crate::measured::Section { length_mm: Some(length_mm), ..Default::default() };
+            let section = Section { length_mm: Some(length_mm), ..Default::default() };
             points.push(DataPoint { section, ..DataPoint::of(at) });
         }
     }
@@ -333,17 +329,8 @@ fn of_all_laws_the_points_prefer_the_one_that_made_them() {
         m.with_tube(Tube { rubber: Rubber::of(law), ..tube }).unwrap()
     };
     let truth = law(Law::Gent(Gent { mu_mpa: 0.35, jm: 6.0 }));
-    let model = ThickWall::new(&truth);
-    let mut points = vec![];
-    for pressure_mpa in [0.1, 0.2, 0.3, 0.4] {
-        for i in 0..12 {
-            let contraction = 0.02 * f64::from(i);
-            let force_n = model.force_n(&mut Workspace::new(), pressure_mpa, contraction).unwrap();
-            let force_n = 0.1 * (10.0 * force_n).round();
-            let branch = Some(Direction::Mean);
-            points.push(DataPoint::of(MeasuredPoint { pressure_mpa, contraction, force_n, branch }));
-        }
-    }
+    let mut points = curves(&truth, &[0.1, 0.2, 0.3, 0.4], 0.02);
+    points.iter_mut().for_each(|p| p.at.force_n = 0.1 * (10.0 * p.at.force_n).round());
     let free = [Parameter::free(Target::Modulus)];
     let (muscle, loss) = (&m, Loss::Squares);
     let request = Request { loss, ..Request::new(muscle, &free, &points, &thick) };

@@ -1,17 +1,8 @@
 use super::*;
+use crate::least_squares::Noise;
 
-/// Numbers as good as normal ones: the sum of twelve from a linear congruential generator.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f64 {
-        let mut one = || {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (self.0 >> 11) as f64 / (1u64 << 53) as f64
-        };
-        (0..12).map(|_| one()).sum::<f64>() - 6.0
-    }
-}
+const FREE: [Unknown; 2] =
+    [Unknown { start: 0.0, low: f64::NEG_INFINITY, high: f64::INFINITY, scale: 1.0 }; 2];
 
 fn line(points: usize, noise: f64, seed: u64) -> Vec<(f64, f64)> {
     let mut n = Noise(seed);
@@ -26,8 +17,7 @@ fn of_line(data: &[(f64, f64)]) -> impl Fn(&[f64]) -> Option<Vec<f64>> + '_ {
 #[test]
 fn standard_errors_of_a_straight_line_are_the_textbook_ones() {
     let data = line(21, 0.1, 7);
-    let unknowns = [Unknown::free(0.0, 1.0), Unknown::free(0.0, 1.0)];
-    let e = estimate(&of_line(&data), &unknowns, &[1.0; 21], Loss::Squares).unwrap();
+    let e = estimate(&of_line(&data), &FREE, &[1.0; 21], Loss::Squares).unwrap();
     let n = 21.0;
     let mean = data.iter().map(|p| p.0).sum::<f64>() / n;
     let spread = data.iter().map(|p| (p.0 - mean).powi(2)).sum::<f64>();
@@ -41,11 +31,10 @@ fn standard_errors_of_a_straight_line_are_the_textbook_ones() {
 /// 95 % intervals hold the truth in 95 % of 400 trials; ± 3 standard deviations of a binomial count are ± 13.
 #[test]
 fn intervals_cover_the_truth_at_their_rate() {
-    let unknowns = [Unknown::free(0.0, 1.0), Unknown::free(0.0, 1.0)];
     let mut hits = [0; 2];
     for trial in 0..400 {
         let data = line(8, 0.5, 1000 + trial);
-        let e = estimate(&of_line(&data), &unknowns, &[1.0; 8], Loss::Squares).unwrap();
+        let e = estimate(&of_line(&data), &FREE, &[1.0; 8], Loss::Squares).unwrap();
         for (i, truth) in [2.0, 3.0].iter().enumerate() {
             hits[i] += usize::from((e.x[i] - truth).abs() <= e.half_widths[i]);
         }
@@ -58,9 +47,8 @@ fn huber_is_not_moved_by_outliers_where_squares_are() {
     let mut data = line(30, 0.02, 3);
     data[4].1 += 10.0;
     data[20].1 -= 15.0;
-    let unknowns = [Unknown::free(0.0, 1.0), Unknown::free(0.0, 1.0)];
-    let squares = estimate(&of_line(&data), &unknowns, &[1.0; 30], Loss::Squares).unwrap();
-    let huber = estimate(&of_line(&data), &unknowns, &[1.0; 30], Loss::Huber).unwrap();
+    let squares = estimate(&of_line(&data), &FREE, &[1.0; 30], Loss::Squares).unwrap();
+    let huber = estimate(&of_line(&data), &FREE, &[1.0; 30], Loss::Huber).unwrap();
     assert!((squares.x[1] - 3.0).abs() > 0.3, "{:?}", squares.x);
     assert!((huber.x[1] - 3.0).abs() < 0.03, "{:?}", huber.x);
     assert!(huber.weights[4] < 0.05 && huber.weights[20] < 0.05);
@@ -95,11 +83,10 @@ fn unknowns_that_act_together_are_unidentifiable() {
 #[test]
 fn too_few_points_and_a_failing_model_are_errors() {
     let data = line(2, 0.0, 1);
-    let unknowns = [Unknown::free(0.0, 1.0), Unknown::free(0.0, 1.0)];
-    let few = estimate(&of_line(&data), &unknowns, &[1.0; 2], Loss::Squares);
+    let few = estimate(&of_line(&data), &FREE, &[1.0; 2], Loss::Squares);
     assert_eq!(few, Err(EstimateError::TooFew { points: 2, unknowns: 2 }));
     let none = |_: &[f64]| -> Option<Vec<f64>> { None };
-    assert_eq!(estimate(&none, &unknowns, &[1.0; 5], Loss::Squares), Err(EstimateError::Start));
+    assert_eq!(estimate(&none, &FREE, &[1.0; 5], Loss::Squares), Err(EstimateError::Start));
 }
 
 /// The number nearest to 0, 0 and 10 in the sixth power: 2 c⁵ = (10 − c)⁵, c = 10/(1 + 2^(1/5)).
@@ -125,8 +112,7 @@ fn a_model_that_ends_somewhere_is_followed_up_to_there() {
 #[test]
 fn rosenbrocks_valley_is_followed_to_its_end() {
     let valley = |x: &[f64]| Some(vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0], 0.0]);
-    let unknowns = [Unknown::free(0.0, 1.0), Unknown::free(0.0, 1.0)];
-    let found = estimate(&valley, &unknowns, &[1.0; 3], Loss::Squares).unwrap();
+    let found = estimate(&valley, &FREE, &[1.0; 3], Loss::Squares).unwrap();
     assert!((found.x[0] - 1.0).abs() < 1e-7 && (found.x[1] - 1.0).abs() < 1e-7, "{found:?}");
     assert!(found.residuals.iter().map(|r| r * r).sum::<f64>() < 1e-14);
 }

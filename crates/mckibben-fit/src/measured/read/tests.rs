@@ -21,38 +21,8 @@ fn refused(text: &str, columns: &str) -> String {
 /// P 0.25 MPa, ε 0.1 of L0 200 mm, F 300 N, said in many ways. The units' values are those of their definitions.
 #[test]
 fn one_point_in_many_spellings_is_that_point() {
-    for text in [
-        "pressure_mpa,contraction,force_n\n0.25,0.1,300\n",
-        "pressure_bar,contraction_percent,force_n\n2.5,10,300\n",
-        "Pressure [kPa],Shortening [mm],Force [kN]\n250,20,0.3\n",
-        "Druck (kPa);Verkürzung (mm);Kraft (N)\n250,0;20,00;300,0\n",
-        "Druck in Pa;Kontraktion in %;Zugkraft in mN\n250000;10,0;300000\n",
-        "pression / mbar\traccourcissement / cm\teffort / daN\n2500\t2\t30\n",
-        "presión, bar|acortamiento, m|fuerza, gf\n2.5|0.02|30591.486389337\n",
-        "pressure_psi,contraction,force_lbf\n36.259434432557,0.1,67.442682932\n",
-        "p [N/mm²];x (Weg) ;Δl [inch];Load (kg)\n0,25;1;0,78740157;30,591486389\n",
-        "pressure\tdisplacement\tforce\n[kPa]\t[mm]\t[N]\n250\t20\t300\n",
-        "pressure\tdisplacement\tforce\nbar\t%\tN\n2.5\t10\t300\n",
-        "pressure,strain,force\n250 kPa,10 %,300 N\n",
-        "sep=;\nPressure [bar];Contraction [-];Force [N];;\n2.5;0.1;300;;\n",
-        "\"Pressure\n[bar]\",\"Contraction\n[%]\",\"Force, mean\n[N]\"\n\"2,5\",\"10,0\",300\n",
-        "Bench 3\nOperator;J. Doe\n\nTime [s];Druck [bar];ε [%];Kraft [N]\n0,1;2,5;10,0;300\n",
-        "# made by a script\n# pressure_kpa contraction force_n\n250 0.1 300\n# the end\n",
-        "pressure_bar,contraction_percent,force_n\n2.5,10,\"300\"\n\n  \n# the end, \"of it\n",
-        "Gauge pressure [bar(g)],Measured force [N],muscle length [mm],L0 [mm]\n2.5,300,180,200\n1,300,170,200\n",
-        "pressure_bar,force_n,length_mm\n2.5,300,180\n1,2,200\n",
-        "Pressure [bar],Pressure [psi],Contraction,Force [N],Force [lbf]\n2.5,36,0.1,300,67\n",
-        "Pressure (V),Pressure (bar),contraction,Force (N)\n0.5,2.5,0.1,300\n",
-        "Pressure (bar),ContractionRatio,-Force (N)\n2.5,0.1,-300\n",
-        "Pressure (bar),contraction,Weight [kg],Force (N)\n2.5,0.1,7,300\n",
-        "Pressure (bar),Distance (mm),Weight [g]\n2.5,20,30591.486389337\n",
-        "pressure_bar,Stress (kPa),Contraction (%),Shortening [mm],force_n\n2.5,N/A,,20,300\n2,N/A,,20,200\n",
-        "压力（kPa），收缩率（％），拉力（N）\n２５０，１０，３００\n",
-        "圧力[kPa],収縮量[mm],張力[N]\n250,20,300\n",
-        "Pressione [bar];Accorciamento [mm];Forza [N]\n2,5;20,0;300\n",
-        "Druk [bar];Krimp [mm];Trekkracht [N]\n2,5;20,0;300\n",
-        "Pressão [bar];Contração [%];Força [N]\n2,5;10,0;300\n",
-    ] {
+    for line in include_str!("spellings.txt").lines().skip(1) {
+        let text = &line.replace("\\n", "\n").replace("\\t", "\t");
         let (points, understood) = read(text).unwrap_or_else(|e| panic!("{text}: {e}"));
         let at = points[0].at;
         assert!((at.pressure_mpa - 0.25).abs() < 1e-12, "{text}: {at:?}");
@@ -174,37 +144,6 @@ fn thousands_are_read_where_there_is_no_doubt() {
         ("p_bar,contraction,F_N\n1,0.1,1.234\n", 1.234),
     ] {
         assert_eq!(read(text).unwrap().0[0].at.force_n, force, "{text}");
-    }
-}
-
-#[test]
-fn units_of_the_pressure_column_are_understood() {
-    for (column, value) in [("pressure_mpa", "0.25"), ("pressure_kpa", "250"), ("pressure_bar", "2.5")] {
-        let points =
-            read_measured(format!("{column},contraction,force_n\n{value},0.1,300\n").as_bytes()).unwrap();
-        let branch = None;
-        assert_eq!(points, [MeasuredPoint { pressure_mpa: 0.25, contraction: 0.1, force_n: 300.0, branch }]);
-    }
-}
-
-#[test]
-fn errors_name_line_and_column() {
-    let cases = [
-        ("contraction,force_n\n0,1\n", "no column of pressures"),
-        ("pressure_mpa,contraction,force_n\n0.1,NaN,3\n", "line 2, column contraction: \"NaN\""),
-        ("pressure_mpa,contraction,force_n\n0.1,0,3\n0.1,,3\n", "line 3, column contraction: \"\""),
-        ("pressure_mpa,contraction,force_n\n0.1,15,3\n", "write 0.15 for 15 %"),
-        ("pressure_mpa,contraction,force_n\n-0.1,0,3\n", "below zero"),
-        ("pressure_mpa,contraction,force_n\n0.1,0\n", "line 2 has 2 fields"),
-        ("pressure_mpa,contraction,force_n\n", "no points"),
-        ("pressure_mpa,contraction,force_n,branch\n0.1,0,3,sideways\n", "neither \"contraction\""),
-        ("pressure_mpa,contraction,force_n,measured\n0.1,0,3,up\n", "neither \"force\""),
-        ("pressure_mpa,contraction,force_n,weight\n0.1,0,3,-1\n", "is not a valid weight"),
-        ("pressure_mpa,contraction,force_n,wall_mm\n0.1,0,3,0\n", "is not a measure of a muscle"),
-    ];
-    for (text, fragment) in cases {
-        let message = read_data(text.as_bytes()).unwrap_err().to_string();
-        assert!(message.contains(fragment), "{text}: {message}");
     }
 }
 
