@@ -1,6 +1,8 @@
 //! `fit`, and `check` of a formula: from a table of points to a formula, and a formula shown.
 
-use crate::{Model, MuscleFields, NamedFields, Problem, ProblemKind, Result, Stiffness, TextFile, figure, finite};
+use crate::{
+    Model, MuscleFields, NamedFields, Problem, ProblemKind, Result, Stiffness, TextFile, figure, finite,
+};
 use mckibben::formula::{Document, Form, Made, Provenance, UniversalFormula};
 use mckibben::{model::ModelKind, progress::Progress};
 use mckibben_campaign::fit::data::FitPoint;

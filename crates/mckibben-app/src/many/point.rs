@@ -132,13 +132,7 @@ impl BoundModel {
     }
 
     /// F, or 0 where the muscle is slack.
-    fn force(
-        &self,
-        workspace: &mut Workspace,
-        p: f64,
-        e: f64,
-        free: &mut Option<(f64, f64)>,
-    ) -> Result<f64> {
+    fn force(&self, workspace: &mut Workspace, p: f64, e: f64, free: &mut Option<(f64, f64)>) -> Result<f64> {
         self.evaluation(workspace).check_range(p, e)?;
         let hangs = free.is_some_and(|(at, free)| at == p && e > free);
         if hangs && !self.options.two_sided {
