@@ -3,7 +3,7 @@
 use crate::limit::{Probe, Score};
 use crate::trial::Trial;
 use crate::{Build, Limit, OperatingPoint, Spec};
-use mckibben::analysis::{Burst, Evaluation, burst};
+use mckibben::analysis::{Burst, Evaluation};
 use mckibben::model::{ModelError, Response};
 use mckibben::muscle::Muscle;
 use serde::Serialize;
@@ -12,10 +12,13 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[schemars(rename = "DesignPoint")]
 pub struct CandidatePoint {
-    /// What the muscle is like there, at the pressure it takes; its pull is the one that is wanted.
+    /// What the muscle is like there, at the pressure it takes; its pull is the one that is wanted, and more where the lower end of its ± is.
     #[serde(flatten)]
     pub response: Response,
-    /// Pull at the maximum pressure, N.
+    /// What is wanted.
+    #[serde(skip)]
+    pub wanted: OperatingPoint,
+    /// Pull at the highest pressure that supply and muscle allow, N.
     pub force_at_max_pressure_n: f64,
     /// That pull over the pull wanted, minus 1.
     pub margin: f64,
@@ -29,12 +32,6 @@ pub struct CandidatePoint {
     pub liquid_mass_g: Option<f64>,
     /// 95 % half-width of the pull, N.
     pub uncertainty_n: Option<f64>,
-}
-
-impl CandidatePoint {
-    pub fn wanted(&self) -> OperatingPoint {
-        OperatingPoint { force_n: self.response.force_n, contraction: self.response.contraction }
-    }
 }
 
 /// A muscle that fits.
@@ -55,8 +52,10 @@ pub struct Candidate {
     pub binds: Option<Limit>,
     /// The operating points in the order of the specification.
     pub points: Vec<CandidatePoint>,
-    /// Largest pressure any point needs, in MPa.
+    /// Pressure to set, in MPa: the largest that any point needs.
     pub pressure_mpa: f64,
+    /// Highest pressure in MPa that supply and muscle allow: all that is said of the maximum pressure is of this one.
+    pub highest_pressure_mpa: f64,
     /// Least margin over the points.
     pub margin: f64,
     /// Blocked force at the maximum pressure, in N.
@@ -65,9 +64,9 @@ pub struct Candidate {
     pub free_contraction: Option<f64>,
     /// Work in J from ε = 0 to the largest contraction wanted, at the maximum pressure.
     pub work_j: Option<f64>,
-    /// The pressures at which it fails; `None` where no model answers for the blocked muscle.
+    /// The pressures at which it fails.
     #[serde(skip)]
-    pub burst: Option<Burst>,
+    pub burst: Burst,
     /// Quantities that the design's model does not give and the thick-wall model gave instead.
     pub from_thick_wall: Vec<&'static str>,
 }
@@ -76,7 +75,7 @@ impl Candidate {
     /// Whether it has less to spare than its ± at one of its points.
     pub fn is_doubtful(&self) -> bool {
         let tight = |q: &CandidatePoint| {
-            let wanted_n = q.wanted().force_n;
+            let wanted_n = q.wanted.force_n;
             let spare_n = (q.force_at_max_pressure_n - wanted_n) * wanted_n.signum();
             q.uncertainty_n.is_some_and(|half| spare_n < half)
         };
@@ -122,7 +121,10 @@ pub(super) fn candidate(
         let available_n = trial.strongest_n(point.contraction)?;
         let pressure_mpa = trial.need(point)?;
         let (mut response, filled) = trial.full_response(pressure_mpa, point.contraction)?;
-        (response.pressure_mpa, response.force_n) = (pressure_mpa, point.force_n);
+        response.pressure_mpa = pressure_mpa;
+        if spec.guaranteed.is_none() {
+            response.force_n = point.force_n;
+        }
         from_thick_wall.extend(filled);
         let (stroke, helped) = trial.stroke(pressure_mpa, point.contraction);
         if helped {
@@ -133,20 +135,20 @@ pub(super) fn candidate(
             force_at_max_pressure_n: available_n,
             margin: available_n / point.force_n - 1.0,
             response,
+            wanted: *point,
             air_normal_litres: stroke.filter(|s| s.liquid.is_none()).map(|s| s.amount),
             liquid_volume_mm3: liquid.map(|l| l.volume_mm3),
             liquid_mass_g: liquid.map(|l| l.mass_g),
-            uncertainty_n: trial.uncertainty_n((pressure_mpa, point.contraction), point.force_n),
+            uncertainty_n: trial.uncertainty_n((pressure_mpa, point.contraction), response.force_n),
         });
     }
     let blocked_force_n = trial.strongest_n(0.0)?;
-    let max = spec.max_pressure_mpa;
+    let max = trial.highest_mpa;
     let free = trial.evaluation().free_contraction(max).ok().or_else(|| {
         from_thick_wall.push("free contraction");
         Evaluation::new(&*trial.thick_wall, &mut trial.workspace, spec.options()).free_contraction(max).ok()
     });
-    let burst = burst(&*trial.model).ok();
-    if burst.is_some_and(|b| b.from_thick_wall) {
+    if trial.burst.from_thick_wall {
         from_thick_wall.push("burst pressure");
     }
     from_thick_wall.sort_unstable();
@@ -159,7 +161,8 @@ pub(super) fn candidate(
         blocked_force_n,
         free_contraction: free,
         work_j: trial.evaluation().work_per_stroke_j(max, 0.0, furthest).ok(),
-        burst,
+        burst: trial.burst,
+        highest_pressure_mpa: max,
         from_thick_wall,
         points,
         tube: None,

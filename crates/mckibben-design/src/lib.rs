@@ -45,4 +45,5 @@ pub use relax::Relaxation;
 pub use run::{Closest, Outcome, design, design_with};
 pub use spec::{BraidChoice, Build, Limits, Models, Objective, SAFETY, Spec, SpecError};
 pub use tolerance::{Spread, SpreadError, ToleranceError, Tolerances, spread};
+pub use trial::Below;
 pub use tubes::{TubeError, TubePart};

@@ -1,6 +1,6 @@
 //! Why a muscle does not fit.
 
-use crate::{Check, Limit};
+use crate::{Below, Check, Limit};
 use mckibben::model::ModelError;
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
@@ -24,28 +24,28 @@ impl Reason {
         };
         let (value, bound) = (check.value, check.bound);
         match check.limit {
-            Limit::Force => format!(
-                "{} at {} and {} %, {} required",
-                show(Dimension::Force, value.trunc()),
-                show(Dimension::Pressure, check.pressure_mpa),
-                round(100.0 * check.contraction),
-                show(Dimension::Force, bound)
-            ),
+            Limit::Force => {
+                let mpa = |p| show(Dimension::Pressure, p);
+                let below = check.by.map_or_else(String::new, |below| match below {
+                    Below::Failure(by, at) => format!("; more is not allowed, because {by} at {}", mpa(at)),
+                    Below::Rated => "; its fittings are rated for no more".into(),
+                    Below::Strained => "; there its strands are stretched to their limit".into(),
+                    Below::Unanswered(up_to) => format!("; no model answers beyond {}", mpa(up_to)),
+                });
+                format!(
+                    "{} at {} and {} %, {} required{below}",
+                    show(Dimension::Force, value.trunc()),
+                    mpa(check.pressure_mpa),
+                    round(100.0 * check.contraction),
+                    show(Dimension::Force, bound)
+                )
+            }
             Limit::BulgedDiameter => {
                 let bulged = (10.0 * value).round() / 10.0;
                 let [bulged, limit] = [bulged, bound].map(|v| show(Dimension::Length, v));
                 format!("bulged diameter {bulged}, at most {limit} allowed")
             }
-            Limit::BurstMargin => {
-                let [margin, limit] = [value, bound].map(|v| v * check.by.share());
-                format!("{} at {margin:.2} times the maximum pressure, {limit} required", check.by)
-            }
             Limit::MaxStretch => format!("rubber stretched to {value:.2}, at most {bound} allowed"),
-            Limit::StrandStrain => format!(
-                "strands stretched by {:.1} %, at most {} % allowed",
-                100.0 * value,
-                round(100.0 * bound)
-            ),
             Limit::Buckling => {
                 let [push, limit] = [value.ceil(), bound.floor()].map(|v| show(Dimension::Force, v));
                 format!("buckles at {limit} between two joints, {push} required")

@@ -1,10 +1,10 @@
 //! Where nothing fits: which limit to relax, and by how much.
 
-use crate::limit::{Probe, burst_margin, probe};
+use crate::limit::{Probe, probe};
 use crate::spec::THICK_WALL;
-use crate::trial::Trial;
+use crate::trial::{Below, Trial};
 use crate::{Build, Demand, Limit, Limits, OperatingPoint, Spec};
-use mckibben::analysis::{Evaluation, Options};
+use mckibben::analysis::{Evaluation, FailureMode, FailurePressure, Options};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use serde::Serialize;
@@ -97,8 +97,9 @@ impl Miss<'_> {
     fn relaxations(&self, widen: bool) -> Vec<Relaxation> {
         let (spec, muscle) = (self.spec, self.muscle);
         let Ok(mut trial) = Trial::new(spec, self.build, muscle) else { return vec![] };
+        let Ok(probe) = probe(spec, self.build, muscle) else { return vec![] };
         let wanted = spec.points(muscle);
-        let pulls: Vec<Option<f64>> = wanted.iter().map(|p| trial.strongest_n(p.contraction).ok()).collect();
+        let pulls: Vec<Option<f64>> = probe.checks.iter().take(wanted.len()).map(|c| Some(c.value)).collect();
         let mut out = vec![];
         if wanted.iter().zip(&pulls).any(|(p, pull)| falls_short(p, *pull)) {
             out.extend(self.pressure(&mut trial));
@@ -107,7 +108,7 @@ impl Miss<'_> {
             });
             out.extend(forces.map(|points| Relaxation::Force { points }));
             let contractions = self.points(&pulls, |p, _| {
-                let max = spec.max_pressure_mpa;
+                let max = trial.highest_mpa;
                 let contraction = trial.evaluation().contraction_at(p.force_n, max).ok()?;
                 Some(OperatingPoint { contraction, ..*p })
             });
@@ -116,7 +117,6 @@ impl Miss<'_> {
                 out.extend(self.wider(&*trial.model));
             }
         }
-        let Ok(probe) = probe(spec, self.build, muscle) else { return out };
         // The largest of each kind, and no more than the last bit beyond it.
         let worst = |kind: Limit| {
             let missed = probe.checks.iter().filter(|c| c.limit == kind && c.excess() > 0.0);
@@ -131,14 +131,9 @@ impl Miss<'_> {
         ease(worst(Limit::BulgedDiameter), set, |v| Relaxation::MaxBulgedDiameter { bulged_diameter_mm: v });
         let set: fn(&mut Limits, f64) = |l, v| l.stretch = Some(v * UP);
         ease(worst(Limit::MaxStretch), set, |v| Relaxation::MaxStretch { max_stretch: v });
-        let set: fn(&mut Limits, f64) = |l, v| l.strand_strain = Some(v * UP);
-        ease(worst(Limit::StrandStrain), set, |v| Relaxation::MaxStrandStrain { strand_strain: v });
         ease(worst(Limit::Buckling), |l, _| l.buckling = false, |_| Relaxation::Guided {});
         let set: fn(&mut Limits, f64) = |l, v| l.liquid_volume_mm3 = Some(v * UP);
         ease(worst(Limit::LiquidVolume), set, |v| Relaxation::MaxLiquidVolume { liquid_volume_mm3: v });
-        let margin = worst(Limit::BurstMargin).and_then(|_| Some(burst_margin(spec, self.build, muscle)?.1));
-        let set: fn(&mut Limits, f64) = |l, v| l.burst_margin = Some(v * (1.0 - 1e-9));
-        ease(margin, set, |v| Relaxation::MinBurstMargin { burst_margin: v });
         out
     }
 
@@ -149,18 +144,39 @@ impl Miss<'_> {
         probe(&relaxed, self.build, self.muscle).is_ok_and(is_on_bound)
     }
 
-    /// The pressure that all points need.
+    /// The pressure that all points need, from the supply or by what keeps the muscle below it.
     fn pressure(&self, trial: &mut Trial<'_>) -> Option<Relaxation> {
         let beyond = Options { extrapolate: true, ..self.spec.options() };
         let mut model = Evaluation::new(&*trial.model, &mut trial.workspace, beyond);
         let wanted = self.spec.points(self.muscle);
         let needs = wanted.iter().map(|p| model.pressure_at(p.force_n, p.contraction));
         let pressure_mpa = needs.collect::<Result<Vec<f64>, _>>().ok()?.into_iter().fold(0.0, f64::max);
-        let extrapolated = pressure_mpa > trial.model.info().range.pressure_mpa.1;
-        let fits = self.fits(|spec| {
-            (spec.max_pressure_mpa, spec.extrapolate) = (pressure_mpa * (1.0 + 1e-9), true);
-        });
-        fits.then_some(Relaxation::MaxPressure { pressure_mpa, extrapolated })
+        let up = pressure_mpa * (1.0 + 1e-9);
+        match trial.below {
+            None => {
+                let extrapolated = pressure_mpa > trial.model.info().range.pressure_mpa.1;
+                let fits = self.fits(|spec| (spec.max_pressure_mpa, spec.extrapolate) = (up, true));
+                fits.then_some(Relaxation::MaxPressure { pressure_mpa, extrapolated })
+            }
+            Some(Below::Failure(..)) => {
+                let failures = trial.burst.modes();
+                let margin =
+                    |(mode, at): &(FailureMode, FailurePressure)| Some(at.mpa()? / mode.share() / up);
+                let burst_margin = failures.iter().filter_map(margin).reduce(f64::min)?;
+                let fits = self.fits(|spec| {
+                    (spec.limits.burst_margin, spec.limits.tube_margin) = (Some(burst_margin), None);
+                });
+                fits.then_some(Relaxation::MinBurstMargin { burst_margin })
+            }
+            Some(Below::Strained) => {
+                let places = std::iter::once(0.0).chain(wanted.iter().map(|q| q.contraction));
+                let strains = places.filter_map(|e| trial.strand_strain(up, e).ok()?);
+                let strand_strain = strains.reduce(f64::max)? * (1.0 + 1e-9);
+                let fits = self.fits(|spec| spec.limits.strand_strain = Some(strand_strain));
+                fits.then_some(Relaxation::MaxStrandStrain { strand_strain })
+            }
+            Some(Below::Rated | Below::Unanswered(_)) => None,
+        }
     }
 
     /// Other operating points in place of those that fall short.

@@ -1,7 +1,7 @@
 //! A design: searched with a fast model, settled with the one that is believed.
 
 use crate::candidate::candidate;
-use crate::limit::{Probe, probe};
+use crate::limit::{Probe, Score, probe};
 use crate::line::STEPS;
 use crate::relax::relaxations;
 use crate::search::{Pick, Search, SearchResult};
@@ -20,8 +20,6 @@ pub struct Outcome {
     pub rejected: Vec<Rejected>,
     /// How many muscles were looked at, and how many of them fit.
     pub looked_at: (usize, usize),
-    /// How many of them burst too early, and how many of these meet every other limit.
-    pub too_weak: (usize, usize),
     /// Where nothing fits: the muscle that comes closest, and what would have to give.
     pub closest: Option<Closest>,
 }
@@ -36,8 +34,10 @@ pub struct Closest {
     pub relaxations: Vec<Relaxation>,
 }
 
-/// Muscles that miss by at most this by the model of the search are asked of the other one, too.
-const NEARLY: f64 = 0.02;
+/// What muscles are ranked by differs by less than this share between the two models.
+const RANK: f64 = 0.03;
+/// Muscles that are settled side by side.
+const CHUNK: usize = 4;
 /// Shares by which the two models' diameters may differ, tried one after the other.
 const WIDTHS: [f64; 3] = [0.01, 0.05, 0.25];
 
@@ -90,13 +90,7 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
         relaxations: relaxations(spec, decides, misses.iter().map(|m| &m.0)),
     });
     let rejected = misses.iter().map(|(muscle, reason)| Rejected::of(muscle, reason.clone())).collect();
-    Ok(Outcome {
-        candidates,
-        rejected,
-        looked_at: (result.looked_at, result.fitted),
-        too_weak: result.too_weak,
-        closest,
-    })
+    Ok(Outcome { candidates, rejected, looked_at: (result.looked_at, result.fitted), closest })
 }
 
 /// The muscles that hold by the model that decides, best first.
@@ -113,14 +107,21 @@ fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Ve
         let tube = search.tube(pick).map(|part| part.name.clone());
         candidate(spec, build, &muscle, &probe).ok().map(|found| Candidate { tube, ..found })
     };
-    let picks: Vec<Pick> = result.fits.iter().map(|f| f.1).collect();
-    let mut found: Vec<Candidate> = threads::map(&picks, one).into_iter().flatten().collect();
-    if found.len() < spec.top && models.settle.is_some() {
-        let nearly: Vec<Pick> = result.misses.iter().filter(|m| m.0 < NEARLY).map(|m| m.1).collect();
-        found.extend(threads::map(&nearly, one).into_iter().flatten());
+    let order = |a: &Score, b: &Score| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]));
+    let mut likely: Vec<(Score, Pick)> = result.fits.iter().chain(&result.near).copied().collect();
+    likely.sort_by(|a, b| order(&a.0, &b.0));
+    let mut found: Vec<Candidate> = vec![];
+    for some in likely.chunks(CHUNK) {
+        // None of those that are left is better than the last that is printed.
+        let last = found.get(spec.top - 1).map(|c| c.score[0]);
+        if last.is_some_and(|last| some[0].0[0] > last + RANK * last.abs()) {
+            break;
+        }
+        let picks: Vec<Pick> = some.iter().map(|(_, pick)| *pick).collect();
+        found.extend(threads::map(&picks, one).into_iter().flatten());
+        found.sort_by(|a, b| order(&a.score, &b.score));
+        found.dedup_by(|a, b| a.muscle == b.muscle);
     }
-    found.sort_by(|a, b| a.score[0].total_cmp(&b.score[0]).then(a.score[1].total_cmp(&b.score[1])));
-    found.dedup_by(|a, b| a.muscle == b.muscle);
     found.truncate(spec.top);
     found
 }

@@ -4,13 +4,12 @@
 //! sample. Where no sample fits, the share by which the limits are missed leads on, so that a narrow window is found as well. The
 //! innermost axis, the diameter, is searched by the roots of the single limits ([`line`](super::line)).
 
-use crate::limit::{Check, Score, burst_margin, probe, probe_with, strands};
+use crate::limit::{Score, probe, probe_with};
 use crate::line::{self, Found, Merit, NO_SCORE, Sample};
 use crate::spec::THICK_WALL;
-use crate::trial::Trial;
-use crate::{BraidChoice, Build, Limit, Models, Objective, OperatingPoint, Reason, Spec, TubePart};
+use crate::{BraidChoice, Build, Models, Objective, OperatingPoint, Reason, Spec, TubePart};
 use mckibben::analysis::Evaluation;
-use mckibben::model::{ModelError, ThickWall, Workspace};
+use mckibben::model::Workspace;
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
 use mckibben::progress::Progress;
 use mckibben::threads;
@@ -19,8 +18,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Golden sections on a line whose best muscle another model looks for again.
 const COARSE_STEPS: usize = 4;
-/// More muscles than are printed: some may not hold by the model that decides.
+/// More misses than are printed: others may be closer by the model that decides.
 const SPARE: usize = 3;
+/// Muscles that are kept for the model that decides.
+const MOST: usize = 5000;
+/// Muscles that miss by at most this by the model of the search may fit by the other one; of short muscles the two are further apart.
+const NEARLY: f64 = 0.05;
+const NEARLY_SHORT: f64 = 0.15;
+const SHORT: f64 = 3.0;
 /// Tubes are screened by the thick-wall model: with less than this share of a pull that is wanted a muscle is not computed by another one.
 const FAR_TOO_WEAK: f64 = 0.7;
 /// Least bore of a muscle in an interval of diameters, as a share of its outer diameter: half of that of the thickest tube that is sold.
@@ -68,8 +73,8 @@ pub(super) struct Search<'a> {
     pub(super) progress: &'a dyn Progress,
     /// Walls that are done.
     pub(super) done: AtomicUsize,
-    /// How many muscles to keep of each kind.
-    pub(super) most: usize,
+    /// Whether another model decides.
+    pub(super) settles: bool,
     /// Golden sections towards the best score of a line.
     pub(super) steps: usize,
 }
@@ -79,11 +84,11 @@ pub(super) struct Search<'a> {
 pub(super) struct SearchResult {
     pub(super) fits: Vec<(Score, Pick)>,
     pub(super) misses: Vec<(f64, Pick)>,
+    /// Misses that may fit by the model that decides.
+    pub(super) near: Vec<(Score, Pick)>,
     pub(super) invalid: Option<MuscleError>,
     pub(super) looked_at: usize,
     pub(super) fitted: usize,
-    /// How many burst too early, and how many of these meet every other limit.
-    pub(super) too_weak: (usize, usize),
 }
 
 impl SearchResult {
@@ -114,13 +119,12 @@ impl SearchResult {
         }
     }
 
-    fn add(&mut self, other: SearchResult, most: usize) {
+    fn add(&mut self, other: SearchResult, misses: usize) {
         self.looked_at += other.looked_at;
         self.fitted += other.fitted;
-        self.too_weak.0 += other.too_weak.0;
-        self.too_weak.1 += other.too_weak.1;
-        other.fits.into_iter().for_each(|(score, pick)| Self::keep(&mut self.fits, score, pick, most));
-        other.misses.into_iter().for_each(|(miss, pick)| Self::keep(&mut self.misses, miss, pick, most));
+        other.fits.into_iter().for_each(|(score, pick)| Self::keep(&mut self.fits, score, pick, MOST));
+        other.near.into_iter().for_each(|(score, pick)| Self::keep(&mut self.near, score, pick, MOST));
+        other.misses.into_iter().for_each(|(miss, pick)| Self::keep(&mut self.misses, miss, pick, misses));
         self.invalid = self.invalid.take().or(other.invalid);
     }
 }
@@ -136,12 +140,15 @@ impl<'a> Search<'a> {
             [] => vec![spec.base.tube().rubber.clone()],
             some => some.to_vec(),
         };
-        let (most, steps) = match models.settle {
-            Some(_) => (spec.top + SPARE, COARSE_STEPS),
-            None => (spec.top, line::STEPS),
-        };
+        let settles = models.settle.is_some();
+        let steps = if settles { COARSE_STEPS } else { line::STEPS };
         let build = models.search;
-        Search { spec, build, rubbers, progress, done: AtomicUsize::new(0), most, steps }
+        Search { spec, build, rubbers, progress, done: AtomicUsize::new(0), settles, steps }
+    }
+
+    /// How many misses are kept.
+    fn misses(&self) -> usize {
+        self.spec.top + if self.settles { SPARE } else { 0 }
     }
 
     pub(super) fn muscle(&self, pick: Pick) -> Result<Muscle, MuscleError> {
@@ -199,11 +206,6 @@ impl<'a> Search<'a> {
         let excess = probe.checks.iter().map(super::limit::Check::excess).collect();
         let sample = Sample { x: pick.d0, excess, score: probe.score };
         result.fitted += usize::from(sample.fits());
-        if probe.checks.iter().any(|c| c.limit == Limit::BurstMargin && c.excess() > 0.0) {
-            let mut others = probe.checks.iter().filter(|c| c.limit != Limit::BurstMargin);
-            result.too_weak.0 += 1;
-            result.too_weak.1 += usize::from(others.all(|c| c.excess() <= 0.0));
-        }
         sample
     }
 
@@ -273,7 +275,7 @@ impl<'a> Search<'a> {
     fn try_one(&self, pick: Pick, build: &Build<'_>, result: &mut SearchResult) {
         let sample = self.sample(pick, build, result, true);
         if sample.fits() {
-            SearchResult::keep(&mut result.fits, sample.score, pick, self.most);
+            SearchResult::keep(&mut result.fits, sample.score, pick, MOST);
         } else {
             self.keep_miss(&sample, pick, result);
         }
@@ -281,8 +283,12 @@ impl<'a> Search<'a> {
 
     /// Keeps a muscle that does not fit; what is no muscle at all is none.
     fn keep_miss(&self, sample: &Sample, pick: Pick, result: &mut SearchResult) {
+        let short = pick.choice.length_mm < SHORT * pick.d0;
+        if self.settles && sample.violation() <= if short { NEARLY_SHORT } else { NEARLY } {
+            SearchResult::keep(&mut result.near, sample.score, pick, MOST);
+        }
         if sample.violation().is_finite() || self.muscle(pick).is_ok() {
-            SearchResult::keep(&mut result.misses, sample.violation(), pick, self.most);
+            SearchResult::keep(&mut result.misses, sample.violation(), pick, self.misses());
         }
     }
 
@@ -414,7 +420,7 @@ impl<'a> Search<'a> {
 
     fn gather(&self, parts: impl Iterator<Item = SearchResult>) -> SearchResult {
         parts.fold(SearchResult::default(), |mut all, part| {
-            all.add(part, self.most);
+            all.add(part, self.misses());
             all
         })
     }
@@ -424,25 +430,9 @@ impl<'a> Search<'a> {
         match probe(self.spec, build, muscle) {
             Ok(probe) => {
                 let worst = *probe.worst().filter(|c| c.excess() > 0.0)?;
-                let solved =
-                    burst_margin(self.spec, build, muscle).filter(|_| worst.limit == Limit::BurstMargin);
-                let (by, value) = solved.unwrap_or((worst.by, worst.value));
-                Some(Reason::Limit(Check { by, value, ..worst }))
+                Some(Reason::Limit(worst))
             }
-            Err(error @ ModelError::Cancelled(_)) => Some(Reason::Model(error)),
-            Err(error) => Some(self.overstretched(muscle).unwrap_or(Reason::Model(error))),
-        }
-    }
-
-    /// Of a muscle without an answer at the maximum pressure: whether its strands stretch too far there, by the thick-wall model.
-    fn overstretched(&self, muscle: &Muscle) -> Option<Reason> {
-        let thick = || Box::new(ThickWall::new(muscle));
-        let mut trial =
-            Trial { spec: self.spec, model: thick(), thick_wall: thick(), workspace: Workspace::new() };
-        match strands(&mut trial, muscle, &self.spec.points(muscle)) {
-            Ok(checks) => checks.into_iter().find(|c| c.excess() > 0.0).map(Reason::Limit),
-            Err(error @ ModelError::Overstretched { .. }) => Some(Reason::Model(error)),
-            Err(_) => None,
+            Err(error) => Some(Reason::Model(error)),
         }
     }
 }

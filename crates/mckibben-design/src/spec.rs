@@ -25,7 +25,6 @@ pub(super) const THICK_WALL: &Build<'static> = &|muscle| ModelKind::ThickWall.bu
 #[serde(rename_all = "kebab-case")]
 pub enum Objective {
     /// Smallest outer diameter at rest.
-    #[default]
     Diameter,
     /// Lowest pressure needed.
     Pressure,
@@ -33,7 +32,8 @@ pub enum Objective {
     Air,
     /// Most pull to spare at the maximum pressure.
     Margin,
-    /// Smallest outer diameter at the operating points.
+    /// Smallest outer diameter at the operating points, then least mass.
+    #[default]
     BulgedDiameter,
     /// Shortest between the terminals at rest.
     Length,
@@ -58,15 +58,17 @@ pub enum BraidChoice {
 pub struct Limits {
     /// Largest outer diameter at any operating point, in mm.
     pub bulged_diameter_mm: Option<f64>,
-    /// Least ratio of burst pressure to maximum pressure; holds where the strands' strength is known.
+    /// Safety factor of strands and clamps: the pressure at which they fail over the allowed pressure.
     pub burst_margin: Option<f64>,
+    /// Safety factor of the tube; half of that of the strands where there is none.
+    pub tube_margin: Option<f64>,
     /// Largest principal stretch of the rubber at any operating point.
     pub stretch: Option<f64>,
     /// Whether a push must be below the load at which the muscle buckles as a column between two joints; not of a muscle that is guided.
     pub buckling: bool,
     /// Where `stretch` is not given: each rubber is stretched no further than its law was fitted.
     pub fitted_stretch: bool,
-    /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points.
+    /// Largest strain of the strands, not shortened and at the operating points: it bounds the pressure.
     pub strand_strain: Option<f64>,
     /// Largest liquid volume that is pushed in from rest to any operating point, in mm³; needs a liquid.
     pub liquid_volume_mm3: Option<f64>,
@@ -191,7 +193,8 @@ impl Spec {
             ("the outer diameter", Some(self.outer_diameter_mm.bounds().0)),
             ("the wall", Some(self.wall_mm.bounds().0)),
             ("largest bulged diameter", self.limits.bulged_diameter_mm),
-            ("the least burst margin", self.limits.burst_margin),
+            ("the safety factor", self.limits.burst_margin),
+            ("the safety factor of the tube", self.limits.tube_margin),
             ("the largest stretch", self.limits.stretch),
             ("the largest strand strain", self.limits.strand_strain),
             ("the largest liquid volume", self.limits.liquid_volume_mm3),

@@ -1,7 +1,9 @@
 //! A muscle held against a specification: its model, and the thick-wall model for what that does not know.
 
 use crate::{Build, OperatingPoint, Spec};
-use mckibben::analysis::{AnalysisError, Evaluation};
+use mckibben::analysis::{
+    AnalysisError, Burst, Evaluation, FailureMode, FailurePressure, NoBurst, Safety, burst, find_root,
+};
 use mckibben::cancel;
 use mckibben::load::LiquidStroke;
 use mckibben::model::{ForceModel, ModelError, ModelKind, Response, Workspace};
@@ -9,10 +11,35 @@ use mckibben::muscle::Muscle;
 
 pub(super) struct Trial<'a> {
     pub(super) spec: &'a Spec,
+    pub(super) muscle: &'a Muscle,
     pub(super) model: Box<dyn ForceModel>,
     pub(super) thick_wall: Box<dyn ForceModel>,
     pub(super) workspace: Workspace,
+    /// The pressures at which it fails, with the safety factors of the specification.
+    pub(super) burst: Burst,
+    /// The pressure up to which it is used: the least of the supply, of the allowed one and of that which strains its strands to their limit.
+    pub(super) highest_mpa: f64,
+    /// What keeps it below the supply.
+    pub(super) below: Option<Below>,
 }
+
+/// Why a muscle is not used up to the pressure of the supply.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Below {
+    /// It keeps its distance from a failure at this pressure in MPa.
+    Failure(FailureMode, f64),
+    /// Its fittings are rated for no more.
+    Rated,
+    /// Its strands are strained to their limit.
+    Strained,
+    /// No model answers beyond this pressure in MPa.
+    Unanswered(f64),
+}
+
+/// Halvings towards the pressure at which strands are strained to their limit.
+const HALVINGS: usize = 40;
+/// The pressure of a pull that is guaranteed is known to this share of the highest.
+const SURE: f64 = 1e-6;
 
 /// What is pushed into a muscle from rest to a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,11 +51,69 @@ pub(super) struct Stroke {
 }
 
 impl<'a> Trial<'a> {
-    pub(super) fn new(spec: &'a Spec, build: &Build<'_>, muscle: &Muscle) -> Result<Self, ModelError> {
+    pub(super) fn new(spec: &'a Spec, build: &Build<'_>, muscle: &'a Muscle) -> Result<Self, ModelError> {
         // Of what is to end, not even the model is made.
         cancel::check()?;
         let (model, thick_wall) = (build(muscle)?, ModelKind::ThickWall.build(muscle)?);
-        Ok(Self { spec, model, thick_wall, workspace: Workspace::new() })
+        let found = match burst(&*model) {
+            Ok(found) => found,
+            Err(AnalysisError::Model(error @ ModelError::Cancelled(_))) => return Err(error),
+            Err(_) => Burst::unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 }),
+        };
+        let safety = Safety::new(spec.limits.burst_margin.unwrap_or(0.0), spec.limits.tube_margin);
+        let burst = Burst { safety, ..found };
+        let allowed = burst.allowed().map(|(mpa, by)| match by {
+            Some(by) => (mpa, Below::Failure(by, mpa * safety.of(by))),
+            None => (mpa, Below::Rated),
+        });
+        // Where no model answers, nothing fails up to the last answer.
+        let answered = match burst.strands {
+            FailurePressure::Unknown(NoBurst::NoAnswer { up_to_mpa }) if safety.strands > 0.0 => {
+                Some((up_to_mpa / safety.strands, Below::Unanswered(up_to_mpa)))
+            }
+            _ => None,
+        };
+        let bounds = allowed.into_iter().chain(answered).map(|(mpa, below)| (mpa, Some(below)));
+        let (highest_mpa, below) =
+            bounds.fold((spec.max_pressure_mpa, None), |a, b| if b.0 < a.0 { b } else { a });
+        let workspace = Workspace::new();
+        let mut trial = Self { spec, muscle, model, thick_wall, workspace, burst, highest_mpa, below };
+        let strained_mpa = trial.strained()?;
+        if strained_mpa < highest_mpa {
+            (trial.highest_mpa, trial.below) = (strained_mpa, Some(Below::Strained));
+        }
+        Ok(trial)
+    }
+
+    /// The strain of the strands, where it is known.
+    pub(super) fn strand_strain(&mut self, p: f64, contraction: f64) -> Result<Option<f64>, ModelError> {
+        let (full, _) = self.full_response(p, contraction)?;
+        Ok(full.braid_tension_n.and_then(|t| self.muscle.strand_strain(t)))
+    }
+
+    /// The highest pressure at which the strands are strained by no more than their limit, not shortened and at the operating points.
+    fn strained(&mut self) -> Result<f64, ModelError> {
+        let Some(bound) = self.spec.limits.strand_strain else { return Ok(self.highest_mpa) };
+        let points = self.spec.points(self.muscle);
+        let mut high = self.highest_mpa;
+        for e in std::iter::once(0.0).chain(points.iter().map(|q| q.contraction)) {
+            let mut bears = |p: f64| match self.strand_strain(p, e) {
+                Ok(strain) => Ok(strain.is_none_or(|strain| strain <= bound)),
+                // Where they stretch further there is no answer at all.
+                Err(ModelError::Overstretched { .. } | ModelError::NoEquilibrium { .. }) => Ok(false),
+                Err(error) => Err(error),
+            };
+            if bears(high)? {
+                continue;
+            }
+            let mut low = 0.0;
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                *(if bears(middle)? { &mut low } else { &mut high }) = middle;
+            }
+            high = low;
+        }
+        Ok(high)
     }
 
     /// Its model, ready to be asked.
@@ -36,10 +121,17 @@ impl<'a> Trial<'a> {
         Evaluation::new(&*self.model, &mut self.workspace, self.spec.options())
     }
 
-    /// The pull at the maximum pressure.
+    /// The pull at the highest pressure.
     pub(super) fn strongest_n(&mut self, contraction: f64) -> Result<f64, ModelError> {
-        let max = self.spec.max_pressure_mpa;
+        let max = self.highest_mpa;
         self.evaluation().force_n(max, contraction)
+    }
+
+    /// The end of the ± of a pull that must meet the requirement, where that is guaranteed; else the pull.
+    pub(super) fn sure_n(&mut self, p: f64, contraction: f64, force_n: f64) -> f64 {
+        let Some(widths) = self.spec.half_widths() else { return force_n };
+        let half = self.uncertainty_n((p, contraction), force_n).unwrap_or(0.0);
+        force_n - widths * half * if self.spec.wanted.extends() { -1.0 } else { 1.0 }
     }
 
     /// Half the width of the 95 % interval of a pull, where it is known.
@@ -47,10 +139,24 @@ impl<'a> Trial<'a> {
         Some(self.evaluation().uncertainty(p, contraction, force_n)?.total())
     }
 
-    /// The pressure a point takes, where the pull at the maximum pressure is known to be enough.
+    /// The pressure a point takes, where the pull at the highest pressure is known to be enough; of a pull that is guaranteed that at which the end of its ± is
+    /// what is wanted.
     pub(super) fn need(&mut self, point: &OperatingPoint) -> Result<f64, ModelError> {
+        let pull_mpa = self.pull_mpa(point)?;
+        if self.spec.guaranteed.is_none() || pull_mpa >= self.highest_mpa {
+            return Ok(pull_mpa);
+        }
+        let max = self.highest_mpa;
+        let missed = |p: f64| -> Result<f64, ModelError> {
+            let pull_n = self.evaluation().force_n(p, point.contraction)?;
+            Ok(1.0 - self.sure_n(p, point.contraction, pull_n) / point.force_n)
+        };
+        Ok(find_root(missed, pull_mpa, max, SURE * max)?.unwrap_or(max))
+    }
+
+    fn pull_mpa(&mut self, point: &OperatingPoint) -> Result<f64, ModelError> {
         let OperatingPoint { force_n, contraction } = *point;
-        let max = self.spec.max_pressure_mpa;
+        let max = self.highest_mpa;
         let mut model = self.evaluation();
         if let Some(p) = model.pressure_below(force_n, contraction, max) {
             return Ok(p);

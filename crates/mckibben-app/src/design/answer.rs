@@ -7,7 +7,7 @@ use crate::{
     MuscleSummary, PressureLimits, TextFile, UncertaintyWords, Units, number, percent, put_first, said_of,
     words::braid_name, words::rubber_name,
 };
-use mckibben::analysis::{Burst, NoBurst};
+use mckibben::analysis::{Burst, Safety};
 use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::{liquid::Liquid, muscle::file::to_toml, warning::Warning};
 use mckibben_design::{
@@ -42,11 +42,6 @@ pub struct DesignAnswer {
     pub looked_at: usize,
     /// How many of them fit.
     pub fitting: usize,
-    /// How many of the examined muscles burst below the required margin; unknown if the strength of the strands is not
-    /// stated.
-    pub excluded_by_burst: usize,
-    /// How many of these meet every other limit.
-    pub excluded_by_burst_alone: usize,
     /// The best muscles, best first.
     pub candidates: Vec<CandidateAnswer>,
     /// The ± of the best muscle in words, at the point where it is largest.
@@ -116,8 +111,10 @@ pub struct SearchedAnswer {
     pub braid: String,
     /// Length L0 of all muscles, mm, where it is not searched.
     pub length_mm: Option<f64>,
-    /// Least ratio of burst pressure to maximum pressure, where there is one.
+    /// Safety factor of strands and clamps: the pressure at which they fail over the allowed pressure, where there is one.
     pub min_burst_margin: Option<f64>,
+    /// Safety factor of the tube.
+    pub min_tube_margin: Option<f64>,
     /// Of a bundle: how many muscles share the requirement. What is wanted, and all numbers of the candidates, are those of one of them.
     pub bundle: Option<u32>,
     /// Whether it was checked: the strength of the strands is known.
@@ -260,6 +257,10 @@ impl SearchedAnswer {
             braid: braid_of(spec),
             length_mm: spec.length_mm.is_none().then(|| spec.base.length_mm()),
             min_burst_margin: spec.limits.burst_margin.filter(|m| *m > 0.0),
+            min_tube_margin: Some(
+                Safety::new(spec.limits.burst_margin.unwrap_or(0.0), spec.limits.tube_margin).tube,
+            )
+            .filter(|m| *m > 0.0),
             burst_checked: match &spec.braid {
                 BraidChoice::Sleeves(list) => list.iter().all(has_strength),
                 _ => has_strength(spec.base.braid()),
@@ -326,7 +327,7 @@ impl CandidateAnswer {
             strand_tension_n: c.largest(|q| q.response.strand_tension_n),
             braid_tension_n: c.largest(|q| q.response.braid_tension_n),
             max_stretch: c.largest(|q| q.response.max_stretch),
-            limits: c.burst.as_ref().map(Into::into).unwrap_or_default(),
+            limits: (&c.burst).into(),
             uncertainty_n: c.largest(|q| q.uncertainty_n),
         }
     }
@@ -350,11 +351,10 @@ pub(super) fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warni
 }
 
 /// What the user should know of a candidate: of its burst pressure, of its muscle, and of its operating points.
-pub(super) fn warnings(c: &Candidate, max_pressure_mpa: f64) -> Vec<Warning> {
+pub(super) fn warnings(c: &Candidate) -> Vec<Warning> {
     let mut all = crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response));
-    let found = c.burst.unwrap_or(Burst::unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 }));
     all.extend(super::assumed::thin_wall(&c.muscle).map(Warning::from));
-    put_first(&mut all, said_of(&found, max_pressure_mpa, 0.0));
+    put_first(&mut all, said_of(&c.burst, c.highest_pressure_mpa, 0.0));
     all
 }
 

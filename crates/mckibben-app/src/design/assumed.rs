@@ -3,12 +3,10 @@
 use super::request::DesignRequest;
 use crate::words::{number, percent};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle};
+use mckibben::progress::Progress;
 use mckibben::sleeve::{Helix, SleeveShape, library};
-use mckibben::{analysis::FailureMode, progress::Progress};
 use mckibben_design::tubes::{LEAST_CAST_WALL_MM, rubbers};
-use mckibben_design::{
-    BraidChoice, Build, Closest, Demand, Limit, Models, Relaxation, Spec, design_with, fits,
-};
+use mckibben_design::{Below, BraidChoice, Build, Closest, Demand, Models, Spec, design_with, fits};
 
 /// What was assumed, in sentences.
 pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
@@ -63,8 +61,7 @@ pub(super) fn stiffer_sleeve(spec: &Spec, build: &Build<'_>, closest: &Closest) 
         braid.stiffness = BraidStiffness::NewtonPerMm(k);
         muscle.with_braid(braid).is_ok_and(|stiff| fits(spec, build, &stiff))
     });
-    let strained = closest.rejected.reason.limit() == Some(Limit::StrandStrain)
-        || closest.relaxations.iter().any(|r| matches!(r, Relaxation::MaxStrandStrain { .. }));
+    let strained = closest.rejected.reason.check().and_then(|check| check.by) == Some(Below::Strained);
     let (own, limit) = (number(own, 3), percent(spec.limits.strand_strain?));
     let first = format!(
         "The braid is that of the paper. Its stiffness of one strand family is {own} N/mm here; its strands may stretch by {limit}, the validated range."
@@ -92,19 +89,6 @@ fn sized(least_mm: f64) -> Option<Braid> {
     let helix = Helix::jammed_at(least_mm, largest_mm)?;
     sleeve.shape = SleeveShape { name: "another".into(), helix, least_mm, largest_mm };
     sleeve.on(least_mm).ok()
-}
-
-/// The strength of the strands with which the closest muscle fits, where it misses nothing else.
-pub(super) fn stronger_strands(closest: &Closest) -> Option<String> {
-    let missed = closest.rejected.reason.check()?;
-    if (missed.limit, missed.by) != (Limit::BurstMargin, FailureMode::Strands) {
-        return None;
-    }
-    closest.relaxations.iter().find(|r| matches!(r, Relaxation::MinBurstMargin { .. }))?;
-    let strength = closest.muscle.braid().strands?.strength_n?;
-    let needed = (100.0 * strength * missed.bound / missed.value).ceil() / 100.0;
-    let [needed, strength] = [needed, strength].map(|n| number(n, 3));
-    Some(format!("It fits with strands that bear {needed} N each; those of this sleeve bear {strength} N."))
 }
 
 /// Which sleeve would make a muscle that fits, in a sentence; none where no size does. Of a joint, whose search takes seconds, nothing is looked for.

@@ -4,7 +4,7 @@ use super::request::DesignRequest;
 use crate::{Problem, ProblemKind, Result, above_zero, percent};
 use mckibben::{model::Workspace, warning::Warning};
 use mckibben_design::bundle::{MOST, envelope_ratio, touches_at};
-use mckibben_design::{Build, Candidate, CandidatePoint, Demand, OperatingPoint, Spec};
+use mckibben_design::{Build, Candidate, CandidatePoint, Demand, OperatingPoint};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -105,7 +105,6 @@ impl BundleAnswer {
 /// The bundle of the best muscle.
 pub(super) fn of(
     request: &DesignRequest,
-    spec: &Spec,
     build: &Build<'_>,
     winner: Option<&Candidate>,
 ) -> Option<BundleAnswer> {
@@ -114,12 +113,11 @@ pub(super) fn of(
     let bulged = winner.bulged_diameter_mm();
     let pitch_mm = request.pitch_mm.or(request.max_envelope_mm.map(|mm| mm / ratio)).or(bulged);
     let model = build(&winner.muscle).ok();
-    let touch = model
-        .zip(pitch_mm)
-        .filter(|_| muscles > 1)
-        .and_then(|(model, pitch)| touches_at(&*model, &mut Workspace::new(), spec.max_pressure_mpa, pitch));
+    let touch = model.zip(pitch_mm).filter(|_| muscles > 1).and_then(|(model, pitch)| {
+        touches_at(&*model, &mut Workspace::new(), winner.highest_pressure_mpa, pitch)
+    });
     let point = |q: &CandidatePoint| BundlePoint {
-        wanted: OperatingPoint { force_n: count * q.wanted().force_n, ..q.wanted() },
+        wanted: OperatingPoint { force_n: count * q.wanted.force_n, ..q.wanted },
         force_at_max_pressure_n: count * q.force_at_max_pressure_n,
         uncertainty_n: q.uncertainty_n.map(|n| count * n),
         air_normal_litres: q.air_normal_litres.map(|litres| count * litres),

@@ -60,8 +60,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     let hint = outcome.closest.as_ref().and_then(|closest| {
         let stiffer = assumed::stiffer_sleeve(&spec, &decide, closest);
         let by_parts = || assumed::that_fits(&spec, models, &CancelOnly(progress));
-        let stronger = || assumed::stronger_strands(closest);
-        stiffer.or_else(stronger).or_else(|| request.braids.is_empty().then(by_parts).flatten())
+        stiffer.or_else(|| request.braids.is_empty().then(by_parts).flatten())
     });
     let to_be_sure = match winner {
         Some(winner) if winner.is_doubtful() => {
@@ -71,13 +70,12 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         }
         _ => None,
     };
-    let highest_mpa = spec.max_pressure_mpa;
-    let mut warnings =
-        winner.map_or_else(|| not_checked(&outcome, highest_mpa), |c| answer::warnings(c, highest_mpa));
-    let bundle = bundle::of(request, &spec, &decide, winner);
+    let supply_mpa = spec.max_pressure_mpa;
+    let mut warnings = winner.map_or_else(|| not_checked(&outcome, supply_mpa), answer::warnings);
+    let bundle = bundle::of(request, &decide, winner);
     warnings.extend(bundle.as_ref().and_then(BundleAnswer::warning));
     if let Some(c) = winner {
-        warnings.extend(not_measured(&c.muscle, highest_mpa)?);
+        warnings.extend(not_measured(&c.muscle, c.highest_pressure_mpa)?);
     }
     let closest = outcome.closest.as_ref().map(|closest| {
         let hints: Vec<String> = out_of_reach(&spec).into_iter().chain(hint).collect();
@@ -90,7 +88,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     Ok(DesignAnswer {
         model: policy.model.name().into(),
         searched_with: policy.searches().into(),
-        max_pressure_mpa: highest_mpa,
+        max_pressure_mpa: supply_mpa,
         wanted: DemandAnswer::of(&spec.wanted),
         searched: SearchedAnswer::of(&spec, request.bundle),
         liquid: spec.liquid.as_ref().map(|supply| supply.liquid.clone()),
@@ -98,8 +96,6 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         assumptions: assumed::assumptions(request, &spec),
         looked_at: outcome.looked_at.0,
         fitting: outcome.looked_at.1,
-        excluded_by_burst: outcome.too_weak.0,
-        excluded_by_burst_alone: outcome.too_weak.1,
         candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, &spec)).collect(),
         uncertainty_words: words(&spec, &decide, winner),
         rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
@@ -130,7 +126,7 @@ fn spreads(tolerances: Option<&Tolerances>, build: &Build<'_>, outcome: &Outcome
     let Some(tolerances) = tolerances else { return Ok(vec![]) };
     let Some(winner) = outcome.candidates.first() else { return Ok(vec![]) };
     let one =
-        |q: &CandidatePoint| spread(&winner.muscle, build, q.wanted(), q.response.pressure_mpa, tolerances);
+        |q: &CandidatePoint| spread(&winner.muscle, build, q.wanted, q.response.pressure_mpa, tolerances);
     Ok(winner.points.iter().map(one).collect::<Result<Vec<_>, _>>()?)
 }
 
@@ -140,8 +136,8 @@ fn verified(spec: &Spec, winner: &Candidate) -> Result<Verified> {
     let workspace = &mut Workspace::new();
     let mut model = Evaluation::new(&*fe, workspace, Options { extrapolate: true, ..spec.options() });
     let mut points = vec![];
-    for wanted in winner.points.iter().map(CandidatePoint::wanted) {
-        let max = spec.max_pressure_mpa;
+    for wanted in winner.points.iter().map(|q| q.wanted) {
+        let max = winner.highest_pressure_mpa;
         let available = model.force_n(max, wanted.contraction);
         let pressure = model.pressure_at(wanted.force_n, wanted.contraction);
         points.push(VerifiedPoint {
@@ -168,9 +164,9 @@ fn draw(
     let drawn = outcome.candidates.iter().take(DRAWN);
     let drawn: Vec<(&Candidate, Box<dyn ForceModel>)> =
         drawn.map(|c| Ok((c, build(&c.muscle)?))).collect::<Result<_, ModelError>>()?;
-    let points = outcome.candidates.first().map(|c| c.points.iter().map(CandidatePoint::wanted).collect());
+    let points = outcome.candidates.first().map(|c| c.points.iter().map(|q| q.wanted).collect());
     let points: Vec<OperatingPoint> = points.unwrap_or_default();
-    Ok(figure::design(&drawn, &points, spec.max_pressure_mpa, options, unit))
+    Ok(figure::design(&drawn, &points, options, unit))
 }
 
 /// Whether a muscle is searched with a model.

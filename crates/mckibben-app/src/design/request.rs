@@ -36,7 +36,7 @@ pub struct DesignRequest {
     pub largest_angle_deg: Option<f64>,
     /// Radii of the pulley, mm; default: searched.
     pub radius_mm: Option<Choice>,
-    /// Pressure of the supply, MPa.
+    /// Pressure that the supply can give, MPa. Each muscle is used up to this pressure or its own allowed one, whichever is lower.
     pub max_pressure_mpa: Option<f64>,
     /// A liquid in the place of air.
     #[serde(flatten)]
@@ -54,12 +54,14 @@ pub struct DesignRequest {
     pub max_envelope_mm: Option<f64>,
     /// Distance between the axes of neighbours of a bundle, mm; default: that of the largest envelope, or the bulged diameter.
     pub pitch_mm: Option<f64>,
-    /// Smallest ratio of the pressure at which strands break or clamps let go to the maximum pressure; the tube, which leaks, has half of it; default 4; 0 for none.
+    /// Safety factor of strands and clamps: the pressure at which they fail over the allowed pressure; default 4; 0 for none.
     pub min_burst_margin: Option<f64>,
+    /// Safety factor of the tube, which leaks where it fails; default: half of that of strands and clamps.
+    pub min_tube_margin: Option<f64>,
     /// Largest stretch of the rubber at the operating points (2 means twice its length); default: the largest stretch of the data
     /// behind the rubber's law.
     pub max_stretch: Option<f64>,
-    /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points; default 0.06,
+    /// Largest strain of the strands, not shortened and at the operating points; it bounds the pressure of the muscle; default 0.06,
     /// the validated range.
     pub max_strand_strain: Option<f64>,
     /// The muscle is guided on its way, so that it cannot buckle under its push.
@@ -230,6 +232,7 @@ impl DesignRequest {
             limits: Limits {
                 bulged_diameter_mm: self.bulged_diameter_mm()?,
                 burst_margin: Some(self.min_burst_margin.unwrap_or(SAFETY)).filter(|m| *m != 0.0),
+                tube_margin: self.min_tube_margin,
                 stretch: self.max_stretch,
                 fitted_stretch: true,
                 buckling: !self.guided,

@@ -155,11 +155,10 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
     Figure::new(title).caption(caption(about)).palette(Palette::Sequential).panel(panel)
 }
 
-/// One colour a candidate: solid at the maximum pressure, dashed at the pressure it needs.
+/// One colour a candidate: solid at the highest pressure that supply and muscle allow, dashed at the pressure it needs.
 pub fn design(
     models: &[(&Candidate, Box<dyn ForceModel>)],
     wanted: &[OperatingPoint],
-    max_pressure_mpa: f64,
     options: Options,
     u: &Units,
 ) -> Figure {
@@ -171,7 +170,7 @@ pub fn design(
         let name = format!("D0 {}, s {}", u.length.to(m.outer_diameter_mm(), 4), u.length.to(m.wall_mm(), 3));
         let end = candidate.free_contraction.unwrap_or(0.2).max(asked).min(model.info().range.contraction.1);
         let along: Vec<f64> = (0..=60).map(|i| end * f64::from(i) / 60.0).collect();
-        let needed = candidate.pressure_mpa;
+        let (max_pressure_mpa, needed) = (candidate.highest_pressure_mpa, candidate.pressure_mpa);
         let workspace = &mut Workspace::new();
         let mut evaluation = Evaluation::new(model.as_ref(), workspace, options);
         for (pressure, style) in [(max_pressure_mpa, Style::Line), (needed, Style::Dashed)] {

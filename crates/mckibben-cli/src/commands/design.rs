@@ -30,7 +30,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
 const HEAD: &str =
     "Required[ of each of {each} muscles]: {what} with at most {max_pressure_mpa}[ of {liquid.name}][ with {gas:%} of gas][, guaranteed: the lower end of the ± ({searched.guaranteed:%}) meets it]
 Model {model}[, searched with {other}]; {looked_at} muscles examined, {fitting} fit; [L0 {searched.length_mm:5}, ]{searched.rubber}, {searched.braid}
-Safety: [strands stretched by at most {searched.max_strand_strain:%}; ][strands and clamps fail at {checked} times the maximum pressure or more, the tube at {tube}][burst not checked (required: {unchecked} times the maximum pressure), because the strength of the strands is not stated]{unlimited}
+Safety: [strands stretched by at most {searched.max_strand_strain:%}; ][allowed pressure: that at which strands or clamps fail over {checked}, that of the tube over {searched.min_tube_margin}][burst not checked (safety factor {unchecked}), because the strength of the strands is not stated]{unlimited}
 ";
 
 /// The design for people.
@@ -42,7 +42,6 @@ fn as_text(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     row["other"] = Some(&*answer.searched_with).filter(|with| **with != *answer.model).into();
     let margin = searched.min_burst_margin;
     row["checked"] = margin.filter(|_| searched.burst_checked).into();
-    row["tube"] = margin.map(|margin| FailureMode::Mesh.share() * margin).into();
     row["unchecked"] = margin.filter(|_| !searched.burst_checked).into();
     row["unlimited"] = if margin.is_none() { "no limit on burst" } else { "" }.into();
     let mut out = said(&row, HEAD, u);
@@ -50,7 +49,7 @@ fn as_text(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     out.extend(assumed);
     out.push('\n');
     if let Some(closest) = &answer.closest {
-        out += &(nothing_fits(closest, u) + &too_weak(answer, &row, u));
+        out += &nothing_fits(closest, u);
         out.extend(closest.hint.as_ref().map(|hint| in_flags(hint) + "\n"));
     } else {
         out += &candidates(&answer.candidates, searched.length_mm.is_none(), u);
@@ -133,8 +132,6 @@ fn binds(best: &CandidateAnswer) -> String {
         Limit::Force => "required pull",
         Limit::BulgedDiameter => "largest bulged diameter",
         Limit::MaxStretch => "largest stretch of the rubber",
-        Limit::StrandStrain => "largest strain of the strands",
-        Limit::BurstMargin => "burst pressure",
         Limit::Buckling => "load at which it buckles",
         Limit::LiquidVolume => "largest liquid volume",
     };
@@ -172,6 +169,7 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
         (lengths || several("length_mm"), "length_mm=L0"),
         (several("family_stiffness_n_per_mm"), "family_stiffness_n_per_mm=k:3"),
         (true, &*required),
+        (several("highest_pressure_mpa"), "highest_pressure_mpa=P_max:3"),
         (true, "margin:3% blocked_force_n=F_blocked free_contraction=ε_free:3%"),
         (true, "bulged_diameter_mm=bulged_D:3 stiffness_n_per_mm=stiffness:3"),
         (true, if liquid { "liquid_volume_mm3=liquid:3" } else { "air_normal_litres=air:3" }),
@@ -182,8 +180,8 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
     ];
     let keys: Vec<&str> = keys.into_iter().filter(|key| key.0).map(|key| key.1).collect();
     let mut out = tabled(&rows, &keys.join(" "), u);
-    out += "\nP required: the pressure of each point. margin: pull above the required pull, at the maximum pressure.\n\
-        F blocked and ε free: at the maximum pressure. stiffness: at the first point. bulged D, air or liquid, strand or braid, ±: the largest of the points.\n\
+    out += "\nP required: the pressure of each point. P max: what supply and muscle allow. margin: pull above the required pull, at P max.\n\
+        F blocked and ε free: at P max. stiffness: at the first point. bulged D, air or liquid, strand or braid, ±: the largest of the points.\n\
         air (normal litres: at 0 °C and 1.01325 bar) and liquid: from rest to the point. k: stiffness of one strand family. strand: tension of one strand; braid: of all together.\n\
         ±: 95 % half-width of the pull, against a measured muscle.\n";
     out.push_str(&list.first().map_or_else(String::new, binds));
@@ -239,22 +237,6 @@ fn spread_text(spreads: &[Spread], u: &Units) -> String {
     let keys = "force_n=required contraction=at:% pressure_mpa=P low_n=least high_n=largest likely_n=±:~";
     let about = "least and largest: in the worst corners of the tolerances; ±: likely";
     format!("\nTolerances of the first candidate\n{}{about}\n", tabled(spreads, keys, u))
-}
-
-/// What burst has to do with it that nothing fits.
-fn too_weak(answer: &DesignAnswer, row: &Value, u: &Units) -> String {
-    let (count, alone) = (answer.excluded_by_burst, answer.excluded_by_burst_alone);
-    if count == 0 || answer.searched.min_burst_margin.is_none() {
-        return String::new();
-    }
-    let rest = match alone {
-        0 => "each of them also misses another limit".to_owned(),
-        all if all == count => "they meet every other limit".to_owned(),
-        some => format!("{some} of them meet every other limit"),
-    };
-    let of_all =
-        "Of {looked_at} muscles {excluded_by_burst} miss the safety factor of {searched.min_burst_margin}; ";
-    format!("{}{rest}.\n", said(row, of_all, u))
 }
 
 /// What may be relaxed, and how that is said.

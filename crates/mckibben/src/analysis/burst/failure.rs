@@ -43,6 +43,33 @@ impl fmt::Display for FailureMode {
     }
 }
 
+/// Safety factors: the pressure of a failure over the allowed pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Safety {
+    /// Of strands and clamps; 0 for none.
+    pub strands: f64,
+    /// Of the tube; 0 for none.
+    pub tube: f64,
+}
+
+impl Default for Safety {
+    fn default() -> Self {
+        Self::new(SAFETY, None)
+    }
+}
+
+impl Safety {
+    /// A factor of strands and clamps; the tube has the half of it ([`FailureMode::share`]) where none is given.
+    pub fn new(strands: f64, tube: Option<f64>) -> Self {
+        Self { strands, tube: tube.unwrap_or(FailureMode::Mesh.share() * strands) }
+    }
+
+    /// The factor of a failure.
+    pub fn of(self, mode: FailureMode) -> f64 {
+        if mode.share() < 1.0 { self.tube } else { self.strands }
+    }
+}
+
 /// The pressure of one failure mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FailurePressure {
@@ -125,6 +152,8 @@ pub struct Burst {
     pub ends: FailurePressure,
     /// The pressure for which the fittings are rated, in MPa.
     pub rated_mpa: Option<f64>,
+    /// The factors of the allowed pressure.
+    pub safety: Safety,
     /// The answering model has no tension of the strands, and the thick-wall model gave it.
     pub from_thick_wall: bool,
 }
@@ -133,7 +162,16 @@ impl Burst {
     /// One of which nothing is known.
     pub fn unknown(why: NoBurst) -> Self {
         let none = FailurePressure::Unknown(why);
-        Self { strands: none, mesh: none, bladder: none, ends: none, rated_mpa: None, from_thick_wall: false }
+        let (rated_mpa, safety) = (None, Safety::default());
+        Self {
+            strands: none,
+            mesh: none,
+            bladder: none,
+            ends: none,
+            rated_mpa,
+            safety,
+            from_thick_wall: false,
+        }
     }
 
     /// All failure modes.
@@ -157,17 +195,13 @@ impl Burst {
         Some(self.first()?.1)
     }
 
-    /// The failure that a safety factor leaves least pressure for, with its pressure over the factor's share ([`FailureMode::share`]) in MPa.
-    pub fn decisive(&self) -> Option<(FailureMode, f64)> {
-        let known = self.modes().into_iter().filter_map(|(mode, p)| Some((mode, p.mpa()? / mode.share())));
-        known.reduce(|a, b| if b.1 < a.1 { b } else { a })
-    }
-
     /// The allowed pressure in MPa, and the failure that it keeps its distance from; none where the fittings are rated for less.
     pub fn allowed(&self) -> Option<(f64, Option<FailureMode>)> {
-        let safe = self.decisive().map(|(mode, p)| (p / SAFETY, Some(mode)));
+        let factor = |mode| Some(self.safety.of(mode)).filter(|factor| *factor > 0.0);
+        let safe =
+            self.modes().into_iter().filter_map(|(mode, p)| Some((p.mpa()? / factor(mode)?, Some(mode))));
         let rated = self.rated_mpa.map(|p| (p, None));
-        [safe, rated].into_iter().flatten().reduce(|a, b| if b.0 < a.0 { b } else { a })
+        safe.chain(rated).reduce(|a, b| if b.0 < a.0 { b } else { a })
     }
 
     /// Why the strength of the strands was not checked.

@@ -19,7 +19,7 @@ pub mod mesh;
 mod radii;
 pub mod strands;
 
-pub use failure::{Burst, FailureMode, FailurePressure, NoBurst, SAFETY};
+pub use failure::{Burst, FailureMode, FailurePressure, NoBurst, SAFETY, Safety};
 
 use super::error::Result;
 use crate::model::ForceModel;
@@ -35,5 +35,5 @@ pub fn burst(model: &dyn ForceModel) -> Result<Burst> {
     let least = [strands, mesh, ends].into_iter().filter_map(FailurePressure::mpa).reduce(f64::min);
     let bladder = bladder::tearing(muscle, least)?;
     let rated_mpa = muscle.terminals().rated_pressure_mpa;
-    Ok(Burst { strands, mesh, bladder, ends, rated_mpa, from_thick_wall })
+    Ok(Burst { strands, mesh, bladder, ends, rated_mpa, safety: Safety::default(), from_thick_wall })
 }
