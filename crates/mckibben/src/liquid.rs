@@ -4,22 +4,9 @@ use crate::analysis::ATMOSPHERE_MPA;
 use serde::Serialize;
 use thiserror::Error;
 
-/// A liquid of the table, at 20 °C.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LiquidEntry {
-    /// Its name in requests.
-    pub name: &'static str,
-    /// Density ρ in kg/m³ at atmospheric pressure.
-    pub density_kg_per_m3: f64,
-    /// Bulk modulus K in MPa.
-    pub bulk_modulus_mpa: f64,
-    /// Dynamic viscosity η in Pa s.
-    pub viscosity_pa_s: f64,
-}
-
-/// The liquids that have a name. Water: ρ and K (isothermal) by \[kell1975\], its η and all of oil and glycol by \[white2011\], table A.3. Oils of one
+/// The liquids that have a name, at 20 °C without gas. Water: ρ and K (isothermal) by \[kell1975\], its η and all of oil and glycol by \[white2011\], table A.3. Oils of one
 /// class differ by 20 % in K; half glycol and half water lies between both.
-pub const LIQUIDS: [LiquidEntry; 3] = [
+pub const LIQUIDS: [Liquid; 3] = [
     entry("water", 998.2, 2179.0, 1.00e-3),
     // Mineral oil SAE 10W.
     entry("oil", 870.0, 1310.0, 1.04e-1),
@@ -32,8 +19,8 @@ const fn entry(
     density_kg_per_m3: f64,
     bulk_modulus_mpa: f64,
     viscosity_pa_s: f64,
-) -> LiquidEntry {
-    LiquidEntry { name, density_kg_per_m3, bulk_modulus_mpa, viscosity_pa_s }
+) -> Liquid {
+    Liquid { name, density_kg_per_m3, bulk_modulus_mpa, viscosity_pa_s, gas_share: 0.0 }
 }
 
 /// Why a liquid is none.
@@ -63,7 +50,7 @@ pub struct LiquidError {
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Liquid {
     /// Its name.
-    pub name: String,
+    pub name: &'static str,
     /// Density in kg/m³ without gas.
     pub density_kg_per_m3: f64,
     /// Bulk modulus K in MPa without gas.
@@ -86,20 +73,12 @@ pub struct LiquidSupply {
 impl Liquid {
     /// A liquid of the table with a share of gas.
     pub fn named(name: &str, gas_share: f64) -> Result<Self, LiquidError> {
-        let entry = LIQUIDS.iter().find(|liquid| liquid.name == name);
-        let entry = entry.ok_or_else(|| {
+        let found = LIQUIDS.into_iter().find(|liquid| liquid.name == name).ok_or_else(|| {
             let names = LIQUIDS.map(|liquid| liquid.name).join(", ");
             let message = format!("there is no liquid \"{name}\"; the liquids are {names}");
             LiquidError { field: "liquid", key: "name", message }
         })?;
-        Self {
-            name: name.into(),
-            density_kg_per_m3: entry.density_kg_per_m3,
-            bulk_modulus_mpa: entry.bulk_modulus_mpa,
-            viscosity_pa_s: entry.viscosity_pa_s,
-            gas_share,
-        }
-        .validated()
+        Self { gas_share, ..found }.validated()
     }
 
     /// The same with another bulk modulus in MPa.

@@ -290,7 +290,7 @@ mod tests {
             "gas_share = '1 %'\n[valve]\nflow_coefficient = '0.36 m3/h'\nhose_length = '1 m'\nhose_diameter = '4 mm'\n{TAIL}"
         ));
         let Fluid::Liquid(fill) = &drive.fluid else { panic!() };
-        assert_eq!((fill.liquid.name.as_str(), fill.liquid.gas_share), ("oil", 0.01));
+        assert_eq!((fill.liquid.name, fill.liquid.gas_share), ("oil", 0.01));
         // 0.36 m³/h is 0.1 L/s.
         let Actuator::LiquidValve(valve) = drive.actuator else { panic!() };
         assert!((valve.supply.kv_mm3_per_s() - 1e5).abs() < 1e-6 && valve.tank == valve.supply);
