@@ -5,8 +5,8 @@ use crate::results::{MuscleBody, Solution};
 use crate::solver::continuation::Continuation;
 use crate::solver::curve::{Curve, CurvePoint, Test, run};
 use mckibben::model::{
-    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange,
-    Response, Workspace,
+    Accuracy, Extensions, ForceModel, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange, Response,
+    Workspace,
 };
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
@@ -161,9 +161,7 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
     fn extensions(&self) -> Extensions<'_> {
         D::extensions(self)
     }
-}
 
-impl<D: Divided> Inverse for FiniteElements<D> {
     fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let found = self.reach(workspace, Given::ContractionAndPull { contraction, force_n });
         let found = found.ok().map(|found| found.pressure_mpa).filter(|p| *p >= 0.0)?;

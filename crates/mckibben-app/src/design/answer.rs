@@ -352,7 +352,7 @@ pub(super) fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warni
 /// What the user should know of a candidate: of its burst pressure, of its muscle, and of its operating points.
 pub(super) fn warnings(c: &Candidate, max_pressure_mpa: f64) -> Vec<Warning> {
     let mut all = crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response));
-    let found = c.burst.unwrap_or(Burst::unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 }));
+    let found = c.burst.unwrap_or(Burst::unknown(NoBurst::NoAnswer));
     all.extend(super::assumed::thin_wall(&c.muscle).map(Warning::from));
     put_first(&mut all, said_of(&found, max_pressure_mpa, 0.0));
     all

@@ -117,7 +117,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         }
         let with = value.as_ref().map_or_else(String::new, |v| format!("with {v}: "));
         said.extend(
-            moved.warnings(&motion, drive).into_iter().map(|text| Warning::Said(with.clone() + &text)),
+            moved.warnings(&motion, drive).into_iter().map(|text| Warning::from(with.clone() + &text)),
         );
         let mut run = MotionRun { value: value.clone(), motion, end: EndUncertainty::default() };
         moved.end_uncertainty(&mut run, drive);

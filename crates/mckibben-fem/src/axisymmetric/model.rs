@@ -8,8 +8,7 @@ use crate::FemError;
 use crate::simulation::{Divided, FiniteElements, Given};
 use crate::solver::continuation::Continuation;
 use mckibben::model::{
-    self, Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, Reference, Slopes, ThickWall,
-    Workspace,
+    self, Accuracy, Extensions, ForceModel, ModelEntry, ModelError, Reference, Slopes, ThickWall, Workspace,
 };
 use mckibben::muscle::Muscle;
 use std::sync::Arc;
@@ -101,8 +100,7 @@ impl Divided for MuscleSection {
 
     fn extensions(model: &Axisymmetric) -> Extensions<'_> {
         let slopes = model.divided.discretisation.has_slopes().then_some(model as &dyn Slopes);
-        let inverse = Some(model as &dyn Inverse);
-        Extensions { inverse, slopes, mesh: Some(model), contact: Some(model), ..Extensions::default() }
+        Extensions { slopes, mesh: Some(model), contact: Some(model), ..Extensions::default() }
     }
 
     /// Soft strands let the pull rise and fall again with the pressure; the smaller of two is near that of the infinitely long muscle.

@@ -87,7 +87,7 @@ impl Divided for MuscleMesh {
 
     fn extensions(model: &ThreeDimensional) -> Extensions<'_> {
         let companion = Some(&model.divided.limit as _);
-        Extensions { inverse: Some(model), mesh: Some(model), companion, ..Extensions::default() }
+        Extensions { mesh: Some(model), companion, ..Extensions::default() }
     }
 }
 
