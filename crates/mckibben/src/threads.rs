@@ -87,11 +87,11 @@ impl Threads {
     pub fn fill<T: Send>(&self, out: &mut [T], places: usize, work: impl Fn(usize, &mut [T]) + Sync) {
         let places = places.max(1);
         if out.len() <= places {
-            return work(0, out);
+            return out.chunks_mut(places).for_each(|part| work(0, part));
         }
         let parts: Vec<Mutex<&mut [T]>> = out.chunks_mut(places).map(Mutex::new).collect();
-        self.each(parts.len(), &|index| {
-            work(index * places, &mut parts[index].lock().unwrap_or_else(PoisonError::into_inner));
+        self.each(parts.len(), &|i| {
+            work(i * places, &mut parts[i].lock().unwrap_or_else(PoisonError::into_inner));
         });
     }
 
