@@ -125,7 +125,8 @@ impl Body {
     /// A body at rest.
     pub fn new(discretisation: impl Into<Arc<Discretisation>>) -> Self {
         let discretisation = discretisation.into();
-        let state = discretisation.rest();
+        let tensions = STRAND_POINTS * discretisation.strands.len();
+        let state = State::rest(discretisation.layout.unknowns(), 0, tensions);
         Self {
             assembled: Assembled::new(&discretisation),
             end: EndSystem::new(&discretisation),
