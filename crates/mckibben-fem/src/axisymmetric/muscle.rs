@@ -103,8 +103,8 @@ impl body::Body for Body {
 
     /// The pressure at which the infinitely long muscle begins to pull.
     fn pulling_pressure(&self, contraction: f64) -> Option<f64> {
-        let (endless, high) = (self.endless.as_ref()?, self.discretisation.shear);
-        let pull = |p: f64| endless.force_n(&mut Workspace::new(), p, contraction).ok();
+        let high = self.discretisation.shear;
+        let pull = |p: f64| body::Body::expected_pull(self, p, contraction);
         let push = pull(0.0)?;
         let slope = (pull(high)? - push) / high;
         (slope > 0.0).then(|| (-push / slope).max(0.0))
