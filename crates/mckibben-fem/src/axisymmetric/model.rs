@@ -5,6 +5,7 @@ use super::discretisation::{Discretisation, Memory, Problem};
 use super::mesh::{Mesh, MeshSpec};
 use super::sensitivity;
 use crate::FemError;
+use crate::results::Sensitivity;
 use crate::simulation::{Divided, FiniteElements, Given};
 use mckibben::model::{
     self, Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, Reference, Slopes, ThickWall,
@@ -125,12 +126,12 @@ impl Slopes for Axisymmetric {
             c.body.tangent()?;
             sensitivity::of(&mut c.body, self.muscle(), |name| names.iter().any(|n| n == name))
         };
-        let known = match known() {
-            Ok(known) => known,
-            Err(error) => return Some(Err(error.into())),
+        let one = |known: &[Sensitivity], name: &String| {
+            known.iter().find(|s| s.name == *name).map(|s| s.force_n_per_unit)
         };
-        let one = |name: &String| known.iter().find(|s| s.name == *name).map(|s| s.force_n_per_unit);
-        names.iter().map(one).collect::<Option<Vec<f64>>>().map(Ok)
+        let all =
+            known().map(|known| names.iter().map(|name| one(&known, name)).collect::<Option<Vec<f64>>>());
+        all.map_err(ModelError::from).transpose()
     }
 }
 

@@ -61,8 +61,9 @@ impl body::Body for Body {
 
     fn unstable_directions(&self) -> usize {
         let l = self.discretisation.layout;
-        let negative_end =
-            (0..self.end.free.len()).filter(|&i| self.end.matrix[i * (self.end.size() + 1)] < 0.0).count();
+        let negative_end = (0..self.end.free.len())
+            .filter(|&i| self.end.matrix[i * (self.end.free.len() + 2)] < 0.0)
+            .count();
         let multipliers = l.inside() - l.station();
         (self.assembled.chain.negative + negative_end).saturating_sub(multipliers * l.along)
     }
