@@ -2,7 +2,7 @@
 
 use super::{BAND, caption};
 use crate::{CurveAnswer, LoadAnswer, Model, Units, percent};
-use mckibben::curve::{Curve, CurvePoint, Test};
+use mckibben::curve::{Curve, CurvePoint, Test, curves as family};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::{answer::Options, study::Study};
 use mckibben_design::{Candidate, OperatingPoint};
@@ -117,10 +117,8 @@ fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> 
         let r = &e.answer.response;
         (r.contraction, u.force.value(r.force_n))
     });
-    (
-        Series::new("", line).style(Style::Dashed).neutral(),
-        Series::new("", points).style(Style::Points).neutral(),
-    )
+    let of = |points, style| Series::new("", points).style(style).neutral();
+    (of(line, Style::Dashed), of(points.collect(), Style::Points))
 }
 
 pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &Units) -> Figure {
@@ -176,14 +174,7 @@ pub fn design(
             if pressure == needed && needed > 0.995 * max_pressure_mpa {
                 continue;
             }
-            for curve in mckibben::curve::curves(
-                model.as_ref(),
-                &mut workspace,
-                Test::Isobaric,
-                &[pressure],
-                &along,
-                options,
-            ) {
+            for curve in family(&**model, &mut workspace, Test::Isobaric, &[pressure], &along, options) {
                 if i == 0 && pressure == max_pressure_mpa {
                     first_band = band(&curve, Test::Isobaric, u).map(|band| band.colour(0));
                 }
@@ -240,9 +231,8 @@ pub fn compare(
     let (mut bands, mut formulas) = (vec![], vec![]);
     for (number, (model, workspace)) in models.into_iter().enumerate() {
         let colour = model_colour(&model.info().name, &mut formulas);
-        let family =
-            mckibben::curve::curves(model, workspace, Test::Isobaric, pressures, contractions, options);
-        for (i, curve) in family.iter().enumerate() {
+        let isobars = family(model, workspace, Test::Isobaric, pressures, contractions, options);
+        for (i, curve) in isobars.iter().enumerate() {
             let label = if i == 0 { &*model.info().name } else { "" };
             let style =
                 [Style::Line, Style::Dashed, Style::Dotted, Style::DashDot][(colour + colour / 4) % 4];
@@ -257,10 +247,8 @@ pub fn compare(
         }
     }
     if !measured.is_empty() {
-        panel = panel.series(
-            Series::scatter("measured", measured.iter().map(|m| (m.contraction, u.force.value(m.force_n))))
-                .colour(COLOURS),
-        );
+        let dots = measured.iter().map(|m| (m.contraction, u.force.value(m.force_n)));
+        panel = panel.series(Series::scatter("measured", dots).colour(COLOURS));
     }
     let said = if bands.is_empty() { "" } else { BAND };
     let said = said.replace("band", "band of the first model");
