@@ -118,10 +118,8 @@ fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> 
         let r = &e.answer.response;
         (r.contraction, u.force.value(r.force_n))
     });
-    (
-        Series::new("", line).style(Style::Dashed).neutral(),
-        Series::new("", points).style(Style::Points).neutral(),
-    )
+    let of = |points, style| Series::new("", points).style(style).neutral();
+    (of(line, Style::Dashed), of(points.collect(), Style::Points))
 }
 
 pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &Units) -> Figure {
@@ -252,10 +250,8 @@ pub fn compare(
         }
     }
     if !measured.is_empty() {
-        panel = panel.series(
-            Series::scatter("measured", measured.iter().map(|m| (m.contraction, u.force.value(m.force_n))))
-                .colour(COLOURS),
-        );
+        let dots = measured.iter().map(|m| (m.contraction, u.force.value(m.force_n)));
+        panel = panel.series(Series::scatter("measured", dots).colour(COLOURS));
     }
     let said = if bands.is_empty() { "" } else { BAND };
     let said = said.replace("band", "band of the first model");
