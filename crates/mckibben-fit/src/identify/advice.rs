@@ -254,18 +254,13 @@ pub(super) fn after(found: &Identification, request: &Request<'_>) -> Vec<String
     notes.extend(misfit(found));
     notes.extend(pattern(&found.points));
     notes.extend(slack(found, request.build));
-    let has = |t: Target| found.parameter(t).is_some();
-    if has(Target::ContractionOffset) {
-        notes.push("a muscle file cannot hold contraction_offset: add it to your contractions".into());
-    }
-    if has(Target::DeadVolume) {
-        notes.push("a muscle file cannot hold dead_volume: subtract it from your volumes".into());
-    }
-    if has(Target::StiffnessExponent) {
-        notes.push(
-            "a muscle file cannot hold braid.stiffness_exponent: it states k at its own diameter".into(),
-        );
-    }
+    let not_in_a_file = [
+        (Target::ContractionOffset, "contraction_offset: add it to your contractions"),
+        (Target::DeadVolume, "dead_volume: subtract it from your volumes"),
+        (Target::StiffnessExponent, "braid.stiffness_exponent: it states k at its own diameter"),
+    ];
+    let found_too = not_in_a_file.iter().filter(|(target, _)| found.parameter(*target).is_some());
+    notes.extend(found_too.map(|(_, what)| format!("a muscle file cannot hold {what}")));
     notes
 }
 

@@ -247,32 +247,12 @@ impl<'a> Problem<'a> {
 
     /// Names whose ∂F is needed.
     fn names(&self, candidate: &Candidate) -> Vec<String> {
-        let muscle = candidate.muscle();
         let mut names: Vec<String> = vec![];
-        let mut add = |name: String| {
-            if !names.contains(&name) {
-                names.push(name);
-            }
-        };
         for target in self.free {
-            match target {
-                Target::Modulus => {
-                    let constants = muscle.tube().rubber.law.constants();
-                    constants
-                        .iter()
-                        .filter(|c| c.constant.is_modulus())
-                        .for_each(|c| add(format!("tube.material.{}", c.name)));
+            for (name, _) in chain_rule(*target, 1.0, candidate.muscle(), candidate) {
+                if !names.contains(&name) {
+                    names.push(name);
                 }
-                Target::StiffnessExponent => add("braid.stiffness".into()),
-                Target::Measure(m) if **m == OUTER_DIAMETER => {
-                    add(m.key.into());
-                    if candidate.family().is_some() {
-                        add("braid.stiffness".into());
-                    }
-                }
-                Target::Measure(m) if m.section() == "friction" => {}
-                Target::ContractionOffset | Target::DeadVolume => {}
-                other => add(other.name(muscle)),
             }
         }
         names
@@ -297,25 +277,8 @@ impl<'a> Problem<'a> {
         let muscle = m.muscle();
         let friction = muscle.friction().copied();
         let sign = point.at.direction().sign();
-        let (d, s) = (muscle.outer_diameter_mm(), &point.section);
         let one = |(&target, &v): (&Target, &f64)| match target {
-            Target::Modulus => {
-                let constants = muscle.tube().rubber.law.constants();
-                let moduli = constants.iter().filter(|c| c.constant.is_modulus());
-                moduli.map(|c| c.value / v * of(&format!("tube.material.{}", c.name))).sum()
-            }
-            Target::Stiffness => {
-                let at = candidate.family().map_or(1.0, |f| f.ratio(d).powf(f.exponent));
-                of("braid.stiffness") * at
-            }
-            Target::StiffnessExponent => {
-                candidate.family().map_or(0.0, |f| of("braid.stiffness") * f.at(d) * f.ratio(d).ln())
-            }
-            Target::Measure(m) if s.states(m) => 0.0,
-            Target::Measure(m) if *m == OUTER_DIAMETER => {
-                let through = candidate.family().map_or(0.0, |f| f.exponent * f.at(d) / d);
-                of(m.key) + of("braid.stiffness") * through
-            }
+            Target::Measure(m) if point.section.states(m) => 0.0,
             Target::Measure(m) if m.section() == "friction" => {
                 let by_law = |f: Friction| match m {
                     m if *m == FRICTION_COEFFICIENT => sign * p.powf(f.exponent),
@@ -327,10 +290,31 @@ impl<'a> Problem<'a> {
             }
             // Held against ε + offset: where ε is what is sought, only the pull's slope by it remains.
             Target::ContractionOffset => here.by_contraction,
-            Target::DeadVolume => 0.0,
-            Target::Law(_) | Target::Measure(_) => of(&target.name(muscle)),
+            other => chain_rule(other, v, muscle, candidate).iter().map(|(n, factor)| factor * of(n)).sum(),
         };
         Ok(self.free.iter().zip(x).map(one).collect())
+    }
+}
+
+/// ∂F/∂θ of a target with the value v: names of which the model knows ∂F, each with the factor of it.
+fn chain_rule(target: Target, v: f64, muscle: &Muscle, candidate: &Candidate) -> Vec<(String, f64)> {
+    let (d, family) = (muscle.outer_diameter_mm(), candidate.family());
+    let by_stiffness = |factor: f64| ("braid.stiffness".to_owned(), factor);
+    match target {
+        Target::Modulus => {
+            let constants = muscle.tube().rubber.law.constants().into_iter();
+            let moduli = constants.filter(|c| c.constant.is_modulus());
+            moduli.map(|c| (format!("tube.material.{}", c.name), c.value / v)).collect()
+        }
+        Target::Stiffness => vec![by_stiffness(family.map_or(1.0, |f| f.ratio(d).powf(f.exponent)))],
+        Target::StiffnessExponent => vec![by_stiffness(family.map_or(0.0, |f| f.at(d) * f.ratio(d).ln()))],
+        Target::Measure(m) if *m == OUTER_DIAMETER => {
+            let through = family.map(|f| by_stiffness(f.exponent * f.at(d) / d));
+            [(m.key.to_owned(), 1.0)].into_iter().chain(through).collect()
+        }
+        Target::Measure(m) if m.section() == "friction" => vec![],
+        Target::ContractionOffset | Target::DeadVolume => vec![],
+        Target::Law(_) | Target::Measure(_) => vec![(target.name(muscle), 1.0)],
     }
 }
 

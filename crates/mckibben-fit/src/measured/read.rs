@@ -238,9 +238,8 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
     let weights = table.some_numbers(Meaning::Weight)?;
     let errors =
         [Meaning::ForceError, Meaning::ContractionError, Meaning::PressureError, Meaning::VolumeError];
-    let stated = errors.map(|meaning| table.some_numbers(meaning));
-    let [force, contraction, pressure, volume] = stated;
-    let stated = [force?, contraction?, pressure?, volume?];
+    let stated =
+        errors.map(|meaning| table.some_numbers(meaning)).into_iter().collect::<Result<Vec<_>, _>>()?;
     let volumes = above_zero(table, Meaning::Volume, "is not a volume of a muscle; it must be above zero")?;
     // Where nothing else was read, the volumes were.
     let alone = table.column(Meaning::Force).is_none() && table.column(Meaning::Volume).is_some();
@@ -286,12 +285,8 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
             return Err(refused(row, Meaning::Weight, "is not a valid weight; it must not be below zero"));
         }
         let at = MeasuredPoint { pressure_mpa: 0.0, contraction: 0.0, force_n: 0.0, branch };
-        let section = Section {
-            outer_diameter_mm: diameters[row],
-            wall_mm: walls[row],
-            length_mm: None,
-            angle_deg: angles[row],
-        };
+        let (outer_diameter_mm, wall_mm, angle_deg) = (diameters[row], walls[row], angles[row]);
+        let section = Section { outer_diameter_mm, wall_mm, length_mm: None, angle_deg };
         let volume_mm3 = volumes[row].filter(|_| measured == Quantity::Volume);
         let weight = weights[row].unwrap_or(1.0);
         Ok(DataPoint { at, measured, volume_mm3, error, weight, section, line, set: 0 })

@@ -1,8 +1,8 @@
 //! What is there already, and whether it belongs to a plan.
 
 use super::run::{Counts, Outcome, Recomputed};
-use super::store::{Folder, MARKER, Opened, PartSource, Provenance, Which};
-use super::{CampaignError, Result};
+use super::{Folder, MARKER, Opened, PartSource, Provenance, Which};
+use crate::campaign::{CampaignError, Result};
 use mckibben::threads::Threads;
 use mckibben_io::files::{Unfinished, read};
 use serde::{Deserialize, Serialize};
