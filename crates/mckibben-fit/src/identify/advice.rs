@@ -125,13 +125,7 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     ratios.sort_by(f64::total_cmp);
     let (middle, high) = (ratios[ratios.len() / 2], ratios[9 * ratios.len() / 10]);
     let highest = points.iter().map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
-    let times = |r: f64| {
-        format!(
-            "the forces are about {} times those of an ideal muscle of these measures, which no rubber explains: ",
-            show(r)
-        )
-    };
-    if middle > 2.5 {
+    let (ratio, why) = if middle > 2.5 {
         let why = if highest < 0.06 {
             format!(
                 "the highest pressure is {} MPa; if the column holds bar or MPa under another name, rename it (pressure_bar, pressure_mpa)",
@@ -144,9 +138,8 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
         } else {
             "is force_n in N (1 kgf is 9.81 N), and is the diameter in mm?".into()
         };
-        return Some(times(middle) + &why);
-    }
-    if high < 0.12 {
+        (middle, why)
+    } else if high < 0.12 {
         let why = if highest > 30.0 {
             format!("pressures reach {} MPa; if they are kPa, name the column pressure_kpa", show(highest))
         } else if highest > 1.5 {
@@ -157,9 +150,14 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
             "is force_n in kgf (multiply by 9.81) or lbf (by 4.45), or the diameter in other units than mm?"
                 .into()
         };
-        return Some(times(high) + &why);
-    }
-    None
+        (high, why)
+    } else {
+        return None;
+    };
+    Some(format!(
+        "the forces are about {} times those of an ideal muscle of these measures, which no rubber explains: {why}",
+        show(ratio)
+    ))
 }
 
 /// Pulls past the contraction at which the ideal muscle ends.
@@ -356,19 +354,17 @@ fn correlated(found: &Identification) -> Vec<String> {
 }
 
 fn misfit(found: &Identification) -> Option<String> {
-    if !found.errors_stated {
-        return None;
-    }
-    let s = found.deviation;
-    if s > 1.5 {
-        Some(format!(
+    match found.deviation {
+        _ if !found.errors_stated => None,
+        s if s > 1.5 => Some(format!(
             "the residuals are {} times the stated errors: the model does not explain the data, or the errors are larger",
             show(s)
-        ))
-    } else if s < 0.5 {
-        Some(format!("the residuals are only {} of the stated errors: these are stated too large", show(s)))
-    } else {
-        None
+        )),
+        s if s < 0.5 => Some(format!(
+            "the residuals are only {} of the stated errors: these are stated too large",
+            show(s)
+        )),
+        _ => None,
     }
 }
 
@@ -410,12 +406,8 @@ fn slack(found: &Identification, build: &Build<'_>) -> Option<String> {
     let limit = (2.0 * found.rms_n).max(1e-3);
     let pulls = |p: &&DataPoint| {
         let e = p.at.contraction + found.candidate.contraction_offset;
-        let force = found
-            .candidate
-            .of_section(&p.section)
-            .ok()
-            .and_then(|m| build(&m).ok())
-            .and_then(|m| m.force_n(&mut Workspace::new(), p.at.pressure_mpa, e).ok());
+        let model = found.candidate.of_section(&p.section).ok().and_then(|m| build(&m).ok());
+        let force = model.and_then(|m| m.force_n(&mut Workspace::new(), p.at.pressure_mpa, e).ok());
         force.is_some_and(|f| f > limit)
     };
     let wrong: Vec<u64> = found.slack.iter().filter(pulls).map(|p| p.line).collect();

@@ -88,12 +88,10 @@ impl Target {
             return Ok(*t);
         }
         let known: Vec<String> = all.iter().map(|t| t.name(muscle)).collect();
-        let list: Vec<&str> = known.iter().map(String::as_str).collect();
-        let nearest = nearest(given, list.iter().copied()).map(str::to_owned);
+        let meant = meant(nearest(given, known.iter().map(String::as_str)));
+        let known = known.join(", ");
         Err(ParameterError(format!(
-            "`{given}` cannot be identified{}; the parameters of this muscle are {known}",
-            meant(nearest.as_deref()),
-            known = known.join(", ")
+            "`{given}` cannot be identified{meant}; the parameters of this muscle are {known}"
         )))
     }
 

@@ -16,13 +16,13 @@ use super::{Candidate, Request, Target};
 use crate::least_squares::Residuals;
 use crate::measured::{DataPoint, Quantity, Section};
 use mckibben::analysis::{force_on, friction_on, response_on, slope_by_pressure, stiffness_of};
-use mckibben::model::{ForceModel, ModelError, Workspace};
+use mckibben::model::{ForceModel, ModelError, Result, Workspace};
 use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, OUTER_DIAMETER};
 use mckibben::muscle::{BraidStiffness, Direction, Friction, Muscle};
 use mckibben::threads;
 
 /// Makes the model of a muscle.
-pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
+pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>> + Sync + 'a;
 
 /// Rows of one muscle that one model answers, in an order that suits a model with a memory.
 struct Chunk {
@@ -55,13 +55,7 @@ struct Local {
     by_pressure: f64,
 }
 
-fn local(
-    m: &dyn ForceModel,
-    w: &mut Workspace,
-    p: f64,
-    e: f64,
-    branch: Direction,
-) -> Result<Local, ModelError> {
+fn local(m: &dyn ForceModel, w: &mut Workspace, p: f64, e: f64, branch: Direction) -> Result<Local> {
     let r = response_on(m, w, p, e, branch)?;
     let by_contraction = -stiffness_of(m, w, &r, branch)? * m.muscle().length_mm();
     let by_pressure = slope_by_pressure(m, w, &r, branch)?;
@@ -69,12 +63,7 @@ fn local(
 }
 
 /// Newton's method for what was read, from where it was read.
-fn found(
-    m: &dyn ForceModel,
-    w: &mut Workspace,
-    point: &DataPoint,
-    offset: f64,
-) -> Result<(f64, f64, Local), ModelError> {
+fn found(m: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, offset: f64) -> Result<(f64, f64, Local)> {
     let at = &point.at;
     let (mut p, mut e) = (at.pressure_mpa, at.contraction + offset);
     const STEPS: usize = 30;
@@ -133,7 +122,7 @@ impl<'a> Problem<'a> {
     }
 
     /// Residual of every point in N, or why it has none.
-    pub fn rows(&self, x: &[f64]) -> Option<Vec<Result<f64, ModelError>>> {
+    pub fn rows(&self, x: &[f64]) -> Option<Vec<Result<f64>>> {
         let candidate = self.candidate(x)?;
         let shares = self.shares(&candidate);
         let offset = candidate.contraction_offset;
@@ -173,9 +162,9 @@ impl<'a> Problem<'a> {
     fn over_rows<T: Send>(
         &self,
         candidate: &Candidate,
-        one: impl Fn(&dyn ForceModel, &mut Workspace, usize) -> Result<T, ModelError> + Sync,
-    ) -> Option<Vec<Result<T, ModelError>>> {
-        let of_chunk = |chunk: &Chunk| -> Option<Vec<Result<T, ModelError>>> {
+        one: impl Fn(&dyn ForceModel, &mut Workspace, usize) -> Result<T> + Sync,
+    ) -> Option<Vec<Result<T>>> {
+        let of_chunk = |chunk: &Chunk| -> Option<Vec<Result<T>>> {
             if self.request.progress.cancelled() {
                 return None;
             }
@@ -185,7 +174,7 @@ impl<'a> Problem<'a> {
             Some(chunk.rows.iter().map(|&i| one(model.as_ref(), &mut w, i)).collect())
         };
         let lists = threads::map(&self.chunks, of_chunk);
-        let mut out: Vec<Option<Result<T, ModelError>>> = self.points.iter().map(|_| None).collect();
+        let mut out: Vec<Option<Result<T>>> = self.points.iter().map(|_| None).collect();
         for (chunk, list) in self.chunks.iter().zip(lists) {
             for (&i, value) in chunk.rows.iter().zip(list?) {
                 out[i] = Some(value);
@@ -267,7 +256,7 @@ impl<'a> Problem<'a> {
         x: &[f64],
         names: &[String],
         (p, e, here): (f64, f64, &Local),
-    ) -> Result<Vec<f64>, ModelError> {
+    ) -> Result<Vec<f64>> {
         let not_known =
             || ModelError::NotFinite { model: m.info().name.to_string(), pressure_mpa: p, contraction: e };
         let own = m.extensions().slopes.and_then(|own| own.force_by(w, p, e, names));
@@ -320,7 +309,7 @@ fn chain_rule(target: Target, v: f64, muscle: &Muscle, candidate: &Candidate) ->
 
 impl Residuals for Problem<'_> {
     fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
-        self.rows(x)?.into_iter().collect::<Result<Vec<f64>, ModelError>>().ok()
+        self.rows(x)?.into_iter().collect::<Result<Vec<f64>>>().ok()
     }
 
     fn by_unknowns(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
@@ -349,7 +338,7 @@ impl Residuals for Problem<'_> {
             };
             Ok(slopes.into_iter().map(|s| factor * s).collect::<Vec<f64>>())
         })?;
-        let rows = rows.into_iter().collect::<Result<Vec<Vec<f64>>, ModelError>>().ok()?;
+        let rows = rows.into_iter().collect::<Result<Vec<Vec<f64>>>>().ok()?;
         Some((0..x.len()).map(|c| rows.iter().map(|r| r[c]).collect()).collect())
     }
 }
