@@ -17,7 +17,7 @@ mod tests;
 
 pub use error::CampaignError;
 use error::Result;
-pub use plan::{Inputs, Plan, Testing};
+pub use plan::{Inputs, Plan, Sampling, Testing};
 pub use solve::compute;
 #[cfg(feature = "store")]
 pub use store::{

@@ -271,10 +271,7 @@ fn never_locks(found: &Identification, target: Target) -> Option<&'static str> {
 
 fn unidentifiable(found: &Identification) -> Vec<String> {
     let one = |p: &super::Identified| {
-        if p.identifiable {
-            return None;
-        }
-        Some(if p.implausible {
+        if p.implausible {
             format!(
                 "{} {} {} gives an end displacement of more than 0.3 of the outer diameter, more than that of any known muscle: it is not determined; an error in another constant (length, angle, modulus) is more likely",
                 p.name,
@@ -314,9 +311,9 @@ fn unidentifiable(found: &Identification) -> Vec<String> {
                 show(p.half_width),
                 limit.trim()
             )
-        })
+        }
     };
-    found.parameters.iter().filter_map(one).collect()
+    found.parameters.iter().filter(|p| !p.identifiable).map(one).collect()
 }
 
 /// A modulus that was found and is that of no rubber.

@@ -12,7 +12,7 @@
 //! ([`Slopes`](mckibben::model::Slopes)) where it has one and no volumes were read.
 
 use super::history::shares;
-use super::{Candidate, Request, Target};
+use super::{Candidate, Parameter, Request, Target};
 use crate::least_squares::Residuals;
 use crate::measured::{DataPoint, Quantity, Section};
 use mckibben::analysis::{force_on, friction_on, response_on, slope_by_pressure, stiffness_of};
@@ -34,10 +34,12 @@ struct Chunk {
 const PARTS: usize = 4;
 const LEAST: usize = 24;
 
+/// Points that count, and all rows in time order.
+type Rows<'a> = (&'a [DataPoint], Option<&'a [DataPoint]>);
+
 /// What is to be made small.
 pub struct Problem<'a> {
     request: &'a Request<'a>,
-    free: &'a [Target],
     points: &'a [DataPoint],
     /// All rows in time order, where the friction has their history.
     history: Option<&'a [DataPoint]>,
@@ -91,21 +93,9 @@ fn found(m: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, offset: f64) 
 
 impl<'a> Problem<'a> {
     /// A problem of points, and of all rows in time order where the friction has their history; `start`: values of the free targets.
-    pub fn new(
-        request: &'a Request<'a>,
-        free: &'a [Target],
-        (points, history): (&'a [DataPoint], Option<&'a [DataPoint]>),
-        start: &[f64],
-    ) -> Self {
-        let mut out = Self {
-            request,
-            free,
-            points,
-            history,
-            chunks: chunks(points),
-            scales: [1.0; 4],
-            analytic: false,
-        };
+    pub fn new(request: &'a Request<'a>, (points, history): Rows<'a>, start: &[f64]) -> Self {
+        let (chunks, scales) = (chunks(points), [1.0; 4]);
+        let mut out = Self { request, points, history, chunks, scales, analytic: false };
         out.scales = out.mean_slopes(start).unwrap_or([1.0; 4]);
         out.analytic = out.knows_derivatives(start);
         out
@@ -216,7 +206,7 @@ impl<'a> Problem<'a> {
         // A braid that follows from the measures of the muscle has another derivative by these.
         let follows =
             matches!(candidate.muscle().braid().stiffness, BraidStiffness::Paper | BraidStiffness::OfStrands);
-        if follows && self.free.iter().any(|t| t.is_geometry()) {
+        if follows && self.request.free.iter().any(|p| p.target.is_geometry()) {
             return false;
         }
         // Friction from contact depends on all that is sought.
@@ -237,8 +227,8 @@ impl<'a> Problem<'a> {
     /// Names whose ∂F is needed.
     fn names(&self, candidate: &Candidate) -> Vec<String> {
         let mut names: Vec<String> = vec![];
-        for target in self.free {
-            for (name, _) in chain_rule(*target, 1.0, candidate.muscle(), candidate) {
+        for free in self.request.free {
+            for (name, _) in chain_rule(free.target, 1.0, candidate.muscle(), candidate) {
                 if !names.contains(&name) {
                     names.push(name);
                 }
@@ -266,7 +256,7 @@ impl<'a> Problem<'a> {
         let muscle = m.muscle();
         let friction = muscle.friction().copied();
         let sign = point.at.direction().sign();
-        let one = |(&target, &v): (&Target, &f64)| match target {
+        let one = |(free, &v): (&Parameter, &f64)| match free.target {
             Target::Measure(m) if point.section.states(m) => 0.0,
             Target::Measure(m) if m.section() == "friction" => {
                 let by_law = |f: Friction| match m {
@@ -281,7 +271,7 @@ impl<'a> Problem<'a> {
             Target::ContractionOffset => here.by_contraction,
             other => chain_rule(other, v, muscle, candidate).iter().map(|(n, factor)| factor * of(n)).sum(),
         };
-        Ok(self.free.iter().zip(x).map(one).collect())
+        Ok(self.request.free.iter().zip(x).map(one).collect())
     }
 }
 

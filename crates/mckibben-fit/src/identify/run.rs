@@ -170,7 +170,7 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     (request.build)(first.muscle()).map_err(IdentifyError::Model)?;
 
     let history = request.history.then_some(request.points);
-    let of = |points| Problem::new(request, &free, (points, history), &start);
+    let of = |points| Problem::new(request, (points, history), &start);
     let problem = of(&given);
     // Residuals at the start, point by point.
     let rows = problem.rows(&start).ok_or(IdentifyError::Estimate(EstimateError::Start))?;

@@ -175,11 +175,11 @@ pub(super) fn laws(form: Form, problem: &Problem, settings: &FitSettings) -> Res
         let quality = LawQuality { free_r_squared, ..held.quality };
         FittedLaw { quality, ..held }
     };
-    match fit(true).map(beside) {
-        Ok(held) if settings.stable => Ok(vec![held]),
-        Ok(held) => Ok(vec![free, held]),
-        Err(error) if settings.stable => Err(error),
-        Err(_) => Ok(vec![free]),
+    let held = fit(true).map(beside);
+    if settings.stable {
+        Ok(vec![held?])
+    } else {
+        Ok([Some(free), held.ok()].into_iter().flatten().collect())
     }
 }
 
