@@ -34,11 +34,7 @@ impl Limit {
     pub(super) fn missed_by(self, value: f64, bound: f64) -> f64 {
         match self {
             Self::Force | Self::BurstMargin => 1.0 - value / bound,
-            Self::BulgedDiameter
-            | Self::MaxStretch
-            | Self::StrandStrain
-            | Self::Buckling
-            | Self::LiquidVolume => value / bound - 1.0,
+            _ => value / bound - 1.0,
         }
     }
 }

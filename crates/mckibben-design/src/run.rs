@@ -126,7 +126,7 @@ fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Ve
 }
 
 /// The muscle with the diameter that the model which decides asks for.
-fn corrected(search: &Search<'_>, build: &Build<'_>, pick: Pick) -> Option<Pick> {
+fn corrected(search: &Search<'_>, build: &Build<'_>, mut pick: Pick) -> Option<Pick> {
     let Values::Interval(low, high) = &search.spec.outer_diameter_mm else { return Some(pick) };
     if search.tube(pick).is_some() {
         return Some(pick);
@@ -139,7 +139,8 @@ fn corrected(search: &Search<'_>, build: &Build<'_>, pick: Pick) -> Option<Pick>
         // At an edge that is not a bound of the search the best one lies beyond.
         let edge = (fit.x - from < 1e-3 * fit.x && from > *low) || (to - fit.x < 1e-3 * fit.x && to < *high);
         if !edge || width == WIDTHS[WIDTHS.len() - 1] {
-            return Some(pick.with_diameter(fit.x));
+            pick.d0 = fit.x;
+            return Some(pick);
         }
     }
     None

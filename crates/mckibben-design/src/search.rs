@@ -53,13 +53,6 @@ pub(super) struct Pick {
     s: f64,
 }
 
-impl Pick {
-    /// The same with another diameter.
-    pub(super) fn with_diameter(self, d0: f64) -> Self {
-        Self { d0, ..self }
-    }
-}
-
 /// A search of a specification with one model.
 pub(super) struct Search<'a> {
     pub(super) spec: &'a Spec,
