@@ -47,24 +47,19 @@ pub enum Actuator {
 }
 
 impl Actuator {
-    /// How it moves, of what has an opening.
-    pub(crate) fn kind(&self) -> Option<ValveKind> {
+    /// How its valve moves, with the hose behind it.
+    fn port(&self) -> Option<(ValveKind, Option<Hose>)> {
         match self {
-            Self::Valve(valve) => Some(valve.kind),
-            Self::LiquidValve(valve) => Some(valve.kind),
-            Self::Pump(pump) => Some(pump.kind),
+            Self::Valve(valve) => Some((valve.kind, valve.hose)),
+            Self::LiquidValve(valve) => Some((valve.kind, valve.line)),
+            Self::Pump(pump) => Some((pump.kind, pump.line)),
             Self::Regulator { .. } | Self::Syringe(_) => None,
         }
     }
 
-    /// What is between it and the muscle.
-    fn hose(&self) -> Option<Hose> {
-        match self {
-            Self::Valve(valve) => valve.hose,
-            Self::LiquidValve(valve) => valve.line,
-            Self::Pump(pump) => pump.line,
-            Self::Regulator { .. } | Self::Syringe(_) => None,
-        }
+    /// How it moves, of what has an opening.
+    pub(crate) fn kind(&self) -> Option<ValveKind> {
+        self.port().map(|port| port.0)
     }
 
     fn name(&self) -> &'static str {
@@ -114,7 +109,8 @@ impl<'a> Actuated<'a> {
             Actuator::Syringe(syringe) => (1.0 - opening.unwrap_or(0.0)) * syringe.volume_mm3,
             _ => 0.0,
         };
-        self.fluid.medium().dead_volume_mm3() + self.actuator.hose().map_or(0.0, |h| h.volume_mm3()) + syringe
+        let hose = self.actuator.port().and_then(|port| port.1);
+        self.fluid.medium().dead_volume_mm3() + hose.map_or(0.0, |h| h.volume_mm3()) + syringe
     }
 }
 
