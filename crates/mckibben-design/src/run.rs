@@ -5,6 +5,7 @@ use crate::limit::{Probe, probe};
 use crate::line::STEPS;
 use crate::relax::relaxations;
 use crate::search::{Pick, Search, SearchResult};
+use crate::trial::Trial;
 use crate::{Build, Candidate, Models, Reason, Rejected, Relaxation, Spec, SpecError};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{Progress, Silent};
@@ -111,7 +112,8 @@ fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Ve
         let muscle = search.muscle(pick).ok()?;
         let probe = probe(spec, build, &muscle).ok().filter(Probe::fits)?;
         let tube = search.tube(pick).map(|part| part.name.clone());
-        candidate(spec, build, &muscle, &probe).ok().map(|found| Candidate { tube, ..found })
+        let trial = Trial::new(spec, build, &muscle).ok()?;
+        candidate(trial, &probe).ok().map(|found| Candidate { tube, ..found })
     };
     let picks: Vec<Pick> = result.fits.iter().map(|f| f.1).collect();
     let mut found: Vec<Candidate> = threads::map(&picks, one).into_iter().flatten().collect();
