@@ -34,11 +34,7 @@ impl Limit {
     pub(super) fn missed_by(self, value: f64, bound: f64) -> f64 {
         match self {
             Self::Force | Self::BurstMargin => 1.0 - value / bound,
-            Self::BulgedDiameter
-            | Self::MaxStretch
-            | Self::StrandStrain
-            | Self::Buckling
-            | Self::LiquidVolume => value / bound - 1.0,
+            _ => value / bound - 1.0,
         }
     }
 }
@@ -99,17 +95,12 @@ impl Probe {
 
 /// Holds a muscle against a specification.
 pub(super) fn probe(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<Probe, ModelError> {
-    probe_with(spec, build, muscle, true)
+    probe_with(Trial::new(spec, build, muscle)?, true)
 }
 
 /// [`probe`]; without a score, which costs inverses, where it is not asked for.
-pub(super) fn probe_with(
-    spec: &Spec,
-    build: &Build<'_>,
-    muscle: &Muscle,
-    scored: bool,
-) -> Result<Probe, ModelError> {
-    let mut trial = Trial::new(spec, build, muscle)?;
+pub(super) fn probe_with(mut trial: Trial<'_>, scored: bool) -> Result<Probe, ModelError> {
+    let Trial { spec, muscle, .. } = trial;
     let max = spec.max_pressure_mpa;
     let mut checks = vec![];
     let points = spec.points(muscle);
@@ -167,7 +158,7 @@ pub(super) fn probe_with(
             bulge = bulge.max(full.bulged_diameter_mm.unwrap_or(0.0));
         }
     }
-    checks.extend(strands(&mut trial, muscle, &points)?);
+    checks.extend(strands(&mut trial, &points)?);
     let margin = points.iter().zip(&checks).map(|(q, c)| c.value / q.force_n - 1.0);
     let score = match spec.objective {
         Objective::Diameter => [muscle.outer_diameter_mm(), highest],
@@ -186,12 +177,9 @@ pub fn fits(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> bool {
 }
 
 /// What the strands bear at the maximum pressure, not shortened and at the operating points.
-pub(super) fn strands(
-    trial: &mut Trial<'_>,
-    muscle: &Muscle,
-    points: &[OperatingPoint],
-) -> Result<Vec<Check>, ModelError> {
-    let (limits, max) = (&trial.spec.limits, trial.spec.max_pressure_mpa);
+pub(super) fn strands(trial: &mut Trial<'_>, points: &[OperatingPoint]) -> Result<Vec<Check>, ModelError> {
+    let Trial { spec, muscle, .. } = *trial;
+    let (limits, max) = (&spec.limits, spec.max_pressure_mpa);
     let strength = strand_strength_n(muscle);
     let mut checks = vec![];
     let places = || std::iter::once(0.0).chain(points.iter().map(|q| q.contraction));

@@ -5,6 +5,7 @@ use crate::limit::{Probe, probe};
 use crate::line::STEPS;
 use crate::relax::relaxations;
 use crate::search::{Pick, Search, SearchResult};
+use crate::trial::Trial;
 use crate::{Build, Candidate, Models, Reason, Rejected, Relaxation, Spec, SpecError};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{Progress, Silent};
@@ -111,7 +112,8 @@ fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Ve
         let muscle = search.muscle(pick).ok()?;
         let probe = probe(spec, build, &muscle).ok().filter(Probe::fits)?;
         let tube = search.tube(pick).map(|part| part.name.clone());
-        candidate(spec, build, &muscle, &probe).ok().map(|found| Candidate { tube, ..found })
+        let trial = Trial::new(spec, build, &muscle).ok()?;
+        candidate(trial, &probe).ok().map(|found| Candidate { tube, ..found })
     };
     let picks: Vec<Pick> = result.fits.iter().map(|f| f.1).collect();
     let mut found: Vec<Candidate> = threads::map(&picks, one).into_iter().flatten().collect();
@@ -126,7 +128,7 @@ fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Ve
 }
 
 /// The muscle with the diameter that the model which decides asks for.
-fn corrected(search: &Search<'_>, build: &Build<'_>, pick: Pick) -> Option<Pick> {
+fn corrected(search: &Search<'_>, build: &Build<'_>, mut pick: Pick) -> Option<Pick> {
     let Values::Interval(low, high) = &search.spec.outer_diameter_mm else { return Some(pick) };
     if search.tube(pick).is_some() {
         return Some(pick);
@@ -139,7 +141,8 @@ fn corrected(search: &Search<'_>, build: &Build<'_>, pick: Pick) -> Option<Pick>
         // At an edge that is not a bound of the search the best one lies beyond.
         let edge = (fit.x - from < 1e-3 * fit.x && from > *low) || (to - fit.x < 1e-3 * fit.x && to < *high);
         if !edge || width == WIDTHS[WIDTHS.len() - 1] {
-            return Some(pick.with_diameter(fit.x));
+            pick.d0 = fit.x;
+            return Some(pick);
         }
     }
     None

@@ -53,13 +53,6 @@ pub(super) struct Pick {
     s: f64,
 }
 
-impl Pick {
-    /// The same with another diameter.
-    pub(super) fn with_diameter(self, d0: f64) -> Self {
-        Self { d0, ..self }
-    }
-}
-
 /// A search of a specification with one model.
 pub(super) struct Search<'a> {
     pub(super) spec: &'a Spec,
@@ -195,7 +188,8 @@ impl<'a> Search<'a> {
                 return none;
             }
         };
-        let Ok(probe) = probe_with(self.spec, build, &muscle, scored) else { return none };
+        let trial = Trial::new(self.spec, build, &muscle);
+        let Ok(probe) = trial.and_then(|trial| probe_with(trial, scored)) else { return none };
         let excess = probe.checks.iter().map(super::limit::Check::excess).collect();
         let sample = Sample { x: pick.d0, excess, score: probe.score };
         result.fitted += usize::from(sample.fits());
@@ -436,10 +430,10 @@ impl<'a> Search<'a> {
 
     /// Of a muscle without an answer at the maximum pressure: whether its strands stretch too far there, by the thick-wall model.
     fn overstretched(&self, muscle: &Muscle) -> Option<Reason> {
-        let thick = || Box::new(ThickWall::new(muscle));
-        let mut trial =
-            Trial { spec: self.spec, model: thick(), thick_wall: thick(), workspace: Workspace::new() };
-        match strands(&mut trial, muscle, &self.spec.points(muscle)) {
+        let (spec, thick) = (self.spec, || Box::new(ThickWall::new(muscle)));
+        let (model, thick_wall, workspace) = (thick(), thick(), Workspace::new());
+        let mut trial = Trial { spec, muscle, model, thick_wall, workspace };
+        match strands(&mut trial, &spec.points(muscle)) {
             Ok(checks) => checks.into_iter().find(|c| c.excess() > 0.0).map(Reason::Limit),
             Err(error @ ModelError::Overstretched { .. }) => Some(Reason::Model(error)),
             Err(_) => None,

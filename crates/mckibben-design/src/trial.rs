@@ -9,6 +9,7 @@ use mckibben::muscle::Muscle;
 
 pub(super) struct Trial<'a> {
     pub(super) spec: &'a Spec,
+    pub(super) muscle: &'a Muscle,
     pub(super) model: Box<dyn ForceModel>,
     pub(super) thick_wall: Box<dyn ForceModel>,
     pub(super) workspace: Workspace,
@@ -24,11 +25,11 @@ pub(super) struct Stroke {
 }
 
 impl<'a> Trial<'a> {
-    pub(super) fn new(spec: &'a Spec, build: &Build<'_>, muscle: &Muscle) -> Result<Self, ModelError> {
+    pub(super) fn new(spec: &'a Spec, build: &Build<'_>, muscle: &'a Muscle) -> Result<Self, ModelError> {
         // Of what is to end, not even the model is made.
         cancel::check()?;
         let (model, thick_wall) = (build(muscle)?, ModelKind::ThickWall.build(muscle)?);
-        Ok(Self { spec, model, thick_wall, workspace: Workspace::new() })
+        Ok(Self { spec, muscle, model, thick_wall, workspace: Workspace::new() })
     }
 
     /// Its model, ready to be asked.

@@ -250,9 +250,7 @@ impl From<MotionError> for Problem {
             MotionError::Muscle(error) => return error.clone().into(),
             MotionError::Model { error: model, .. } => Self::from((**model).clone()).kind,
             MotionError::Diverged(_) => ProblemKind::NotConverged,
-            MotionError::NoEquilibrium { .. }
-            | MotionError::NeverLifted { .. }
-            | MotionError::NoValve { .. } => ProblemKind::NoAnswer,
+            MotionError::NoAnswer(_) | MotionError::NeverLifted { .. } => ProblemKind::NoAnswer,
             _ => ProblemKind::File,
         };
         let hint = match error {
