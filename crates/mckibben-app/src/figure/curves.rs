@@ -8,7 +8,7 @@ use mckibben::model::{ForceModel, Workspace};
 use mckibben::study::Study;
 use mckibben_design::{Candidate, OperatingPoint};
 use mckibben_fit::compare::MeasuredPoint;
-use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
+use mckibben_report::{Axis, Figure, Mark, Palette, Panel, Series, Style};
 
 /// Six panels: isometric above, isotonic below.
 pub fn study(study: &Study, about: &str, u: &Units) -> Figure {
@@ -188,8 +188,7 @@ pub fn design(
     }
     for w in wanted {
         let label = format!("{} at {}", u.force.show(w.force_n), percent(w.contraction));
-        let point = [(w.contraction, u.force.value(w.force_n))];
-        panel = panel.series(Series::scatter(label, point).neutral());
+        panel = panel.mark(Mark::new(w.contraction, u.force.value(w.force_n), label));
     }
     let said = if first_band.is_some() { BAND } else { "" };
     let said = said.replace("band", "band of the first");
