@@ -2,7 +2,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use mckibben_design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design};
-use mckibben::model::{ForceModel, Inverse, ModelKind, ThickWall, Workspace};
+use mckibben::model::{ForceModel, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::units::Values;
 use std::hint::black_box;

@@ -3,7 +3,8 @@
 use crate::{Model, Problem, ProblemKind};
 use mckibben::analysis::{AnalysisError, Burst, FailureMode, NoBurst, burst};
 use mckibben::model::{ForceModel, ModelError};
-use mckibben::{cancel, muscle::Muscle, warning::Warning};
+use mckibben::warning::{Warning, WarningKind};
+use mckibben::{cancel, muscle::Muscle};
 use mckibben_build::highest_mpa;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -29,7 +30,7 @@ pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst, 
     let found = match burst(model) {
         Ok(found) => found,
         Err(AnalysisError::Model(ModelError::Cancelled(cancelled))) => return Err(cancelled.into()),
-        Err(_) => Burst::unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 }),
+        Err(_) => Burst::unknown(NoBurst::NoAnswer),
     };
     cancel::check()?;
     let mut list = list();
@@ -69,25 +70,24 @@ pub(crate) fn borne(found: &Burst, pressure_mpa: f64, overpressure: bool) -> Res
 
 /// What is said of a burst pressure where the largest pressure is `highest_mpa`; of one that is not known only above `quiet_mpa`.
 pub(crate) fn said_of(found: &Burst, highest_mpa: f64, quiet_mpa: f64) -> Vec<Warning> {
-    let pressure_mpa = highest_mpa;
     let above = match (found.first(), found.allowed()) {
         (Some((by, burst_mpa)), _) if highest_mpa >= burst_mpa => {
-            Some(Warning::Burst { pressure_mpa, burst_mpa, by })
+            Some(Warning::of_burst(highest_mpa, burst_mpa, by))
         }
         (_, Some((allowed_mpa, by))) if highest_mpa > allowed_mpa => {
-            Some(Warning::AboveAllowed { pressure_mpa, allowed_mpa, by })
+            Some(Warning::above_allowed(highest_mpa, allowed_mpa, by))
         }
         _ => None,
     };
-    let unknown = found.not_checked().filter(|_| highest_mpa > quiet_mpa).map(Warning::BurstNotChecked);
+    let unknown = found.not_checked().filter(|_| highest_mpa > quiet_mpa).map(Warning::burst_not_checked);
     above.into_iter().chain(unknown).collect()
 }
 
 /// Puts what is said of a burst before all other warnings, and takes out what it includes.
 pub(crate) fn put_first(warnings: &mut Vec<Warning>, said: impl IntoIterator<Item = Warning>) {
     let first = Warning::gravest(&said.into_iter().collect::<Vec<_>>());
-    if first.iter().any(|w| matches!(w, Warning::Burst { .. })) {
-        warnings.retain(|w| !matches!(w, Warning::StrandsBreak { .. }));
+    if first.iter().any(|w| w.kind == WarningKind::Burst) {
+        warnings.retain(|w| w.kind != WarningKind::StrandsBreak);
     }
     warnings.splice(..0, first);
 }

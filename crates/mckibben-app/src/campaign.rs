@@ -25,25 +25,14 @@ pub struct CampaignRequest {
 
 /// Runs a plan, or what is missing of it. A cancelled run ends well, with a valid store that is not complete.
 pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Outcome> {
-    let plan = request.read()?;
+    let file = request.plan.as_ref().ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
+    let plan = Plan::parse(&file.text).map_err(|e| e.of(Path::new(&file.name)))?;
     let out = request.output.as_ref().ok_or_else(|| Problem::missing("output", "a file or a folder"))?;
     plan.admit()?;
-    let shard = request.shard()?;
+    let wrong = |e| Problem::new(ProblemKind::Usage, e, "").in_field("shard");
+    let shard = request.shard.as_deref().map(str::parse::<Shard>).transpose().map_err(wrong)?;
     let options = RunOptions { shard, threads: request.threads, overwrite: request.overwrite };
     Ok(campaign::run(&plan, out, &options, progress)?)
-}
-
-impl CampaignRequest {
-    fn read(&self) -> Result<Plan> {
-        let file = self.plan.as_ref().ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
-        Ok(Plan::parse(&file.text).map_err(|e| e.of(Path::new(&file.name)))?)
-    }
-
-    fn shard(&self) -> Result<Option<Shard>> {
-        let wrong = |e| Problem::new(ProblemKind::Usage, e, "").in_field("shard");
-        let Some(text) = &self.shard else { return Ok(None) };
-        Ok(Some(text.parse().map_err(wrong)?))
-    }
 }
 
 /// A campaign to be summarised.

@@ -269,53 +269,48 @@ pub fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
 
 #[cfg(feature = "schema")]
 pub fn answer_schema<A: JsonSchema>() -> Value {
-    Root::of::<A>().schema(SchemaSettings::draft2020_12().for_serialize()).to_value()
+    schema_of(root::<A>(), SchemaSettings::draft2020_12().for_serialize()).to_value()
 }
 
 #[cfg(feature = "schema")]
 fn schemas<Q: JsonSchema, A: JsonSchema>() -> Value {
-    schemas_of(Root::of::<Q>(), Root::of::<A>())
+    schemas_of(root::<Q>(), root::<A>())
 }
 
 #[cfg(feature = "schema")]
 fn schemas_of(request: Root, answer: Root) -> Value {
     let settings = SchemaSettings::draft2020_12;
-    let requests = request.schema(settings().for_deserialize());
-    let answers = answer.schema(settings().for_serialize());
-    let problems = Root::of::<Problem>().schema(settings().for_serialize());
-    let mut all = json!({ "request": requests, "answer": answers, "error": problems });
+    let [answer, error] = [answer, root::<Problem>()].map(|of| schema_of(of, settings().for_serialize()));
+    let request = schema_of(request, settings().for_deserialize());
+    let mut all = json!({ "request": request, "answer": answer, "error": error });
     annotate(&mut all);
     all
 }
 
 /// A type by its functions, so that what makes a schema of it is compiled once for all types.
 #[cfg(feature = "schema")]
-struct Root {
-    name: fn() -> Cow<'static, str>,
-    own: fn(&mut SchemaGenerator) -> Schema,
-}
+type Root = (fn() -> Cow<'static, str>, fn(&mut SchemaGenerator) -> Schema);
 
 #[cfg(feature = "schema")]
-impl Root {
-    fn of<T: JsonSchema>() -> Self {
-        Self { name: T::schema_name, own: T::json_schema }
-    }
+fn root<T: JsonSchema>() -> Root {
+    (T::schema_name, T::json_schema)
+}
 
-    /// As schemars has it (`into_root_schema_for`), but that a type which contains itself is among its own definitions.
-    fn schema(self, settings: SchemaSettings) -> Schema {
-        let mut generator = settings.into_generator();
-        let mut schema = (self.own)(&mut generator);
-        let meta_schema = generator.settings().meta_schema.clone();
-        let definitions = generator.take_definitions(false);
-        let object = schema.ensure_object();
-        object.entry("title").or_insert_with(|| (self.name)().into());
-        object.extend(meta_schema.map(|meta| ("$schema".to_owned(), meta.into())));
-        if !definitions.is_empty() {
-            object.insert("$defs".into(), definitions.into());
-        }
-        generator.transforms_mut().for_each(|transform| transform.transform(&mut schema));
-        schema
+/// As schemars has it (`into_root_schema_for`), but that a type which contains itself is among its own definitions.
+#[cfg(feature = "schema")]
+fn schema_of((name, own): Root, settings: SchemaSettings) -> Schema {
+    let mut generator = settings.into_generator();
+    let mut schema = own(&mut generator);
+    let meta_schema = generator.settings().meta_schema.clone();
+    let definitions = generator.take_definitions(false);
+    let object = schema.ensure_object();
+    object.entry("title").or_insert_with(|| name().into());
+    object.extend(meta_schema.map(|meta| ("$schema".to_owned(), meta.into())));
+    if !definitions.is_empty() {
+        object.insert("$defs".into(), definitions.into());
     }
+    generator.transforms_mut().for_each(|transform| transform.transform(&mut schema));
+    schema
 }
 
 /// Request, answer and error of every command, and in `$defs`, once, what they refer to: all schemas in one document, for front ends that make

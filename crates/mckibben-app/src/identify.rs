@@ -346,28 +346,20 @@ impl IdentifyRequest {
         let diameters = measures("outer_diameters_mm", &self.outer_diameters_mm)?;
         let walls = measures("walls_mm", &self.walls_mm)?;
         check_count(&[pressures.len(), contractions.len(), diameters.len(), walls.len()], MOST_POINTS)?;
+        let sections = diameters.iter().flat_map(|&outer_diameter_mm| {
+            let of = move |&wall_mm| Section { outer_diameter_mm, wall_mm, ..Section::default() };
+            walls.iter().map(of)
+        });
+        let at: Vec<(f64, f64)> =
+            contractions.iter().flat_map(|&e| pressures.iter().map(move |&p| (p, e))).collect();
         let mut points = vec![];
-        for &outer_diameter_mm in &diameters {
-            for &wall_mm in &walls {
-                let section = Section { outer_diameter_mm, wall_mm, ..Section::default() };
-                let model = model.build(&section.apply(muscle)?)?;
-                let mut workspace = Workspace::new();
-                for &contraction in &contractions {
-                    for &pressure_mpa in &pressures {
-                        let force_n = model.force_n(&mut workspace, pressure_mpa, contraction)?;
-                        let at = MeasuredPoint {
-                            pressure_mpa,
-                            contraction,
-                            force_n,
-                            branch: Some(Direction::Mean),
-                        };
-                        points.push(DataPoint {
-                            section,
-                            line: points.len() as u64 + 2,
-                            ..DataPoint::of(at)
-                        });
-                    }
-                }
+        for section in sections {
+            let (model, mut workspace) = (model.build(&section.apply(muscle)?)?, Workspace::new());
+            for &(pressure_mpa, contraction) in &at {
+                let force_n = model.force_n(&mut workspace, pressure_mpa, contraction)?;
+                let branch = Some(Direction::Mean);
+                let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
+                points.push(DataPoint { section, line: points.len() as u64 + 2, ..DataPoint::of(at) });
             }
         }
         Ok(points)

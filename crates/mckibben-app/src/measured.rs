@@ -108,7 +108,7 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
         return Err(Problem::new(ProblemKind::Usage, message, hint));
     }
     let points: usize = cases.iter().map(|case| case.points.len() * case.fits.len()).sum();
-    let stresses: usize = stretched.iter().map(|case| case.len() * case.fits.len()).sum();
+    let stresses: usize = stretched.iter().map(|case| case.count() * case.fits.len()).sum();
     size::points("cases", (points + stresses) as f64)?;
     let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &MeshFields::default())?;
     let build = |muscle: &Muscle| model.build(muscle);
@@ -148,7 +148,7 @@ fn rubbers(
     let found = rubber::report(cases, progress)?;
     let of = |(number, case): (usize, &&RubberCase)| {
         let fits = found.iter().filter(|r| r.case == number).cloned().collect();
-        MeasuredRubber { facts: case.facts.clone(), points: case.len(), fits }
+        MeasuredRubber { facts: case.facts.clone(), points: case.count(), fits }
     };
     let stresses = found.iter().flat_map(|r| {
         let stress = |group: &RubberGroup| {

@@ -3,7 +3,7 @@
 use crate::{Direction, MeshFields, ModelFields, Problem, ProblemKind, Result, TextFile};
 use mckibben::formula::{Document, Formula, UniversalFormula};
 use mckibben::model::{
-    ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Paper, Universal, UnknownModel, with_ends,
+    ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Universal, UnknownModel, with_ends,
 };
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::MeshSpec;
@@ -89,7 +89,9 @@ impl Model {
     pub fn sections(&self) -> Option<((f64, f64), (f64, f64))> {
         match self {
             Self::Formula(f) => Some((f.range.outer_diameter_mm, f.range.wall_mm)),
-            Self::ClosedForm(ModelKind::Paper) => Some((Paper::DIAMETERS_MM, Paper::WALLS_MM)),
+            Self::ClosedForm(ModelKind::Paper) => {
+                Some((FormulaModel::PAPER_DIAMETERS_MM, FormulaModel::PAPER_WALLS_MM))
+            }
             _ => None,
         }
     }

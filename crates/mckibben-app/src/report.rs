@@ -124,7 +124,11 @@ pub(crate) fn report(
 }
 
 fn table(rows: Vec<Row>) -> Part {
-    Part::Table { head: vec![], rows: rows.into_iter().map(|(name, value)| vec![name, value]).collect() }
+    grid(&[], rows.into_iter().map(|(name, value)| vec![name, value]).collect())
+}
+
+fn grid(head: &[&str], rows: Vec<Vec<String>>) -> Part {
+    Part::Table { head: head.iter().map(|&name| name.to_owned()).collect(), rows }
 }
 
 /// The state and what the muscle can do at this pressure, in numbers.
@@ -192,11 +196,10 @@ fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) ->
         |v: Option<f64>| v.map_or_else(|| "–".to_owned(), |v| format!("{} {}", force.to(v, 2), force.name));
     let rows = answer.models.iter().filter(|m| m.model != answer.reference);
     let rows = rows.map(|m| vec![m.model.clone(), shown(m.rms_n), shown(m.max_n)]).collect();
-    let head = ["model", "rms", "largest"].map(str::to_owned).to_vec();
     let mut parts = vec![
         Part::Heading("Other models".into()),
         Part::Text(format!("Their differences from {}.", answer.reference)),
-        Part::Table { head, rows },
+        grid(&["model", "rms", "largest"], rows),
     ];
     parts.extend(answer.figure.map(|f| Part::Figure(Box::new(f))));
     Ok(parts)
@@ -249,13 +252,12 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
     }
     let [working, proof] = [working_mpa, plan.safety.proof_pressure_mpa].map(|p| units.pressure.show(p));
     let energy = number(plan.safety.air_energy_j, 2);
-    let head = ["failure", "factor", "required", "pressure"].map(str::to_owned).to_vec();
     vec![
         Part::Heading("Margins of safety".into()),
         Part::Text(format!(
             "Factor: pressure of the failure over {working}. Estimates of new parts under a slowly rising pressure; proof test with water at {proof}. The air holds {energy} J."
         )),
-        Part::Table { head, rows },
+        grid(&["failure", "factor", "required", "pressure"], rows),
     ]
 }
 
@@ -282,6 +284,6 @@ fn test_sheet(plan: &Plan, units: &Units) -> Vec<Part> {
             "Set the distance, then the pressure, row by row and without going back; write the pull down. `mckibben build` writes the same rows as test.csv, which `mckibben identify` reads."
                 .into(),
         ),
-        Part::Table { head: head.map(str::to_owned).to_vec(), rows },
+        grid(&head, rows),
     ]
 }

@@ -98,8 +98,6 @@ pub struct FittedToCurve {
     pub standing: Standing,
     /// Whether it was held among the laws that are stable in a muscle.
     pub held: bool,
-    /// Akaike's criterion less that of the recommended law.
-    pub delta_aicc: f64,
     /// Root mean square of the differences of nominal stress, MPa.
     pub rms_mpa: f64,
     /// Largest difference from the recommended law of the stress in planar tension (a wall that widens at constant length), up to
@@ -168,7 +166,6 @@ fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
             points: window.points,
             standing: l.standing,
             held: l.held,
-            delta_aicc: l.delta_aicc,
             rms_mpa: l.rms_mpa,
             planar_difference: planar_difference(&l.law, best, window.fitted_to_stretch),
         }),

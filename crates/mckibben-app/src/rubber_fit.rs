@@ -215,15 +215,9 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         let points = read_history(file.text.as_bytes(), &request.columns);
         points.map_err(|error| Problem::of_table(&file.name, &error))
     };
-    let relaxes = |branches| -> Result<_> {
-        let form = form()?;
-        Ok(fit_prony(&history()?, form, branches)?)
-    };
+    let relaxes = |branches| form().and_then(|form| Ok(fit_prony(&history()?, form, branches)?));
     let relaxation = request.relaxation.map(relaxes).transpose()?;
-    let softens = || -> Result<_> {
-        let form = form()?;
-        Ok(fit_softening(&history()?, form)?)
-    };
+    let softens = || form().and_then(|form| Ok(fit_softening(&history()?, form)?));
     let softening = request.softening.then(softens).transpose()?;
     let mut warnings = fit.warnings.clone();
     if relaxation.is_some() && softening.is_some() {

@@ -24,21 +24,25 @@ pub struct SleeveCut {
     /// Length in mm of the mounted sleeve, on the tube, with what is clamped.
     pub mounted_mm: f64,
     /// S, length in mm of one strand over the whole cut.
+    #[serde(skip)]
     pub strand_mm: f64,
     /// Strands of both families, where their number is known.
+    #[serde(skip)]
     pub strands: Option<u32>,
     /// Cross-section of a strand in mm², where it is known.
+    #[serde(skip)]
     pub strand_area_mm2: Option<f64>,
     /// The relaxed diameter in mm that was given, or as which the sleeve is sold.
     pub relaxed_diameter_mm: Option<f64>,
     /// Length in mm to cut at that diameter.
     pub relaxed_mm: Option<f64>,
     /// Lengths to cut at a few diameters.
+    #[serde(skip)]
     pub by_diameter: Vec<SleeveLength>,
 }
 
 /// The length of a sleeve where it has a diameter.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SleeveLength {
     /// Diameter in mm.
     pub diameter_mm: f64,

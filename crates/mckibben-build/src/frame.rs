@@ -25,8 +25,7 @@ pub(crate) fn ratio(scale: f64) -> String {
 /// An empty sheet of the two of a build, with frame and title block.
 pub(crate) fn sheet(plan: &Plan, what: &str, number: u32, scale: f64) -> Sheet {
     let size = format!("⌀{} × {} mm", mm(plan.muscle.outer_diameter_mm()), mm(plan.muscle.length_mm()));
-    let mut sheet =
-        Sheet { title: format!("{what} {size}"), width_mm: PAPER_MM.0, height_mm: PAPER_MM.1, items: vec![] };
+    let mut sheet = Sheet::new(format!("{what} {size}"), PAPER_MM.0, PAPER_MM.1);
     let [left, bottom, right, top] = FRAME_MM;
     sheet.outline(Pen::Outline, [[left, bottom], [right, bottom], [right, top], [left, top]]);
     let (left, top) = TITLE_MM;

@@ -108,7 +108,7 @@ impl Stem {
     }
 
     /// Radii and heights from the inner end to the outer edge of the collar.
-    pub(crate) fn profile(&self) -> Vec<[f64; 2]> {
+    pub fn profile(&self) -> Vec<[f64; 2]> {
         let (radius, depth, width) = (0.5 * self.diameter_mm, self.groove_depth_mm, self.groove_width_mm);
         let (bevel, tip) = self.bevel_mm();
         let mut out = vec![[tip, 0.0], [radius, bevel]];
@@ -197,7 +197,7 @@ impl AirPlug {
     }
 
     /// The whole section, closed.
-    pub(crate) fn profile(&self) -> Vec<[f64; 2]> {
+    pub fn profile(&self) -> Vec<[f64; 2]> {
         let mut out = self.stem.profile();
         out.extend(self.head());
         out.push([0.5 * self.passage_mm, 0.0]);
@@ -215,11 +215,6 @@ impl AirPlug {
             mesh.band(&last, &first);
         }
         mesh
-    }
-
-    /// Volume of the round plug in mm³.
-    pub fn volume_mm3(&self) -> f64 {
-        revolved_mm3(&self.profile())
     }
 }
 
@@ -309,25 +304,6 @@ impl EyePlug {
         mesh.face(&last, &foot, |[x, y, _]| [x, y], [0.0, 0.0]);
         mesh
     }
-
-    /// Volume in mm³.
-    pub fn volume_mm3(&self) -> f64 {
-        let (w, hole) = (self.width_mm, 0.5 * self.hole_mm);
-        let area = w * self.centre_mm + 0.125 * PI * w * w - PI * hole * hole;
-        let mut closed = self.stem.profile();
-        closed.insert(0, [0.0, 0.0]);
-        closed.push([0.0, self.stem.top_mm()]);
-        revolved_mm3(&closed) + area * self.thickness_mm
-    }
-}
-
-/// Volume in mm³ of a closed section that is turned about the axis: π/3 Σ (r₀² + r₀ r₁ + r₁²) Δz.
-pub(crate) fn revolved_mm3(profile: &[[f64; 2]]) -> f64 {
-    let cone = |p: &[[f64; 2]]| {
-        let ([r0, z0], [r1, z1]) = (p[0], p[1]);
-        (r0 * r0 + r0 * r1 + r1 * r1) * (z1 - z0)
-    };
-    PI / 3.0 * profile.windows(2).map(cone).sum::<f64>()
 }
 
 /// What the hose is connected to. A push-in fitting is screwed into one of the threads.

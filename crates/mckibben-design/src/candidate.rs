@@ -2,7 +2,7 @@
 
 use crate::limit::{Probe, Score};
 use crate::trial::Trial;
-use crate::{Build, Limit, OperatingPoint, Spec};
+use crate::{Limit, OperatingPoint};
 use mckibben::analysis::{Burst, Evaluation};
 use mckibben::model::{ModelError, Response};
 use mckibben::muscle::Muscle;
@@ -107,13 +107,8 @@ impl Candidate {
 const BINDS: f64 = 0.01;
 
 /// Everything about a muscle that fits, as its probe says.
-pub(super) fn candidate(
-    spec: &Spec,
-    build: &Build<'_>,
-    muscle: &Muscle,
-    probe: &Probe,
-) -> Result<Candidate, ModelError> {
-    let mut trial = Trial::new(spec, build, muscle)?;
+pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate, ModelError> {
+    let Trial { spec, muscle, .. } = trial;
     let mut from_thick_wall: Vec<&'static str> = vec![];
     let wanted = spec.points(muscle);
     let mut points = Vec::with_capacity(wanted.len());

@@ -27,9 +27,7 @@ impl Limit {
     pub(super) fn missed_by(self, value: f64, bound: f64) -> f64 {
         match self {
             Self::Force => 1.0 - value / bound,
-            Self::BulgedDiameter | Self::MaxStretch | Self::Buckling | Self::LiquidVolume => {
-                value / bound - 1.0
-            }
+            _ => value / bound - 1.0,
         }
     }
 }
@@ -87,17 +85,12 @@ impl Probe {
 
 /// Holds a muscle against a specification.
 pub(super) fn probe(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<Probe, ModelError> {
-    probe_with(spec, build, muscle, true)
+    probe_with(Trial::new(spec, build, muscle)?, true)
 }
 
 /// [`probe`]; without a score, which costs inverses, where it is not asked for.
-pub(super) fn probe_with(
-    spec: &Spec,
-    build: &Build<'_>,
-    muscle: &Muscle,
-    scored: bool,
-) -> Result<Probe, ModelError> {
-    let mut trial = Trial::new(spec, build, muscle)?;
+pub(super) fn probe_with(mut trial: Trial<'_>, scored: bool) -> Result<Probe, ModelError> {
+    let Trial { spec, muscle, .. } = trial;
     let max = trial.highest_mpa;
     let mut checks = vec![];
     let points = spec.points(muscle);

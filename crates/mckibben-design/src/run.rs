@@ -5,6 +5,7 @@ use crate::limit::{Probe, Score, probe};
 use crate::line::STEPS;
 use crate::relax::relaxations;
 use crate::search::{Pick, Search, SearchResult};
+use crate::trial::Trial;
 use crate::{Build, Candidate, Models, Reason, Rejected, Relaxation, Spec, SpecError};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{Progress, Silent};
@@ -105,7 +106,8 @@ fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Ve
         let muscle = search.muscle(pick).ok()?;
         let probe = probe(spec, build, &muscle).ok().filter(Probe::fits)?;
         let tube = search.tube(pick).map(|part| part.name.clone());
-        candidate(spec, build, &muscle, &probe).ok().map(|found| Candidate { tube, ..found })
+        let trial = Trial::new(spec, build, &muscle).ok()?;
+        candidate(trial, &probe).ok().map(|found| Candidate { tube, ..found })
     };
     let order = |a: &Score, b: &Score| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]));
     let mut likely: Vec<(Score, Pick)> = result.fits.iter().chain(&result.near).copied().collect();
@@ -127,7 +129,7 @@ fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Ve
 }
 
 /// The muscle with the diameter that the model which decides asks for.
-fn corrected(search: &Search<'_>, build: &Build<'_>, pick: Pick) -> Option<Pick> {
+fn corrected(search: &Search<'_>, build: &Build<'_>, mut pick: Pick) -> Option<Pick> {
     let Values::Interval(low, high) = &search.spec.outer_diameter_mm else { return Some(pick) };
     if search.tube(pick).is_some() {
         return Some(pick);
@@ -140,7 +142,8 @@ fn corrected(search: &Search<'_>, build: &Build<'_>, pick: Pick) -> Option<Pick>
         // At an edge that is not a bound of the search the best one lies beyond.
         let edge = (fit.x - from < 1e-3 * fit.x && from > *low) || (to - fit.x < 1e-3 * fit.x && to < *high);
         if !edge || width == WIDTHS[WIDTHS.len() - 1] {
-            return Some(pick.with_diameter(fit.x));
+            pick.d0 = fit.x;
+            return Some(pick);
         }
     }
     None

@@ -58,13 +58,6 @@ pub(super) struct Pick {
     s: f64,
 }
 
-impl Pick {
-    /// The same with another diameter.
-    pub(super) fn with_diameter(self, d0: f64) -> Self {
-        Self { d0, ..self }
-    }
-}
-
 /// A search of a specification with one model.
 pub(super) struct Search<'a> {
     pub(super) spec: &'a Spec,
@@ -202,7 +195,8 @@ impl<'a> Search<'a> {
                 return none;
             }
         };
-        let Ok(probe) = probe_with(self.spec, build, &muscle, scored) else { return none };
+        let trial = Trial::new(self.spec, build, &muscle);
+        let Ok(probe) = trial.and_then(|trial| probe_with(trial, scored)) else { return none };
         let excess = probe.checks.iter().map(super::limit::Check::excess).collect();
         let sample = Sample { x: pick.d0, excess, score: probe.score };
         result.fitted += usize::from(sample.fits());

@@ -58,7 +58,7 @@ impl<'a> Trial<'a> {
         let found = match burst(&*model) {
             Ok(found) => found,
             Err(AnalysisError::Model(error @ ModelError::Cancelled(_))) => return Err(error),
-            Err(_) => Burst::unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 }),
+            Err(_) => Burst::unknown(NoBurst::NoAnswer),
         };
         let safety = Safety::new(spec.limits.burst_margin.unwrap_or(0.0), spec.limits.tube_margin);
         let burst = Burst { safety, ..found };
@@ -68,7 +68,7 @@ impl<'a> Trial<'a> {
         });
         // Where no model answers, nothing fails up to the last answer.
         let answered = match burst.strands {
-            FailurePressure::Unknown(NoBurst::NoAnswer { up_to_mpa }) if safety.strands > 0.0 => {
+            FailurePressure::Unknown(NoBurst::NoAnswerBeyond(up_to_mpa)) if safety.strands > 0.0 => {
                 Some((up_to_mpa / safety.strands, Below::Unanswered(up_to_mpa)))
             }
             _ => None,

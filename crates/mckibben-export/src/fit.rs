@@ -152,11 +152,7 @@ fn sample(
         }
         Ok(row)
     });
-    let mut all = vec![];
-    for row in rows {
-        all.extend(row?);
-    }
-    Ok(all)
+    Ok(rows.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
 }
 
 /// A cubic spline between the nodes, as a sum: powers of ε, and cubes that begin at each inner node and leave what lies between it and zero as
@@ -301,26 +297,19 @@ fn pull_between(at: &[Sample], q: f64, e: f64) -> Option<f64> {
 
 /// The contraction at which the model stops pulling, at 41 pressures: between its samples in proportion.
 fn free_by_pressure(at: &[Sample], high: f64) -> Vec<f64> {
-    let mut ends: Vec<(f64, f64)> = vec![];
-    let mut i = 0;
-    while i < at.len() {
-        let q = at[i].q;
-        let line: Vec<&Sample> = at[i..].iter().take_while(|p| p.q == q).collect();
-        i += line.len();
-        let pulls = |p: &Sample| p.pull.filter(|f| *f > 0.0);
-        let last = line.iter().rposition(|p| pulls(p).is_some());
-        let free = match last {
+    let end = |line: &[Sample]| {
+        let last = line.iter().rposition(|p| p.pull.is_some_and(|pull| pull > 0.0));
+        let free = match last.map(|k| (line[k], line.get(k + 1))) {
             None => 0.0,
-            Some(k) => match (line[k].pull, line.get(k + 1)) {
-                (Some(a), Some(next)) => {
-                    let share = next.pull.map_or(1.0, |b| a / (a - b));
-                    line[k].contraction + share * (next.contraction - line[k].contraction)
-                }
-                _ => high,
-            },
+            Some((Sample { pull: Some(a), contraction, .. }, Some(next))) => {
+                let share = next.pull.map_or(1.0, |b| a / (a - b));
+                contraction + share * (next.contraction - contraction)
+            }
+            Some(_) => high,
         };
-        ends.push((q, free.max(0.0)));
-    }
+        (line[0].q, free.max(0.0))
+    };
+    let ends: Vec<(f64, f64)> = at.chunk_by(|a, b| a.q == b.q).map(end).collect();
     let at = |q: f64| {
         let k = ends.partition_point(|e| e.0 < q).clamp(1, ends.len() - 1);
         let ((a, x), (b, y)) = (ends[k - 1], ends[k]);

@@ -35,34 +35,25 @@ impl Elements {
         self.entry().name
     }
 
-    /// With the mesh that a text says, in the syntax of its elements.
+    /// With the mesh that a text says.
     pub fn with_mesh(self, text: &str) -> Result<Self, FemError> {
-        let (name, expected) = (self.name(), self.mesh_syntax());
-        let unreadable =
-            || FemError::Refused(format!("\"{text}\" is not a valid mesh of {name}; expected {expected}"));
+        let refused = |expected: &str| {
+            let name = self.name();
+            FemError::Refused(format!("\"{text}\" is not a valid mesh of {name}; expected {expected}"))
+        };
         match self {
             Self::Axisymmetric(_) => {
-                let spec = MeshSpec::parse(text).ok_or_else(unreadable)?;
+                let expected = "elements along the half length (\"8\"), through the wall x along (\"2x8\"), or with a grading (\"2x8:2\")";
+                let spec = MeshSpec::parse(text).ok_or_else(|| refused(expected))?;
                 // Whether it is a mesh does not depend on the size of the muscle.
                 spec.resolve(10.0, 1.0, 100.0)?;
                 Ok(Self::Axisymmetric(spec))
             }
             Self::ThreeDimensional(old) => {
-                let spec = BrickSpec::parse(text).ok_or_else(unreadable)?;
+                let expected = "bricks around the quarter (\"12\"), through the wall x around (\"2x12\"), or x along (\"2x12x39\")";
+                let spec = BrickSpec::parse(text).ok_or_else(|| refused(expected))?;
                 BrickMesh::check(&spec)?;
                 Ok(Self::ThreeDimensional(BrickSpec { keep: old.keep, plug: old.plug, ..spec }))
-            }
-        }
-    }
-
-    /// How a mesh is written, in words.
-    fn mesh_syntax(&self) -> &'static str {
-        match self {
-            Self::Axisymmetric(_) => {
-                "elements along the half length (\"8\"), through the wall x along (\"2x8\"), or with a grading (\"2x8:2\")"
-            }
-            Self::ThreeDimensional(_) => {
-                "bricks around the quarter (\"12\"), through the wall x around (\"2x12\"), or x along (\"2x12x39\")"
             }
         }
     }

@@ -2,11 +2,12 @@
 
 use crate::FemError;
 use crate::results::{MuscleBody, Solution};
+use crate::solver::body::Body as _;
 use crate::solver::continuation::Continuation;
 use crate::solver::curve::{Curve, CurvePoint, Test, run};
 use mckibben::model::{
-    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange,
-    Response, Workspace,
+    Accuracy, Extensions, ForceModel, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange, Response,
+    Workspace,
 };
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
@@ -57,6 +58,9 @@ pub enum Detail {
 
 /// What of a muscle that is divided into elements does not change.
 pub trait Divided: Send + Sync + Sized {
+    /// Name, description and source of the model.
+    const ENTRY: ModelEntry;
+
     /// The body that is led from equilibrium to equilibrium.
     type Body: MuscleBody + Send + 'static;
 
@@ -69,14 +73,8 @@ pub trait Divided: Send + Sync + Sized {
     /// What its model can do.
     fn extensions(model: &FiniteElements<Self>) -> Extensions<'_>;
 
-    /// A pressure in MPa below the one that was found for a pull in N at a contraction, where there may be one.
-    fn smaller_pressure(
-        &self,
-        _c: &mut Continuation<Self::Body>,
-        _found_mpa: f64,
-        _force_n: f64,
-        _contraction: f64,
-    ) -> Option<f64> {
+    /// A pressure in MPa near which a smaller one than was found for a pull in N at a contraction may be.
+    fn near_smaller(&self, _found_mpa: f64, _force_n: f64, _contraction: f64) -> Option<f64> {
         None
     }
 }
@@ -91,15 +89,9 @@ pub struct FiniteElements<D> {
 }
 
 impl<D: Divided> FiniteElements<D> {
-    pub(crate) fn of(
-        divided: D,
-        muscle: &Muscle,
-        entry: &ModelEntry,
-        accuracy: Accuracy,
-        notes: Vec<String>,
-    ) -> Self {
+    pub(crate) fn of(divided: D, muscle: &Muscle, accuracy: Accuracy, notes: Vec<String>) -> Self {
         let range = ModelRange::open().stretched(muscle.braid().angle_deg);
-        let info = ModelInfo { range, accuracy, costly: true, notes, ..ModelInfo::new(entry, muscle) };
+        let info = ModelInfo { range, accuracy, costly: true, notes, ..ModelInfo::new(&D::ENTRY, muscle) };
         Self { id: ModelId::new(), info, divided }
     }
 
@@ -161,14 +153,14 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
     fn extensions(&self) -> Extensions<'_> {
         D::extensions(self)
     }
-}
 
-impl<D: Divided> Inverse for FiniteElements<D> {
     fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let found = self.reach(workspace, Given::ContractionAndPull { contraction, force_n });
         let found = found.ok().map(|found| found.pressure_mpa).filter(|p| *p >= 0.0)?;
         let c = self.continuation(workspace).ok()?;
-        let smaller = self.divided.smaller_pressure(c, found, force_n, contraction).filter(|p| *p >= 0.0);
+        let near = self.divided.near_smaller(found, force_n, contraction);
+        let reached = near.filter(|near| c.reach_pressure_from(*near, force_n, contraction).is_ok());
+        let smaller = reached.map(|_| c.body.state().pressure).filter(|p| *p >= 0.0);
         Some(smaller.map_or(found, |p| p.min(found)))
     }
 

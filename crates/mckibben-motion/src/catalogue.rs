@@ -3,9 +3,8 @@
 use crate::{MotionError, Orifice, Valve};
 use mckibben::catalogue::{Catalogue, CatalogueError, Row};
 use mckibben::nearest::nearest;
-use mckibben::units::{Dimension, QuantityError, parse_quantity};
+use mckibben::units::{Dimension, parse_quantity};
 use std::sync::LazyLock;
-use thiserror::Error;
 
 /// A valve that one can buy.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,32 +54,20 @@ pub(crate) fn known(name: &str) -> String {
     format!("{near}there are {}", all.join(", "))
 }
 
-/// Why a text is not a valve.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum ValveError {
-    /// No valve has this name.
-    #[error("{0} is not a known valve: {known}", known = known(.0))]
-    Unknown(String),
-    /// A number that is not a conductance.
-    #[error(transparent)]
-    Conductance(#[from] QuantityError),
-    /// A conductance that no valve has.
-    #[error(transparent)]
-    Orifice(#[from] MotionError),
-}
-
 impl std::str::FromStr for Valve {
-    type Err = ValveError;
+    type Err = MotionError;
 
     /// A valve by its name, or by its sonic conductance such as `0.5 L/(s bar)`.
-    fn from_str(text: &str) -> Result<Self, ValveError> {
+    fn from_str(text: &str) -> Result<Self, MotionError> {
         let text = text.trim();
         if text.starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == '-') {
-            let conductance = parse_quantity(text, Dimension::Conductance)?;
+            let conductance = parse_quantity(text, Dimension::Conductance);
+            let conductance = conductance.map_err(|error| MotionError::Refused(error.to_string()))?;
             MotionError::positive("the valve's sonic conductance in L/(s bar)", conductance)?;
             return Ok(Self::new(Orifice::new(conductance, CRITICAL_RATIO)?));
         }
-        let named = valve_named(text).ok_or_else(|| ValveError::Unknown(text.into()))?;
+        let unknown = || MotionError::Refused(format!("{text} is not a known valve: {}", known(text)));
+        let named = valve_named(text).ok_or_else(unknown)?;
         Ok(Self { exhaust: named.exhaust, ..Self::new(named.supply) })
     }
 }

@@ -1,6 +1,6 @@
 //! What is commanded over time.
 
-use crate::MotionError;
+use crate::{MotionError, error::within};
 use std::f64::consts::TAU;
 
 /// A value over time: pressure in MPa, opening, or position.
@@ -168,8 +168,8 @@ impl Command {
 
     pub(crate) fn check_bounds(&self, what: &'static str, low: f64, high: f64) -> Result<(), MotionError> {
         let (least, most) = self.bounds();
-        MotionError::within(what, least, low, high)?;
-        MotionError::within(what, most, low, high)
+        within(what, least, low, high)?;
+        within(what, most, low, high)
     }
 
     /// Its period in s, if it is periodic.

@@ -1,7 +1,7 @@
 //! The position controller.
 
-use crate::MotionError;
 use crate::state::ControllerState;
+use crate::{MotionError, error::within};
 
 /// What the controller commands.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,15 +43,13 @@ pub struct Pid {
 
 impl Pid {
     pub(crate) fn check(&self) -> Result<(), MotionError> {
-        MotionError::within("the controller's proportional gain", self.proportional, 0.0, 1e9)?;
-        MotionError::within("the controller's integral gain", self.integral_per_s, 0.0, 1e9)?;
-        MotionError::within("the controller's derivative gain", self.derivative_s, 0.0, 1e9)?;
-        MotionError::within("the controller's filter time in s", self.filter_s, 1e-6, 1e6)?;
-        MotionError::within("the controller's tracking time in s", self.tracking_s, 1e-6, 1e6)?;
+        within("the controller's proportional gain", self.proportional, 0.0, 1e9)?;
+        within("the controller's integral gain", self.integral_per_s, 0.0, 1e9)?;
+        within("the controller's derivative gain", self.derivative_s, 0.0, 1e9)?;
+        within("the controller's filter time in s", self.filter_s, 1e-6, 1e6)?;
+        within("the controller's tracking time in s", self.tracking_s, 1e-6, 1e6)?;
         match self.output {
-            PidOutput::Pressure { bias_mpa } => {
-                MotionError::within("the controller's bias in MPa", bias_mpa, 0.0, 100.0)
-            }
+            PidOutput::Pressure { bias_mpa } => within("the controller's bias in MPa", bias_mpa, 0.0, 100.0),
             PidOutput::Opening => Ok(()),
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::{
     ATMOSPHERE_MPA, Command, Fluid, Heat, Hose, Hysteresis, LiquidValve, Mechanism, MotionError, Pid,
-    PidOutput, Prony, Pump, Syringe, Valve, ValveKind,
+    PidOutput, Prony, Pump, Syringe, Valve, ValveKind, error::within,
 };
 use mckibben::model::ForceModel;
 
@@ -47,24 +47,19 @@ pub enum Actuator {
 }
 
 impl Actuator {
-    /// How it moves, of what has an opening.
-    pub(crate) fn kind(&self) -> Option<ValveKind> {
+    /// How its valve moves, with the hose behind it.
+    fn port(&self) -> Option<(ValveKind, Option<Hose>)> {
         match self {
-            Self::Valve(valve) => Some(valve.kind),
-            Self::LiquidValve(valve) => Some(valve.kind),
-            Self::Pump(pump) => Some(pump.kind),
+            Self::Valve(valve) => Some((valve.kind, valve.hose)),
+            Self::LiquidValve(valve) => Some((valve.kind, valve.line)),
+            Self::Pump(pump) => Some((pump.kind, pump.line)),
             Self::Regulator { .. } | Self::Syringe(_) => None,
         }
     }
 
-    /// What is between it and the muscle.
-    fn hose(&self) -> Option<Hose> {
-        match self {
-            Self::Valve(valve) => valve.hose,
-            Self::LiquidValve(valve) => valve.line,
-            Self::Pump(pump) => pump.line,
-            Self::Regulator { .. } | Self::Syringe(_) => None,
-        }
+    /// How it moves, of what has an opening.
+    pub(crate) fn kind(&self) -> Option<ValveKind> {
+        self.port().map(|port| port.0)
     }
 
     fn name(&self) -> &'static str {
@@ -114,7 +109,8 @@ impl<'a> Actuated<'a> {
             Actuator::Syringe(syringe) => (1.0 - opening.unwrap_or(0.0)) * syringe.volume_mm3,
             _ => 0.0,
         };
-        self.fluid.medium().dead_volume_mm3() + self.actuator.hose().map_or(0.0, |h| h.volume_mm3()) + syringe
+        let hose = self.actuator.port().and_then(|port| port.1);
+        self.fluid.medium().dead_volume_mm3() + hose.map_or(0.0, |h| h.volume_mm3()) + syringe
     }
 }
 
@@ -235,25 +231,23 @@ impl<'a> Drive<'a> {
         };
         count(self.muscles.len(), "muscles with an actuator")?;
         self.mechanism.check()?;
-        MotionError::within("the force or torque from outside", self.outside_force, -1e12, 1e12)?;
+        within("the force or torque from outside", self.outside_force, -1e12, 1e12)?;
         self.muscles.iter().try_for_each(|m| m.model.muscle().check_contracts())?;
-        MotionError::within("the supply's temperature in K", self.supply.temperature_k, 50.0, 2000.0)?;
-        MotionError::within("the supply's gauge pressure in MPa", self.supply.pressure_mpa, 0.0, 100.0)?;
-        MotionError::within("the end of the run in s", self.until_s, 1e-9, 1e9)?;
-        MotionError::within("the time between two points in s", self.output_step_s, 1e-12, 1e9)?;
+        within("the supply's temperature in K", self.supply.temperature_k, 50.0, 2000.0)?;
+        within("the supply's gauge pressure in MPa", self.supply.pressure_mpa, 0.0, 100.0)?;
+        within("the end of the run in s", self.until_s, 1e-9, 1e9)?;
+        within("the time between two points in s", self.output_step_s, 1e-12, 1e9)?;
         if let Some(q) = self.initial_coordinate {
-            MotionError::within("the coordinate at the start", q, -1e9, 1e9)?;
+            within("the coordinate at the start", q, -1e9, 1e9)?;
         }
-        MotionError::within("the tolerance", self.tolerance.relative, 1e-12, 1e-2)?;
-        for command in self.target.commands() {
-            command.check()?;
-        }
+        within("the tolerance", self.tolerance.relative, 1e-12, 1e-2)?;
+        self.target.commands().iter().try_for_each(Command::check)?;
         match &self.target {
             Target::Pressure(commands) => {
                 count(commands.len(), "commands")?;
                 for command in commands {
                     let (low, high) = command.bounds();
-                    MotionError::within("a commanded pressure in MPa", low, 0.0, f64::MAX)?;
+                    within("a commanded pressure in MPa", low, 0.0, f64::MAX)?;
                     let supply_mpa = self.supply.pressure_mpa;
                     MotionError::require(high <= supply_mpa, || {
                         format!(
@@ -264,9 +258,7 @@ impl<'a> Drive<'a> {
             }
             Target::Opening(commands) => {
                 count(commands.len(), "commands")?;
-                for command in commands {
-                    command.check_bounds("a commanded opening", -1.0, 1.0)?;
-                }
+                commands.iter().try_for_each(|c| c.check_bounds("a commanded opening", -1.0, 1.0))?;
             }
             Target::Volume(commands) => count(commands.len(), "commands")?,
             Target::Position { pid, .. } => pid.check()?,
@@ -310,53 +302,44 @@ impl<'a> Drive<'a> {
 
 impl Actuated<'_> {
     fn check(&self) -> Result<(), MotionError> {
-        MotionError::within(
-            "the wall's temperature in K",
-            self.fluid.medium().wall_temperature_k(),
-            50.0,
-            2000.0,
-        )?;
+        within("the wall's temperature in K", self.fluid.medium().wall_temperature_k(), 50.0, 2000.0)?;
         // Up to 1000 m³.
-        MotionError::within("the dead volume in mm³", self.fluid.medium().dead_volume_mm3(), 0.0, 1e12)?;
+        within("the dead volume in mm³", self.fluid.medium().dead_volume_mm3(), 0.0, 1e12)?;
         if let Fluid::Air(air) = &self.fluid {
             match air.heat {
-                Heat::Polytropic(n) => MotionError::within("the polytropic index", n, 1.0, 1.4)?,
-                Heat::Transfer(h) => MotionError::within("the heat transfer in W/(m² K)", h, 0.0, 1e9)?,
-                Heat::Conductance(h) => MotionError::within("the heat conductance in W/K", h, 0.0, 1e9)?,
+                Heat::Polytropic(n) => within("the polytropic index", n, 1.0, 1.4)?,
+                Heat::Transfer(h) => within("the heat transfer in W/(m² K)", h, 0.0, 1e9)?,
+                Heat::Conductance(h) => within("the heat conductance in W/K", h, 0.0, 1e9)?,
                 Heat::Isothermal | Heat::Adiabatic => {}
             }
         }
-        let lag = |what, time_constant_s| MotionError::within(what, time_constant_s, 1e-6, 1e6);
+        let lag = |what, time_constant_s| within(what, time_constant_s, 1e-6, 1e6);
         match &self.actuator {
             Actuator::Regulator { time_constant_s } => {
-                lag("the regulator's time constant in s", *time_constant_s)?;
+                lag("the regulator's time constant in s", *time_constant_s)?
             }
-            Actuator::Pump(pump) => {
-                MotionError::within("the pump's flow in mm³/s", pump.flow_mm3_per_s, 1e-6, 1e12)?;
-            }
+            Actuator::Pump(pump) => within("the pump's flow in mm³/s", pump.flow_mm3_per_s, 1e-6, 1e12)?,
             Actuator::Syringe(syringe) => {
                 lag("the syringe's time constant in s", syringe.time_constant_s)?;
-                MotionError::within("the syringe's volume in mm³", syringe.volume_mm3, 1e-6, 1e12)?;
+                within("the syringe's volume in mm³", syringe.volume_mm3, 1e-6, 1e12)?;
             }
             Actuator::Valve(_) | Actuator::LiquidValve(_) => {}
         }
         match self.actuator.kind() {
             Some(ValveKind::OnOff { hysteresis_mpa, .. }) => {
-                MotionError::within("the on–off valve's hysteresis in MPa", hysteresis_mpa, 1e-6, 100.0)?;
+                within("the on–off valve's hysteresis in MPa", hysteresis_mpa, 1e-6, 100.0)?;
             }
             Some(ValveKind::Proportional { time_constant_s, gain_per_mpa }) => {
                 if time_constant_s != 0.0 {
                     lag("the valve's lag, where it has one, in s", time_constant_s)?;
                 }
-                MotionError::within("the valve's gain in 1/MPa", gain_per_mpa, 1e-3, 1e6)?;
+                within("the valve's gain in 1/MPa", gain_per_mpa, 1e-3, 1e6)?;
             }
             None => {}
         }
-        if let Some(friction) = &self.friction {
-            friction.check()?;
-        }
+        self.friction.as_ref().map_or(Ok(()), Hysteresis::check)?;
         if let Some(p) = self.initial_pressure_mpa {
-            MotionError::within("the gauge pressure at the start in MPa", p, 0.0, 100.0)?;
+            within("the gauge pressure at the start in MPa", p, 0.0, 100.0)?;
         }
         self.rubber.check()
     }

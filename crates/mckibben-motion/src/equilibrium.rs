@@ -3,7 +3,7 @@
 use crate::events::switches;
 use crate::state::State;
 use crate::system::{Switch, System};
-use crate::{ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Target, ValveKind};
+use crate::{ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Target, ValveKind, error::within};
 use mckibben::analysis::find_root;
 use mckibben::model::ModelError;
 
@@ -69,16 +69,16 @@ impl System<'_> {
             let after = match self.net(pressures, next) {
                 Ok(after) => after,
                 Err(MotionError::Cancelled(e)) => return Err(e.into()),
-                Err(_) => return Err(MotionError::NoEquilibrium { position: q, net: before }),
+                Err(_) => return Err(MotionError::no_equilibrium(q, before)),
             };
             if after * way <= 0.0 {
                 let root = find_root(|x| self.net(pressures, x), q, next, 1e-12 * stride)?;
-                let none = MotionError::NoEquilibrium { position: q, net: before };
+                let none = MotionError::no_equilibrium(q, before);
                 return root.map(|coordinate| found(coordinate, None)).ok_or(none);
             }
             (q, before) = (next, after);
         }
-        Err(MotionError::NoEquilibrium { position: q, net: before })
+        Err(MotionError::no_equilibrium(q, before))
     }
 
     /// The stop on which a net force holds the load; forces below `nothing` are none.
@@ -123,7 +123,7 @@ impl System<'_> {
             Target::Volume(commands) => {
                 for command in commands {
                     let start = command.value(0.0);
-                    MotionError::within("the commanded volume at the start in mm³", start, 0.0, 0.0)?;
+                    within("the commanded volume at the start in mm³", start, 0.0, 0.0)?;
                 }
                 return at_rest(given(vec![0.0; self.members.len()]));
             }
@@ -149,7 +149,7 @@ impl System<'_> {
         let stop = self.stop(q, left, nothing);
         let is_balanced = left.abs() <= nothing || drive.initial_coordinate.is_some();
         if stop.is_none() && !is_balanced {
-            return Err(MotionError::NoEquilibrium { position: q, net: left });
+            return Err(MotionError::no_equilibrium(q, left));
         }
         Ok(Equilibrium { coordinate: drive.initial_coordinate.unwrap_or(q), pressures_mpa, stop })
     }

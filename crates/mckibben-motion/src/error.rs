@@ -18,16 +18,9 @@ pub enum MotionError {
     /// A liquid that boils.
     #[error("{0}; raise the pressure, or move the load more slowly")]
     Boils(String),
-    /// No static equilibrium to begin from.
-    #[error(
-        "no equilibrium at the start: at a position of {position} the net force is {net} (N, or N mm about a joint), and it does not change its sign up to there; change the load or the first command, or give a stop"
-    )]
-    NoEquilibrium {
-        /// The last position that was looked at, in mm or rad.
-        position: f64,
-        /// The net generalised force there.
-        net: f64,
-    },
+    /// No answer exists, as far as was looked: why, with its values.
+    #[error("{0}")]
+    NoAnswer(String),
     /// The load never leaves its stop.
     #[error(
         "the load is never lifted: the largest net force from the stop was {net} (N, or N mm about a joint) at {time_s} s, at most {pressure_mpa} MPa; raise the pressure, take a larger muscle or a smaller load"
@@ -59,12 +52,6 @@ pub enum MotionError {
     /// Not a number, without bounds, steps that go to nothing, too many of them, or events without time in between: when, and what was found.
     #[error("{0}")]
     Diverged(String),
-    /// No conductance is large enough.
-    #[error("{0}; raise the supply or lower the mass")]
-    NoValve(String),
-    /// No rise to be timed.
-    #[error("the command has no rise, so that no valve can be sized by it")]
-    NoRise,
     /// The caller wanted the work to end.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
@@ -91,6 +78,12 @@ impl MotionError {
     }
 
     /// That what was found at a time has no bounds.
+    pub(crate) fn no_equilibrium(position: f64, net: f64) -> Self {
+        Self::NoAnswer(format!(
+            "no equilibrium at the start: at a position of {position} the net force is {net} (N, or N mm about a joint), and it does not change its sign up to there; change the load or the first command, or give a stop"
+        ))
+    }
+
     pub(crate) fn diverged(time_s: f64, what: &str) -> Self {
         Self::Diverged(format!("the motion diverges at {time_s} s ({what})"))
     }
@@ -110,21 +103,21 @@ impl MotionError {
         if ok { Ok(()) } else { Err(Self::value(what, value, "above zero")) }
     }
 
-    pub(crate) fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<(), Self> {
-        if value >= low && value <= high {
-            return Ok(());
-        }
-        let must = match (low == f64::MIN_POSITIVE, high >= f64::MAX) {
-            (true, true) => "above zero".to_owned(),
-            (true, false) => format!("above zero and at most {high}"),
-            (false, true) => format!("at least {low}"),
-            (false, false) => format!("from {low} to {high}"),
-        };
-        Err(Self::value(what, value, &must))
-    }
-
     /// Whether what was computed up to here is an answer: the motion ended early, and not because of the request.
     pub(crate) fn ends_early(&self) -> bool {
         matches!(self, Self::Model { .. } | Self::Boils(_) | Self::Diverged(_))
     }
+}
+
+pub(crate) fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<(), MotionError> {
+    if value >= low && value <= high {
+        return Ok(());
+    }
+    let must = match (low == f64::MIN_POSITIVE, high >= f64::MAX) {
+        (true, true) => "above zero".to_owned(),
+        (true, false) => format!("above zero and at most {high}"),
+        (false, true) => format!("at least {low}"),
+        (false, false) => format!("from {low} to {high}"),
+    };
+    Err(MotionError::value(what, value, &must))
 }

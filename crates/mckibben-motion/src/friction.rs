@@ -1,6 +1,6 @@
 //! Friction of the braid that does not depend on the speed.
 
-use crate::MotionError;
+use crate::{MotionError, error::within};
 use mckibben::muscle::{Direction, Friction, Presliding};
 
 /// Friction of the braid with its history.
@@ -25,8 +25,8 @@ pub struct Hysteresis {
 /// Whether lengths are above zero, and shares sum to 1.
 pub(crate) fn check(presliding: &Presliding) -> Result<(), MotionError> {
     for element in &presliding.0 {
-        MotionError::within("the friction's presliding length in mm", element.length_mm, 1e-6, 1e6)?;
-        MotionError::within("the share of a presliding length", element.share, 0.0, 1.0)?;
+        within("the friction's presliding length in mm", element.length_mm, 1e-6, 1e6)?;
+        within("the share of a presliding length", element.share, 0.0, 1.0)?;
     }
     let sum = presliding.0.iter().fold(0.0, |sum, element| sum + element.share);
     let whole = (sum - 1.0).abs() <= 1e-9;
@@ -42,9 +42,9 @@ impl Hysteresis {
     }
 
     pub(crate) fn check(&self) -> Result<(), MotionError> {
-        MotionError::within("the friction's coefficient in N/MPa^β", self.level.coefficient, 0.0, 1e9)?;
-        MotionError::within("the friction's exponent", self.level.exponent, 0.0, 10.0)?;
-        MotionError::within("the friction's lever in mm", self.level.lever_mm, 0.0, 1e6)?;
+        within("the friction's coefficient in N/MPa^β", self.level.coefficient, 0.0, 1e9)?;
+        within("the friction's exponent", self.level.exponent, 0.0, 10.0)?;
+        within("the friction's lever in mm", self.level.lever_mm, 0.0, 1e6)?;
         check(&self.presliding)
     }
 

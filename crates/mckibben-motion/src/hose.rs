@@ -1,6 +1,6 @@
 //! A hose between valve and muscle.
 
-use crate::{LINEAR_SHARE, MotionError, Orifice};
+use crate::{LINEAR_SHARE, MotionError, Orifice, error::within};
 use std::f64::consts::PI;
 
 /// A smooth hose as a restriction and a volume, without the time that pressure waves take (3 ms a metre).
@@ -11,9 +11,12 @@ use std::f64::consts::PI;
 ///
 /// d inner diameter, L length; smooth hoses of 2–20 mm, L/d below some thousand. Source: \[beater2007\], sec. 4; ISO 6358-3:2014 \[iso2014\].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Hose {
-    inner_diameter_mm: f64,
-    length_mm: f64,
+    /// d in mm.
+    pub inner_diameter_mm: f64,
+    /// L in mm.
+    pub length_mm: f64,
 }
 
 impl Hose {
@@ -22,19 +25,9 @@ impl Hose {
     /// # Errors
     /// [`MotionError::Refused`] unless the inner diameter is from 0.1 to 500 mm and the length from 0.1 mm to 1 km.
     pub fn new(inner_diameter_mm: f64, length_mm: f64) -> Result<Self, MotionError> {
-        MotionError::within("the hose's inner diameter in mm", inner_diameter_mm, 0.1, 500.0)?;
-        MotionError::within("the hose's length in mm", length_mm, 0.1, 1e6)?;
+        within("the hose's inner diameter in mm", inner_diameter_mm, 0.1, 500.0)?;
+        within("the hose's length in mm", length_mm, 0.1, 1e6)?;
         Ok(Self { inner_diameter_mm, length_mm })
-    }
-
-    /// d in mm.
-    pub fn inner_diameter_mm(&self) -> f64 {
-        self.inner_diameter_mm
-    }
-
-    /// L in mm.
-    pub fn length_mm(&self) -> f64 {
-        self.length_mm
     }
 
     /// Its volume in mm³.
@@ -48,6 +41,6 @@ impl Hose {
         let c = 0.029 * d * d / (l / d.powf(1.25) + 510.0).sqrt();
         let ratio = (474.0 * c / (d * d)).clamp(0.0, 1.0 - 2.0 * LINEAR_SHARE);
         // 1 L/(s bar) = 1e-8 m³/(s Pa)
-        Orifice::of_known(1e8 * c, ratio)
+        Orifice { conductance_l_per_s_bar: 1e8 * c, critical_ratio: ratio }
     }
 }

@@ -63,7 +63,7 @@ mod viscoelastic;
 pub use air::{
     ATMOSPHERE_MPA, Air, Flow, GAS_CONSTANT_J_PER_KG_K, HEAT_RATIO, Heat, REFERENCE_DENSITY_G_PER_L,
 };
-pub use catalogue::{NamedValve, ValveError, conductance_of_rated_flow, valve_named, valves};
+pub use catalogue::{NamedValve, conductance_of_rated_flow, valve_named, valves};
 pub use command::Command;
 pub use control::{Pid, PidOutput};
 pub use drive::{Actuated, Actuator, Drive, Supply, Target, Tolerance};
@@ -74,7 +74,7 @@ pub use file::{DriveFile, Names, Subject, Tables, drive_names, parse_drive, with
 pub use fluid::Fluid;
 pub use friction::Hysteresis;
 pub use hose::Hose;
-pub use linear::{FrequencyPoint, Linear};
+pub use linear::Linear;
 pub use liquid::{LiquidFill, LiquidValve, Pump, Restriction, Syringe};
 pub use mechanism::{Coordinate, Lever, Mechanism, SingleMuscle};
 pub use motion::{Energies, Motion, MotionEnd, Moves, StepFigures};

@@ -19,17 +19,6 @@ pub struct Linear {
     coordinate: f64,
 }
 
-/// A point of the frequency response.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FrequencyPoint {
-    /// In Hz.
-    pub frequency_hz: f64,
-    /// |H| in position per command.
-    pub gain: f64,
-    /// In rad.
-    pub phase_rad: f64,
-}
-
 impl Linear {
     /// About the equilibrium at the first command of a drive.
     ///
@@ -104,8 +93,8 @@ impl Linear {
         Some((fastest.1 / TAU, -fastest.0 / fastest.0.hypot(fastest.1)))
     }
 
-    /// H(f) from command to position.
-    pub fn response(&self, frequency_hz: f64) -> Option<FrequencyPoint> {
+    /// H(f) from command to position: gain in position per command, and phase.
+    pub fn response(&self, frequency_hz: f64) -> Option<Complex<f64>> {
         let n = self.a.nrows();
         let s = Complex::new(0.0, TAU * frequency_hz);
         let system = DMatrix::from_fn(n, n, |i, j| {
@@ -114,14 +103,13 @@ impl Linear {
         });
         let b = self.b.map(|x| Complex::new(x, 0.0));
         let q = system.lu().solve(&b)?.get(0).copied()? * self.per_coordinate;
-        let finite = q.re.is_finite() && q.im.is_finite();
-        finite.then(|| FrequencyPoint { frequency_hz, gain: q.norm(), phase_rad: q.arg() })
+        (q.re.is_finite() && q.im.is_finite()).then_some(q)
     }
 
     /// The frequency in Hz at which the gain first falls to 1/√2 of that at rest; `None` where it does not below 1 kHz.
     pub fn bandwidth_hz(&self) -> Option<f64> {
-        let level = self.response(1e-4)?.gain / 2f64.sqrt();
-        let below = |f: f64| self.response(f).is_some_and(|r| r.gain < level);
+        let level = self.response(1e-4)?.norm() / 2f64.sqrt();
+        let below = |f: f64| self.response(f).is_some_and(|r| r.norm() < level);
         let mut low = 1e-4;
         while !below(low * 1.05) {
             low *= 1.05;

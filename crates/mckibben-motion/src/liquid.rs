@@ -2,7 +2,7 @@
 
 use crate::air::Cavity;
 use crate::fluid::Medium;
-use crate::{ATMOSPHERE_MPA, Flow, Hose, MotionError, ValveKind};
+use crate::{ATMOSPHERE_MPA, Flow, Hose, MotionError, ValveKind, error::within};
 use mckibben::analysis::find_root;
 use mckibben::liquid::Liquid;
 use std::f64::consts::PI;
@@ -123,8 +123,10 @@ impl Medium for LiquidFill {
 /// Q flow, Kv the flow of water at a pressure difference of 1 bar. The second term makes small flows laminar, as they are, and the slope at none finite; it
 /// takes 0.05 % of the flow at 1 bar. Source: IEC 60534-2-1 \[iec2011\].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Restriction {
-    kv_mm3_per_s: f64,
+    /// Kv in mm³/s at 1 bar.
+    pub kv_mm3_per_s: f64,
 }
 
 impl Restriction {
@@ -133,13 +135,8 @@ impl Restriction {
     /// # Errors
     /// [`MotionError::Refused`] unless 1e-3 ≤ Kv ≤ 1e10 mm³/s.
     pub fn new(kv_mm3_per_s: f64) -> Result<Self, MotionError> {
-        MotionError::within("the flow coefficient in mm³/s at 1 bar", kv_mm3_per_s, 1e-3, 1e10)?;
+        within("the flow coefficient in mm³/s at 1 bar", kv_mm3_per_s, 1e-3, 1e10)?;
         Ok(Self { kv_mm3_per_s })
-    }
-
-    /// Kv in mm³/s at 1 bar.
-    pub fn kv_mm3_per_s(&self) -> f64 {
-        self.kv_mm3_per_s
     }
 }
 
@@ -164,7 +161,7 @@ impl Losses {
             out.linear = out.square * LAMINAR_SHARE * kv;
         }
         if let Some(line) = line {
-            let (d, l) = (1e-3 * line.inner_diameter_mm(), 1e-3 * line.length_mm());
+            let (d, l) = (1e-3 * line.inner_diameter_mm, 1e-3 * line.length_mm);
             let viscosity = liquid.viscosity_pa_s;
             // Pa s/m³ to MPa s/mm³, and Pa (s/m³)^1.75 likewise.
             out.laminar = 1e-15 * 128.0 * viscosity * l / (PI * d.powi(4));

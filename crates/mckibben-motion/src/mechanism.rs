@@ -1,6 +1,6 @@
 //! What the muscles move: one coordinate with inertia, load and stops.
 
-use crate::MotionError;
+use crate::{MotionError, error::within};
 use mckibben::joint::{Joint, JointSpring};
 use mckibben::load::Load;
 use mckibben::model::ForceModel;
@@ -52,14 +52,10 @@ pub trait Mechanism: Send + Sync {
     fn inertia(&self) -> f64;
 
     /// c, of the damper.
-    fn damping(&self) -> f64 {
-        0.0
-    }
+    fn damping(&self) -> f64;
 
     /// The stops of q; an impact on them is without rebound. Infinite where there is none.
-    fn stops(&self) -> (f64, f64) {
-        (f64::NEG_INFINITY, f64::INFINITY)
-    }
+    fn stops(&self) -> (f64, f64);
 
     /// Whether it cannot move: its ends are held, or its stops leave no way.
     fn is_held(&self) -> bool {
@@ -160,15 +156,15 @@ impl Mechanism for SingleMuscle {
 
     fn check(&self) -> Result<(), MotionError> {
         MotionError::positive("the muscle's length in mm", self.length_mm)?;
-        MotionError::within("the added mass in kg", self.added_mass_kg, 0.0, f64::INFINITY)?;
+        within("the added mass in kg", self.added_mass_kg, 0.0, f64::INFINITY)?;
         // From a milligram on; infinite where the ends are held.
         let mass_kg = 1e3 * self.inertia();
         if mass_kg != f64::INFINITY {
-            MotionError::within("the moving mass in kg", mass_kg, 1e-6, 1e9)?;
+            within("the moving mass in kg", mass_kg, 1e-6, 1e9)?;
         }
-        MotionError::within("the damping in N s/m", self.damping_n_s_per_m, 0.0, 1e9)?;
-        MotionError::within("the lower stop in mm", self.stops_mm.0, f64::NEG_INFINITY, f64::INFINITY)?;
-        MotionError::within("the upper stop in mm", self.stops_mm.1, self.stops_mm.0, f64::INFINITY)
+        within("the damping in N s/m", self.damping_n_s_per_m, 0.0, 1e9)?;
+        within("the lower stop in mm", self.stops_mm.0, f64::NEG_INFINITY, f64::INFINITY)?;
+        within("the upper stop in mm", self.stops_mm.1, self.stops_mm.0, f64::INFINITY)
     }
 }
 
@@ -227,12 +223,7 @@ impl Mechanism for Joint {
 
     fn check(&self) -> Result<(), MotionError> {
         let link = self.link();
-        MotionError::within(
-            "the joint's moment of inertia in kg m²",
-            link.whole_inertia_kg_m2(),
-            1e-12,
-            1e9,
-        )?;
-        MotionError::within("the joint's damping in N m s/rad", link.damping_nm_s_per_rad, 0.0, 1e9)
+        within("the joint's moment of inertia in kg m²", link.whole_inertia_kg_m2(), 1e-12, 1e9)?;
+        within("the joint's damping in N m s/rad", link.damping_nm_s_per_rad, 0.0, 1e9)
     }
 }

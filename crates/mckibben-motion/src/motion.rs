@@ -70,6 +70,7 @@ pub struct Motion {
     #[schemars(with = "Vec<serde_json::Value>")]
     pub events: Vec<Event>,
     /// Number of evaluations of the models.
+    #[serde(skip)]
     pub model_answers: usize,
     /// Air mass that is missing, over what flowed: 0 but for rounding.
     #[serde(skip)]

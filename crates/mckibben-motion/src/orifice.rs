@@ -1,6 +1,6 @@
 //! Restrictions of air after ISO 6358.
 
-use crate::{Flow, MotionError, REFERENCE_DENSITY_G_PER_L};
+use crate::{Flow, MotionError, REFERENCE_DENSITY_G_PER_L, error::within};
 
 /// T0 of ISO 6358 in K.
 const REFERENCE_K: f64 = 293.15;
@@ -20,9 +20,12 @@ pub const LINEAR_SHARE: f64 = 0.01;
 /// their equality where the temperatures are equal. Reverse flow by exchange of 1 and 2. Real valves: b 0.1–0.5; ±5 % in G as a rule.
 /// Source: ISO 6358-1:2013 \[iso2013\].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Orifice {
-    conductance_l_per_s_bar: f64,
-    critical_ratio: f64,
+    /// C in L/(s bar).
+    pub conductance_l_per_s_bar: f64,
+    /// b.
+    pub critical_ratio: f64,
 }
 
 impl Orifice {
@@ -31,34 +34,9 @@ impl Orifice {
     /// # Errors
     /// [`MotionError::Refused`] unless 1e-9 ≤ C ≤ 1e6 L/(s bar) and 0 ≤ b < 0.99.
     pub fn new(conductance_l_per_s_bar: f64, critical_ratio: f64) -> Result<Self, MotionError> {
-        MotionError::within(
-            "the valve's sonic conductance in L/(s bar)",
-            conductance_l_per_s_bar,
-            1e-9,
-            1e6,
-        )?;
-        MotionError::within(
-            "the valve's critical pressure ratio",
-            critical_ratio,
-            0.0,
-            1.0 - LINEAR_SHARE - 1e-9,
-        )?;
+        within("the valve's sonic conductance in L/(s bar)", conductance_l_per_s_bar, 1e-9, 1e6)?;
+        within("the valve's critical pressure ratio", critical_ratio, 0.0, 1.0 - LINEAR_SHARE - 1e-9)?;
         Ok(Self { conductance_l_per_s_bar, critical_ratio })
-    }
-
-    /// One whose numbers follow from measures that were checked.
-    pub(crate) fn of_known(conductance_l_per_s_bar: f64, critical_ratio: f64) -> Self {
-        Self { conductance_l_per_s_bar, critical_ratio }
-    }
-
-    /// C in L/(s bar).
-    pub fn conductance_l_per_s_bar(&self) -> f64 {
-        self.conductance_l_per_s_bar
-    }
-
-    /// b.
-    pub fn critical_ratio(&self) -> f64 {
-        self.critical_ratio
     }
 
     /// The same with its conductance times a factor.

@@ -93,17 +93,16 @@ impl Simulation {
 impl Target {
     /// The same with constant commands; `None` where they are not as many as it has.
     pub fn constant(&self, values: &[f64]) -> Option<Self> {
-        let commands = || values.iter().map(|v| Command::Constant(*v)).collect();
         if values.len() != self.commands().len() {
             return None;
         }
-        Some(match self {
-            Self::Pressure(_) => Self::Pressure(commands()),
-            Self::Opening(_) => Self::Opening(commands()),
-            Self::Volume(_) => Self::Volume(commands()),
-            Self::Position { pid, .. } => {
-                Self::Position { command: Command::Constant(*values.first()?), pid: *pid }
+        let mut target = self.clone();
+        match &mut target {
+            Self::Pressure(list) | Self::Opening(list) | Self::Volume(list) => {
+                *list = values.iter().map(|v| Command::Constant(*v)).collect();
             }
-        })
+            Self::Position { command, .. } => *command = Command::Constant(*values.first()?),
+        }
+        Some(target)
     }
 }

@@ -24,22 +24,24 @@ const LARGEST: f64 = 100.0;
 /// within a time. A larger valve is quicker: the root is bracketed by factors of four, and halved to 0.1 %.
 ///
 /// # Errors
-/// [`MotionError::NoValve`] where even 100 L/(s bar) is too slow; [`MotionError::NoRise`] without a step that moves it; those of
+/// [`MotionError::NoAnswer`] where even 100 L/(s bar) is too slow; [`MotionError::Refused`] without a step that moves it; those of
 /// [`run`].
 pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Result<Sized, MotionError> {
+    let no_rise =
+        || MotionError::Refused("the command has no rise, so that no valve can be sized by it".into());
     MotionError::positive("the rise time in s", rise_time_s)?;
     drive.check()?;
     let valve = drive.muscles.iter().find_map(|m| match m.actuator {
-        Actuator::Valve(v) => Some(v.supply.conductance_l_per_s_bar()),
+        Actuator::Valve(v) => Some(v.supply.conductance_l_per_s_bar),
         _ => None,
     });
     MotionError::require(!drive.muscles.iter().any(|m| m.fluid.is_liquid()), || {
         "only valves of air are sized by a rise time; leave it out, and try flows of the valve or pump".into()
     })?;
     let (Some(own), Target::Pressure(commands)) = (valve, &drive.target) else {
-        return Err(MotionError::NoRise);
+        return Err(no_rise());
     };
-    let begin = changes(drive).first().copied().ok_or(MotionError::NoRise)?;
+    let begin = changes(drive).first().copied().ok_or_else(no_rise)?;
     let end = changes(drive).get(1).copied().unwrap_or(drive.until_s);
     let still = |within: f64| {
         let pressures: Vec<f64> = commands.iter().map(|c: &Command| c.value_within(within, within)).collect();
@@ -47,7 +49,7 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
     };
     let (from, to) = (still(0.5 * begin)?, still(0.5 * (begin + end))?);
     if from == to {
-        return Err(MotionError::NoRise);
+        return Err(no_rise());
     }
     let mut runs = 0;
     let mut rise = |c: f64| -> Result<(Option<f64>, Motion), MotionError> {
@@ -82,14 +84,14 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
                 || "the load does not reach 90 % of its stroke".to_owned(),
                 |reached_s| format!("it is {reached_s} s"),
             );
-            return Err(MotionError::NoValve(format!(
-                "a rise time of {rise_time_s} s is not met by any valve: with {c} L/(s bar) {reached}"
+            return Err(MotionError::NoAnswer(format!(
+                "a rise time of {rise_time_s} s is not met by any valve: with {c} L/(s bar) {reached}; raise the supply or lower the mass"
             )));
         } else {
             c = (4.0 * c).min(LARGEST);
         }
     }
-    let (mut high, mut reached, mut motion) = best.ok_or(MotionError::NoRise)?;
+    let (mut high, mut reached, mut motion) = best.ok_or_else(no_rise)?;
     let mut low = c;
     while high / low > 1.001 {
         let mid = (high * low).sqrt();

@@ -1,6 +1,6 @@
 //! The rubber's viscoelasticity.
 
-use crate::MotionError;
+use crate::{MotionError, error::within};
 
 /// One branch: its share g of the wall's part of the pull, and its time constant.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,8 +26,8 @@ pub struct Prony(pub Vec<Branch>);
 impl Prony {
     pub(crate) fn check(&self) -> Result<(), MotionError> {
         self.0.iter().try_for_each(|b| {
-            MotionError::within("a branch's share of the wall's pull", b.share, 0.0, 1e3)?;
-            MotionError::within("a branch's time constant in s", b.time_constant_s, 1e-6, 1e12)
+            within("a branch's share of the wall's pull", b.share, 0.0, 1e3)?;
+            within("a branch's time constant in s", b.time_constant_s, 1e-6, 1e12)
         })
     }
 

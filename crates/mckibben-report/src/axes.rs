@@ -2,9 +2,10 @@
 
 use crate::curve::Frame;
 use crate::font::Metrics;
-use crate::labels::{self, Ended, Label};
+use crate::labels::{self, Label};
 use crate::layout::{PANEL_TITLE, PER_MM};
 use crate::legend::{self, Legend};
+use crate::line_labels::{self, Ended};
 use crate::rect::Rect;
 use crate::room::Room;
 use crate::ticks::{self, Scale};
@@ -61,10 +62,12 @@ pub(crate) type Extents = (Option<(f64, f64)>, Option<(f64, f64)>);
 /// Extents of the data of a panel.
 pub(crate) fn extents(panel: &Panel) -> Extents {
     let within = |axis: &Axis, v: f64| axis.range.is_none_or(|(low, high)| v >= low && v <= high);
+    let marks = panel.marks.iter().map(|m| (false, (m.x, m.y)));
     let points: Vec<(bool, (f64, f64))> = panel
         .series
         .iter()
         .flat_map(|s| s.points.iter().map(|point| (s.style == Style::Band, *point)))
+        .chain(marks)
         .filter(|(_, (x, y))| x.is_finite() && y.is_finite())
         .filter(|(_, (x, y))| within(&panel.x, *x) && within(&panel.y, *y))
         .collect();
@@ -88,35 +91,8 @@ struct Gutters {
     bottom: f64,
 }
 
-fn wrapped(text: &str, room: f64, metrics: &Metrics) -> Vec<String> {
-    let mut lines = metrics.wrap(text, LABEL, room);
-    if lines.len() > 2 {
-        lines = vec![lines[0].clone(), lines[1..].join(" ")];
-    }
-    lines.iter().map(|l| metrics.fit(l, LABEL, room)).collect()
-}
-
 fn y_wanted(height: f64) -> usize {
     ((height / 40.0).round() as usize).clamp(2, 8)
-}
-
-/// The horizontal scale with as many ticks as their texts allow.
-fn x_scale(
-    panel: &Panel,
-    data: Option<(f64, f64)>,
-    width: f64,
-    metrics: &Metrics,
-) -> Result<Scale, FigureError> {
-    let mut wanted = ((width / 62.0).round() as usize).clamp(2, 10);
-    loop {
-        let scale = ticks::scale(&panel.x, data, wanted)?;
-        let widest = scale.labels.iter().map(|l| metrics.width(l, TICK)).fold(0.0, f64::max);
-        let between = width / (scale.ticks.len().max(2) - 1) as f64;
-        if widest + 8.0 <= between || wanted == 1 {
-            return Ok(scale);
-        }
-        wanted -= 1;
-    }
 }
 
 /// What is drawn in a plot.
@@ -131,6 +107,7 @@ fn room_of(panel: &Panel, axes: &Axes) -> Room {
             frame.markers(&series.points).into_iter().for_each(|spot| room.add_marker(spot));
         }
     }
+    labels::add_rings(&panel.marks, &frame, &mut room);
     room
 }
 
@@ -144,6 +121,28 @@ impl<'a> Grid<'a, '_> {
         each.map(|i| self.place_one(i, self.aligned(&all, i), below[i])).collect()
     }
 
+    fn wrapped(&self, text: &str, room: f64) -> Vec<String> {
+        let mut lines = self.metrics.wrap(text, LABEL, room);
+        if lines.len() > 2 {
+            lines = vec![lines[0].clone(), lines[1..].join(" ")];
+        }
+        lines.iter().map(|l| self.metrics.fit(l, LABEL, room)).collect()
+    }
+
+    /// The horizontal scale with as many ticks as their texts allow.
+    fn x_scale(&self, panel: &Panel, data: Option<(f64, f64)>, width: f64) -> Result<Scale, FigureError> {
+        let mut wanted = ((width / 62.0).round() as usize).clamp(2, 10);
+        loop {
+            let scale = ticks::scale(&panel.x, data, wanted)?;
+            let widest = scale.labels.iter().map(|l| self.metrics.width(l, TICK)).fold(0.0, f64::max);
+            let between = width / (scale.ticks.len().max(2) - 1) as f64;
+            if widest + 8.0 <= between || wanted == 1 {
+                return Ok(scale);
+            }
+            wanted -= 1;
+        }
+    }
+
     fn axes(&self, i: usize, gutters: Gutters) -> Result<Axes, FigureError> {
         let (panel, cell) = (&self.panels[i], (self.cell)(i));
         let (x_data, y_data) = extents(panel);
@@ -153,10 +152,10 @@ impl<'a> Grid<'a, '_> {
             w: (cell.w - gutters.left - gutters.right).max(1.0),
             h: (cell.h - gutters.top - gutters.bottom).max(1.0),
         };
-        let x = x_scale(panel, x_data, plot.w, self.metrics)?;
+        let x = self.x_scale(panel, x_data, plot.w)?;
         let y = ticks::scale(&panel.y, y_data, y_wanted(plot.h))?;
-        let x_label = wrapped(&panel.x.label, plot.w, self.metrics);
-        let y_label = wrapped(&panel.y.label, plot.h, self.metrics);
+        let x_label = self.wrapped(&panel.x.label, plot.w);
+        let y_label = self.wrapped(&panel.y.label, plot.h);
         Ok(Axes { plot, x, y, x_label, y_label, y_label_x: cell.x + LABEL_ROW / 2.0 })
     }
 
@@ -185,7 +184,7 @@ impl<'a> Grid<'a, '_> {
     fn end_room(&self, i: usize, axes: &Axes) -> f64 {
         let frame = axes.frame();
         let at_edge = self.panels[i].series.iter().filter(|s| !s.end_label.trim().is_empty()).filter(|s| {
-            frame.line(&s.points).last().is_some_and(|line| labels::reaches_edge(line, &axes.plot))
+            frame.line(&s.points).last().is_some_and(|line| line_labels::reaches_edge(line, &axes.plot))
         });
         let width = |s: &crate::Series| self.metrics.width(s.end_label.trim(), labels::SIZE) + 9.0;
         at_edge.map(width).fold(0.0, f64::max)
@@ -237,6 +236,7 @@ impl<'a> Grid<'a, '_> {
                 axes.plot.h / PER_MM
             )));
         }
+        let mut labels = labels::of_marks(&panel.marks, &axes.frame(), metrics, &mut room);
         let ended = panel.series.iter().enumerate().filter(|(_, s)| !s.end_label.trim().is_empty());
         let ended = ended.filter_map(|(i, s)| {
             let line = axes.frame().line(&s.points).pop()?;
@@ -248,7 +248,7 @@ impl<'a> Grid<'a, '_> {
             let colour = (!meant).then_some(number);
             Some(Ended { text: s.end_label.trim().to_owned(), colour, line })
         });
-        let labels = labels::of_lines(ended.collect(), metrics, &mut room);
+        labels.extend(line_labels::of_lines(ended.collect(), metrics, &mut room));
         let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
         let title = (axes.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text);
         Ok(Placed { panel, axes, title, legend, labels })

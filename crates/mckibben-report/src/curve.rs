@@ -96,23 +96,14 @@ fn thin(run: &[Spot]) -> Vec<Spot> {
             kept.extend_from_slice(stretch);
             continue;
         }
-        let mut which = [0, 0, 0, stretch.len() - 1];
-        for (i, spot) in stretch.iter().enumerate() {
-            if spot.1 < stretch[which[1]].1 {
-                which[1] = i;
-            }
-            if spot.1 > stretch[which[2]].1 {
-                which[2] = i;
-            }
-        }
+        let places = 0..stretch.len();
+        let height = |a: &usize, b: &usize| stretch[*a].1.total_cmp(&stretch[*b].1);
+        let highest = places.clone().min_by(height);
+        let lowest = places.clone().rev().max_by(height);
+        let mut which: Vec<usize> = highest.into_iter().chain(lowest).chain([0, places.end - 1]).collect();
         which.sort_unstable();
-        let mut last = None;
-        for i in which {
-            if last != Some(i) {
-                kept.push(stretch[i]);
-            }
-            last = Some(i);
-        }
+        which.dedup();
+        kept.extend(which.into_iter().map(|i| stretch[i]));
     }
     kept
 }
@@ -120,32 +111,19 @@ fn thin(run: &[Spot]) -> Vec<Spot> {
 /// Cuts a run of spots into the pieces within `frame`.
 fn clip(run: &[Spot], frame: &Rect, pieces: &mut Vec<Vec<Spot>>) {
     if let [only] = run {
-        if frame.has(*only) {
-            pieces.push(vec![*only]);
-        }
-        return;
+        pieces.extend(frame.has(*only).then(|| vec![*only]));
     }
-    let mut piece: Vec<Spot> = Vec::new();
+    let mut goes_on = false;
     for pair in run.windows(2) {
         let [a, b] = [pair[0], pair[1]];
-        let Some((from, to)) = clip_segment(a, b, frame) else {
-            finish(&mut piece, pieces);
-            continue;
-        };
-        if piece.is_empty() {
-            piece.push(from);
+        let inside = clip_segment(a, b, frame);
+        if let Some((from, to)) = inside {
+            if !goes_on {
+                pieces.push(vec![from]);
+            }
+            pieces.last_mut().into_iter().for_each(|piece| piece.push(to));
         }
-        piece.push(to);
-        if to != b {
-            finish(&mut piece, pieces);
-        }
-    }
-    finish(&mut piece, pieces);
-}
-
-fn finish(piece: &mut Vec<Spot>, pieces: &mut Vec<Vec<Spot>>) {
-    if !piece.is_empty() {
-        pieces.push(std::mem::take(piece));
+        goes_on = inside.is_some_and(|(_, to)| to == b);
     }
 }
 

@@ -31,6 +31,7 @@ impl Figure {
                 let name = if series.label.is_empty() { &series.end_label } else { &series.label };
                 series.points.iter().for_each(|point| row(name, series.style.name(), *point));
             }
+            panel.marks.iter().for_each(|mark| row(&mark.label, "mark", (mark.x, mark.y)));
         }
         out
     }
@@ -93,6 +94,7 @@ fn table(out: &mut String, panel: &Panel) {
         let name = [series.label.trim(), series.end_label.trim()].join(" ");
         series.points.iter().for_each(|point| row(out, name.trim(), *point));
     }
+    panel.marks.iter().for_each(|mark| row(out, mark.label.trim(), (mark.x, mark.y)));
     out.push_str("</table></details>\n");
 }
 

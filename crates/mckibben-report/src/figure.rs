@@ -1,4 +1,4 @@
-//! The description of a figure: panels, axes, series.
+//! The description of a figure: panels, axes, series, marks.
 
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -8,10 +8,11 @@ use std::path::PathBuf;
 /// The crate knows nothing about muscles: quantities and units come in through the texts.
 ///
 /// ```
-/// use mckibben_report::{Axis, Figure, Panel, Series};
+/// use mckibben_report::{Axis, Figure, Mark, Panel, Series};
 /// let figure = Figure::new("Pull of a muscle").caption("model: ideal braid").panel(
 ///     Panel::new(Axis::new("contraction ratio ε [–]"), Axis::new("pull F [N]").from_zero())
-///         .series(Series::new("0.3 MPa", vec![(0.0, 310.0), (0.1, 190.0), (0.25, 0.0)])),
+///         .series(Series::new("0.3 MPa", vec![(0.0, 310.0), (0.1, 190.0), (0.25, 0.0)]))
+///         .mark(Mark::new(0.1, 190.0, "holds 190 N")),
 /// );
 /// assert!(figure.to_svg()?.starts_with("<svg"));
 /// # Ok::<(), mckibben_report::FigureError>(())
@@ -47,7 +48,7 @@ pub enum Palette {
     Sequential,
 }
 
-/// One set of axes with its series.
+/// One set of axes with its series and marks.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default)]
 pub struct Panel {
@@ -59,6 +60,8 @@ pub struct Panel {
     pub y: Axis,
     /// The series, drawn in this order.
     pub series: Vec<Series>,
+    /// Operating points, drawn over the series.
+    pub marks: Vec<Mark>,
 }
 
 /// An axis.
@@ -121,6 +124,18 @@ pub enum Style {
     Band,
 }
 
+/// A marked operating point: a ringed dot with a label.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(default)]
+pub struct Mark {
+    /// Place on the horizontal axis, in its unit.
+    pub x: f64,
+    /// Place on the vertical axis, in its unit.
+    pub y: f64,
+    /// Text beside the dot; may be empty.
+    pub label: String,
+}
+
 impl Figure {
     /// A figure with a title and nothing else.
     pub fn new(title: impl Into<String>) -> Self {
@@ -176,6 +191,12 @@ impl Panel {
 
     pub fn series(mut self, series: Series) -> Self {
         self.series.push(series);
+        self
+    }
+
+    /// Adds a marked operating point.
+    pub fn mark(mut self, mark: Mark) -> Self {
+        self.marks.push(mark);
         self
     }
 }
@@ -249,6 +270,13 @@ impl Series {
     pub fn end_label(mut self, text: impl Into<String>) -> Self {
         self.end_label = text.into();
         self
+    }
+}
+
+impl Mark {
+    /// An operating point at (x, y), in the units of the axes.
+    pub fn new(x: f64, y: f64, label: impl Into<String>) -> Self {
+        Self { x, y, label: label.into() }
     }
 }
 

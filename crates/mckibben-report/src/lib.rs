@@ -1,13 +1,12 @@
 //! Figures for papers and pages.
 //!
-//! A [`Figure`] describes panels with axes and series. It is plain data (serde), so that a page or another
+//! A [`Figure`] describes panels with axes, series and marks. It is plain data (serde), so that a page or another
 //! language can draw it by its own means; the crate turns it into SVG ([`Figure::to_svg`]) or a self-contained HTML page
 //! ([`Figure::to_html`]). It knows nothing about muscles: quantities and
 //! units are texts of the caller. The same description gives the same bytes on every machine; the font (DejaVu Sans) is
 //! part of the program.
 //!
-//! Features, both on by default: `png` adds `to_png` and `to_pdf`, `files` adds `save`. Without them the crate needs no operating
-//! system and builds for `wasm32-unknown-unknown`.
+//! The feature `png`, on by default, adds `to_png` and `to_pdf`. Without it the crate builds for `wasm32-unknown-unknown`.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
@@ -20,6 +19,7 @@ mod font;
 mod labels;
 mod layout;
 mod legend;
+mod line_labels;
 #[cfg(feature = "png")]
 mod outlines;
 mod palette;
@@ -38,7 +38,7 @@ mod ticks;
 mod xml;
 
 pub use document::{Body, Document, Part};
-pub use figure::{Axis, Figure, FigureError, Palette, Panel, Series, Style};
+pub use figure::{Axis, Figure, FigureError, Mark, Palette, Panel, Series, Style};
 #[cfg(feature = "png")]
 pub use outlines::texts_as_outlines;
-pub use sheet::{Anchor, Item, Pen, Sheet};
+pub use sheet::{Anchor, Pen, Sheet};

@@ -68,6 +68,14 @@ impl Room {
         self.boxes.iter().any(|taken| taken.meets(rect))
     }
 
+    /// Whether the way from `a` to `b` runs through a noted box that does not hold `a`.
+    pub fn crosses_box(&self, a: Spot, b: Spot) -> bool {
+        let way =
+            (1..=24).map(|i| f64::from(i) / 24.0).map(|t| (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)));
+        let others: Vec<_> = self.boxes.iter().filter(|taken| !taken.has(a)).collect();
+        way.into_iter().any(|spot| others.iter().any(|taken| taken.has(spot)))
+    }
+
     /// How many cells with something drawn lie under a rectangle.
     pub fn drawn_under(&self, rect: &Rect) -> usize {
         let index = |v: f64, last: usize| (v / CELL).floor().clamp(0.0, (last - 1) as f64) as usize;

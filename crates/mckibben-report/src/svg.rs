@@ -126,6 +126,7 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
         let brush = if series.neutral { Brush { hex: INK.into(), ..brush } } else { brush };
         draw_series(out, &lines, &markers, series.style, brush);
     }
+    anything |= draw_marks(out, placed);
     if !anything {
         let plot = placed.axes.plot;
         let middle = (plot.x + plot.w / 2.0, plot.y + plot.h / 2.0);
@@ -195,6 +196,24 @@ fn draw_axes(out: &mut String, axes: &Axes) {
         let turned = format!(" transform=\"rotate(-90 {} {})\"", n(at.0), n(at.1));
         text(out, at, LABEL, INK, "middle", &turned, line);
     }
+}
+
+/// Draws the operating points; tells whether there was one to draw.
+fn draw_marks(out: &mut String, placed: &Placed<'_>) -> bool {
+    let frame = placed.axes.frame();
+    let mut any = false;
+    for mark in &placed.panel.marks {
+        let spot = frame.spot((mark.x, mark.y)).filter(|s| placed.axes.plot.grown(0.01).has(*s));
+        let Some((x, y)) = spot else { continue };
+        any = true;
+        let (x, y, r) = (n(x), n(y), n(labels::RING - 0.7));
+        let _ = writeln!(
+            out,
+            "<g><circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"#ffffff\" stroke=\"{INK}\" stroke-width=\"1.3\"/>\
+             <circle cx=\"{x}\" cy=\"{y}\" r=\"2.2\" fill=\"{INK}\"/></g>"
+        );
+    }
+    any
 }
 
 fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {

@@ -7,7 +7,7 @@ use crate::model::{ModelError, Response, Result, notes_of};
 use crate::muscle::Direction;
 use crate::rubber::RubberLaw;
 use crate::uncertainty::UncertaintyParts;
-use crate::warning::{Warning, buckling_load_n, of_response, overloaded, strand_strength_n};
+use crate::warning::{Warning, WarningKind, buckling_load_n, of_response, overloaded, strand_strength_n};
 use serde::{Deserialize, Serialize};
 
 /// One answered point.
@@ -159,11 +159,11 @@ impl Evaluation<'_> {
         warnings.extend(of_response(model.muscle(), &response));
         let largest = model.muscle().max_ideal_contraction();
         let beyond = slack && contraction > largest;
-        warnings.extend(beyond.then_some(Warning::BeyondBraid { contraction, largest }));
+        warnings.extend(beyond.then(|| Warning::beyond_braid(contraction, largest)));
         let broken = overloaded(model.muscle(), &response).is_some();
         let response = if broken { response.hanging() } else { response };
         // Where strands stretch further than in any muscle that was measured, no ± is known.
-        let valid = !broken && !warnings.iter().any(|w| matches!(w, Warning::StrandStrain { .. }));
+        let valid = !broken && !warnings.iter().any(|w| w.kind == WarningKind::StrandStrain);
         let parts = if valid { self.uncertainty(pressure_mpa, contraction, response.force_n) } else { None };
         Ok(Answer {
             model: model.info().name.to_string(),

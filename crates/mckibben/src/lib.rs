@@ -64,7 +64,7 @@ pub use mckibben_io::clean;
 pub use mckibben_io::units;
 pub use mckibben_io::units::nearest;
 
-/// The paper whose formula (11) is [`model::Paper`] and whose method makes formulas from campaigns; equation numbers in
+/// The paper whose formula (11) is [`model::FormulaModel::paper`] and whose method makes formulas from campaigns; equation numbers in
 /// code and documents are its. Sources are cited by their key in `literature.bib`.
 pub const PAPER: &str = "M. G. Antonelli, P. Beomonte Zobel, W. D'Ambrogio, F. Durante, T. Raparelli, An analytical formula for \
 designing McKibben pneumatic muscles, International Journal of Mechanical Engineering and Technology 9 (2018) 320–337, \

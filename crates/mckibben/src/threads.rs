@@ -86,20 +86,13 @@ impl Threads {
     /// Works on the parts of a list, so many places each (the last one may have fewer): `work` gets the place where a part begins and the part.
     pub fn fill<T: Send>(&self, out: &mut [T], places: usize, work: impl Fn(usize, &mut [T]) + Sync) {
         let places = places.max(1);
-        let one = |(index, part): (usize, &mut [T])| work(index * places, part);
         if out.len() <= places {
-            return out.chunks_mut(places).enumerate().for_each(one);
+            return out.chunks_mut(places).for_each(|part| work(0, part));
         }
-        let cancel = Cancel::current();
-        let side_by_side = |out: &mut [T]| {
-            let parts = out.par_chunks_mut(places).enumerate();
-            parts.for_each_init(|| cancel.enter(), |_entered, part| one(part));
-        };
-        match &self.0 {
-            _ if rayon::current_thread_index().is_some() => side_by_side(out),
-            Some(pool) => pool.install(|| side_by_side(out)),
-            None => out.chunks_mut(places).enumerate().for_each(one),
-        }
+        let parts: Vec<Mutex<&mut [T]>> = out.chunks_mut(places).map(Mutex::new).collect();
+        self.each(parts.len(), &|i| {
+            work(i * places, &mut parts[i].lock().unwrap_or_else(PoisonError::into_inner));
+        });
     }
 
     /// Works on every item and hands each result to `take` on the calling thread as it comes, in no order; `None` where

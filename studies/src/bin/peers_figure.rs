@@ -78,6 +78,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         ))
         .panel(pull)
         .panel(off);
-    figure.save(out.as_ref())?;
+    std::fs::write(&out, figure.bytes(out.as_ref())?)?;
     Ok(())
 }

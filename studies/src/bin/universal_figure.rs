@@ -40,6 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let title = "Errors against finite elements";
     let caption =
         format!("{points} points of {} random muscles that no fit has seen, where they pull", samples.len());
-    Figure::new(title).caption(caption).panel(panel).save(Path::new(&file))?;
+    let figure = Figure::new(title).caption(caption).panel(panel);
+    std::fs::write(&file, figure.bytes(Path::new(&file))?)?;
     Ok(())
 }

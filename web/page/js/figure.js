@@ -1,4 +1,4 @@
-// Figures of the engine (data: panels, axes, series) as charts.
+// Figures of the engine (data: panels, axes, series, marks) as charts.
 import { Chart, KINDS, isDark, viridis } from "./chart.js";
 import { el, token } from "./dom.js";
 
@@ -73,6 +73,7 @@ function spec(panel, figure) {
     x: panel.x.label,
     y: panel.y.label,
     series: panel.series.map(one),
+    marks: panel.marks.map((m) => ({ x: m.x, y: m.y, text: m.label })),
     xaxis: range(panel.x),
     yaxis: range(panel.y),
   };

@@ -14,6 +14,7 @@ pub struct BundleAnswer {
     /// How many muscles.
     pub muscles: u32,
     /// Diameter of the circle around them over that of one.
+    #[serde(skip)]
     pub envelope_ratio: f64,
     /// Diameter of the circle around them at rest, mm.
     pub rest_envelope_mm: f64,

@@ -14,7 +14,7 @@ pub use bought::BoughtAnswer;
 pub use bundle::{BundleAnswer, BundlePoint};
 pub use request::{Choice, DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted, Verify};
 
-use crate::{Model, Result, UncertaintyWords, figure, not_measured};
+use crate::{Model, Result, UncertaintyWords, Units, figure, not_measured};
 use answer::{muscle_file, not_checked, out_of_reach};
 use mckibben::analysis::Evaluation;
 use mckibben::answer::Options;
@@ -25,6 +25,7 @@ use mckibben_design::{
     Build, Candidate, CandidatePoint, Models, Outcome, Spec, Spread, Tolerances, design_joint, design_with,
     fits, spread,
 };
+use mckibben_report::Figure;
 use request::Search;
 
 /// Curves are drawn of so many candidates.
@@ -154,12 +155,7 @@ fn verified(spec: &Spec, winner: &Candidate) -> Result<Verified> {
     })
 }
 
-fn draw(
-    spec: &Spec,
-    build: &Build<'_>,
-    outcome: &Outcome,
-    unit: &crate::units::Units,
-) -> Result<mckibben_report::Figure> {
+fn draw(spec: &Spec, build: &Build<'_>, outcome: &Outcome, unit: &Units) -> Result<Figure> {
     let options = spec.options();
     let drawn = outcome.candidates.iter().take(DRAWN);
     let drawn: Vec<(&Candidate, Box<dyn ForceModel>)> =

@@ -8,7 +8,7 @@ use mckibben::model::{ForceModel, Workspace};
 use mckibben::study::Study;
 use mckibben_design::{Candidate, OperatingPoint};
 use mckibben_fit::compare::MeasuredPoint;
-use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
+use mckibben_report::{Axis, Figure, Mark, Palette, Panel, Series, Style};
 
 /// Six panels: isometric above, isotonic below.
 pub fn study(study: &Study, about: &str, u: &Units) -> Figure {
@@ -118,10 +118,8 @@ fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> 
         let r = &e.answer.response;
         (r.contraction, u.force.value(r.force_n))
     });
-    (
-        Series::new("", line).style(Style::Dashed).neutral(),
-        Series::new("", points).style(Style::Points).neutral(),
-    )
+    let of = |points, style| Series::new("", points).style(style).neutral();
+    (of(line, Style::Dashed), of(points.collect(), Style::Points))
 }
 
 pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &Units) -> Figure {
@@ -189,8 +187,7 @@ pub fn design(
     }
     for w in wanted {
         let label = format!("{} at {}", u.force.show(w.force_n), percent(w.contraction));
-        let point = [(w.contraction, u.force.value(w.force_n))];
-        panel = panel.series(Series::scatter(label, point).neutral());
+        panel = panel.mark(Mark::new(w.contraction, u.force.value(w.force_n), label));
     }
     let said = if first_band.is_some() { BAND } else { "" };
     let said = said.replace("band", "band of the first");
@@ -251,10 +248,8 @@ pub fn compare(
         }
     }
     if !measured.is_empty() {
-        panel = panel.series(
-            Series::scatter("measured", measured.iter().map(|m| (m.contraction, u.force.value(m.force_n))))
-                .colour(COLOURS),
-        );
+        let dots = measured.iter().map(|m| (m.contraction, u.force.value(m.force_n)));
+        panel = panel.series(Series::scatter("measured", dots).colour(COLOURS));
     }
     let said = if bands.is_empty() { "" } else { BAND };
     let said = said.replace("band", "band of the first model");

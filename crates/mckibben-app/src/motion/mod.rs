@@ -117,7 +117,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         }
         let with = value.as_ref().map_or_else(String::new, |v| format!("with {v}: "));
         said.extend(
-            moved.warnings(&motion, drive).into_iter().map(|text| Warning::Said(with.clone() + &text)),
+            moved.warnings(&motion, drive).into_iter().map(|text| Warning::from(with.clone() + &text)),
         );
         let mut run = MotionRun { value: value.clone(), motion, end: EndUncertainty::default() };
         moved.end_uncertainty(&mut run, drive);
@@ -250,9 +250,7 @@ impl From<MotionError> for Problem {
             MotionError::Muscle(error) => return error.clone().into(),
             MotionError::Model { error: model, .. } => Self::from((**model).clone()).kind,
             MotionError::Diverged(_) => ProblemKind::NotConverged,
-            MotionError::NoEquilibrium { .. }
-            | MotionError::NeverLifted { .. }
-            | MotionError::NoValve { .. } => ProblemKind::NoAnswer,
+            MotionError::NoAnswer(_) | MotionError::NeverLifted { .. } => ProblemKind::NoAnswer,
             _ => ProblemKind::File,
         };
         let hint = match error {

@@ -5,7 +5,7 @@ use crate::{
     no_ratio,
 };
 use mckibben::units::{Dimension, parse_quantity};
-use mckibben_motion::{Valve, ValveError, with_value};
+use mckibben_motion::{MotionError, Valve, with_value};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -67,7 +67,7 @@ impl StepFields {
         })?;
         let load =
             self.load.as_deref().ok_or_else(|| Problem::missing("load", "the load, such as mass:10kg"))?;
-        let _: Valve = valve.parse().map_err(|error: ValveError| {
+        let _: Valve = valve.parse().map_err(|error: MotionError| {
             Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("valve")
         })?;
         let is_conductance = valve.trim().starts_with(|c: char| c.is_ascii_digit() || c == '.');

@@ -97,8 +97,6 @@ pub struct SimulatedPoint {
     pub pressure_work_j: f64,
     /// Directions in which the equilibrium is unstable with the terminals held.
     pub unstable_directions: usize,
-    /// Smallest volume ratio of the rubber at an integration point.
-    pub smallest_volume_ratio: f64,
     /// Where the rubber is stretched most.
     pub max_stretch_at: RestPlace,
     /// Outer and inner surface, from the middle to the terminal.
@@ -157,7 +155,6 @@ impl From<&Simulated> for SimulatedRow {
             ends_energy_j: 1e-3 * s.energies.ends_n_mm,
             pressure_work_j: 1e-3 * s.energies.pressure_n_mm,
             unstable_directions: s.unstable_directions,
-            smallest_volume_ratio: s.smallest_j,
             max_stretch_at: RestPlace {
                 rest_r_mm: s.max_stretch.rest_mm[0],
                 rest_z_mm: s.max_stretch.rest_mm[1],

@@ -16,6 +16,7 @@ mod measures;
 mod muscle_fields;
 mod page;
 mod parts;
+mod security;
 mod sizes;
 mod slack;
 mod uncertainty;
@@ -327,4 +328,30 @@ fn no_sentence_of_a_library_speaks_of_flags() {
             }
         }
     }
+}
+
+/// A wrong key would be left out of a table without a word.
+#[test]
+fn keys_of_tables_are_those_of_answers() {
+    let (words, mut list) =
+        (mckibben_app::bundle().to_string(), vec![root().join("crates/mckibben-app/src/rows.rs")]);
+    for name in ["commands", "output"] {
+        sources(&root().join("crates/mckibben-cli/src").join(name), &mut list);
+    }
+    let mut seen = 0;
+    for path in list {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let is_key = |word: &str| {
+            word.starts_with(|c: char| c.is_ascii_lowercase()) && !word.contains(['{', '(', ';'])
+        };
+        for keys in text.split('"').filter(|keys| keys.contains('=') && keys.split_whitespace().all(is_key)) {
+            let names = keys.split_whitespace().filter_map(|key| key.split(['=', ':']).next());
+            for name in names.flat_map(|name| name.split(['.', '+'])) {
+                let known = [&words, &text].iter().any(|place| place.contains(&format!("\"{name}\"")));
+                assert!(known, "{}: {name}", path.display());
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 200, "{seen}");
 }

@@ -7,43 +7,20 @@
 //! [`compute`] gives the rows of a plan in memory.
 
 mod error;
-#[cfg(feature = "store")]
-mod merge;
 mod plan;
-#[cfg(feature = "store")]
-mod read;
-#[cfg(feature = "store")]
-mod resume;
-#[cfg(feature = "store")]
-mod run;
-#[cfg(feature = "store")]
-mod shard;
 mod solve;
 #[cfg(feature = "store")]
-mod status;
-#[cfg(feature = "store")]
 mod store;
-#[cfg(feature = "store")]
-mod summary;
 
 #[cfg(all(test, feature = "store"))]
 mod tests;
 
 pub use error::CampaignError;
 use error::Result;
-#[cfg(feature = "store")]
-pub use merge::{Merged, merge};
-pub use plan::{Inputs, Plan, Testing};
-#[cfg(feature = "store")]
-pub use read::{Rows, read, rows};
-#[cfg(feature = "store")]
-pub use run::{Counts, Outcome, Recomputed, RunOptions, run};
-#[cfg(feature = "store")]
-pub use shard::Shard;
+pub use plan::{Inputs, Plan, Sampling, Testing};
 pub use solve::compute;
 #[cfg(feature = "store")]
-pub use status::{CampaignStatus, ShardState, ShardStatus, status};
-#[cfg(feature = "store")]
-pub use store::Provenance;
-#[cfg(feature = "store")]
-pub use summary::{Extent, Failed, Summary, summary};
+pub use store::{
+    CampaignStatus, Counts, Extent, Failed, Merged, Outcome, Provenance, Recomputed, Rows, RunOptions, Shard,
+    ShardState, ShardStatus, Summary, merge, read, rows, run, status, summary,
+};

@@ -9,6 +9,7 @@ use mckibben::threads;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::simulation::{Detail, Simulation};
 use mckibben_fem::solver::curve::Test;
+pub use mckibben_fit::measured::{distinct, same};
 use serde::Serialize;
 
 /// The diameters of the paper's campaign in mm.
@@ -77,19 +78,6 @@ impl FitPoint {
 /// The answered points of a table.
 pub fn points(rows: &[PointRow]) -> Vec<FitPoint> {
     rows.iter().filter_map(FitPoint::of).collect()
-}
-
-/// Whether two numbers of a plan are the same one (0.1 + 0.05 and 0.15).
-pub fn same(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-9 * (1.0 + a.abs().max(b.abs()))
-}
-
-/// The different values of a list, rising.
-pub fn distinct(values: impl IntoIterator<Item = f64>) -> Vec<f64> {
-    let mut list: Vec<f64> = values.into_iter().filter(|v| v.is_finite()).collect();
-    list.sort_by(f64::total_cmp);
-    list.dedup_by(|a, b| same(*a, *b));
-    list
 }
 
 /// P from `first` to .25 MPa in steps of .01 MPa, as in the paper's isometric tests.

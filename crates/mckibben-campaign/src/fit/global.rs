@@ -78,14 +78,14 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
     // A power takes one value more than it is high, that of d one more for what s/D0 says of D0 already.
     let counts = [walls.len(), pressures.len() + 1, contractions.len(), diameters.len().saturating_sub(1)];
     let candidates = candidates(counts);
-    ended()?;
+    cancel::check()?;
     let full = problem(&used, &candidates, &scales);
     let chosen = select(&full);
     // What was chosen when the work was ended is no choice.
-    ended()?;
+    cancel::check()?;
     let (coefficients, rms) = nested(&full, &chosen);
     let left_out = leave_out(&used, &candidates, &scales, &diameters);
-    ended()?;
+    cancel::check()?;
     let steps: Vec<Step> = (1..=chosen.len())
         .map(|terms| Step {
             terms,
@@ -98,10 +98,6 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
     let terms = chosen.iter().zip(values.iter()).map(|(&j, &v)| Term { powers: candidates[j], value: v });
     let terms = GlobalTerms { scales, terms: terms.collect() };
     Ok(GlobalFit { terms, steps, candidates: candidates.len(), points: used.len() })
-}
-
-fn ended() -> Result<()> {
-    Ok(cancel::check()?)
 }
 
 /// All products of powers that the values in the table can tell apart.
@@ -204,10 +200,10 @@ fn leave_out(
     for &d in inner {
         let (out, kept): (Vec<Compared>, Vec<Compared>) =
             used.iter().partition(|c| same(c.point.outer_diameter_mm, d));
-        ended().ok()?;
+        cancel::check().ok()?;
         let kept = problem(&kept, candidates, scales);
         let chosen = select(&kept);
-        ended().ok()?;
+        cancel::check().ok()?;
         let (coefficients, _) = nested(&kept, &chosen);
         let out = problem(&out, candidates, scales);
         let columns = out.matrix.select_columns(&chosen);

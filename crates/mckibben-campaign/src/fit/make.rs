@@ -136,9 +136,7 @@ fn single(points: &[FitPoint], quantity: &'static str, of: fn(&FitPoint) -> f64)
     let list = distinct(points.iter().map(of));
     match list.as_slice() {
         [one] => Ok(*one),
-        [low, .., high] => Err(FitError::Refused(format!(
-            "the table mixes muscles of different {quantity} ({low} to {high}); a formula covers only one: fit them separately"
-        ))),
+        [low, .., high] => Err(FitError::mixed_make(&format!("{quantity} ({low} to {high})"))),
         [] => Err(FitError::empty("")),
     }
 }

@@ -224,14 +224,12 @@ fn over_diameters(walls: &[WallFit]) -> Result<(Coefficients, [[f64; 6]; 3])> {
         for k in 0..6 {
             let points: Vec<(f64, f64)> =
                 walls.iter().map(|w| (w.outer_diameter_mm, w.x(family)[k])).collect();
+            let fitted = match family {
+                0 | 1 => fit::<3>(&points).map(|f| (f.coefficients, f.r2)),
+                _ => fit::<2>(&points).map(|f| ([0.0, f.coefficients[0], f.coefficients[1]], f.r2)),
+            };
             let failed = || FitError::singular(format!("{}{} over D0", ["A", "B", "C"][family], k + 1));
-            if family < 2 {
-                let f = fit::<3>(&points).ok_or_else(failed)?;
-                (x[family][k], r2[family][k]) = (f.coefficients, f.r2);
-            } else {
-                let f = fit::<2>(&points).ok_or_else(failed)?;
-                (x[family][k], r2[family][k]) = ([0.0, f.coefficients[0], f.coefficients[1]], f.r2);
-            }
+            (x[family][k], r2[family][k]) = fitted.ok_or_else(failed)?;
         }
     }
     let [a, b, c] = x;

@@ -2,8 +2,8 @@
 
 use crate::output::loaded::loaded as text_of_load;
 use crate::{
-    Asked, Bar, Failure, Format, Units, burst_first, columns, half_width, or_dash, output::form,
-    output::text::within, percent, percents, shown, streamed, warn,
+    Asked, Bar, Failure, Format, Units, burst_first, columns, half_width, output::form, output::text::within,
+    percent, percents, shown, streamed, warn,
 };
 use mckibben::curve::{Curve, Test};
 use mckibben::{answer::Answer, muscle::Direction, study::StudyPanel, warning::Warning};
@@ -117,7 +117,7 @@ fn column(test: Test, curve: &Curve, u: &Units) -> Vec<String> {
         return match least {
             Some(least) => {
                 let one = |e: f64| within(100.0 * e, 100.0 * least) + " %";
-                ratios().map(|e| or_dash(e, one)).collect()
+                ratios().map(|e| e.map_or_else(|| "–".into(), one)).collect()
             }
             None => percents(ratios(), 4),
         };

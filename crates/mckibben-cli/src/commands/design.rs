@@ -30,7 +30,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
 const HEAD: &str =
     "Required[ of each of {each} muscles]: {what} with at most {max_pressure_mpa}[ of {liquid.name}][ with {gas:%} of gas][, guaranteed: the lower end of the ± ({searched.guaranteed:%}) meets it]
 Model {model}[, searched with {other}]; {looked_at} muscles examined, {fitting} fit; [L0 {searched.length_mm:5}, ]{searched.rubber}, {searched.braid}
-Safety: [strands stretched by at most {searched.max_strand_strain:%}; ][allowed pressure: that at which strands or clamps fail over {checked}, that of the tube over {searched.min_tube_margin}][burst not checked (safety factor {unchecked}), because the strength of the strands is not stated]{unlimited}
+Safety: [strands stretched by at most {searched.max_strand_strain:%}; ][allowed pressure: that at which strands or clamps fail over {checked}, that of the tube over {searched.min_tube_margin}][burst not checked (safety factor {unchecked}), because the strength of the strands is not stated][{unlimited}]
 ";
 
 /// The design for people.
@@ -43,7 +43,7 @@ fn as_text(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     let margin = searched.min_burst_margin;
     row["checked"] = margin.filter(|_| searched.burst_checked).into();
     row["unchecked"] = margin.filter(|_| !searched.burst_checked).into();
-    row["unlimited"] = if margin.is_none() { "no limit on burst" } else { "" }.into();
+    row["unlimited"] = margin.is_none().then_some("no limit on burst").into();
     let mut out = said(&row, HEAD, u);
     let assumed = answer.assumptions.iter().map(|sentence| format!("Assumed: {}.\n", in_flags(sentence)));
     out.extend(assumed);
@@ -62,7 +62,8 @@ fn as_text(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     }
     out.push_str(&bought(answer, &row, u));
     let skip = usize::from(answer.closest.is_some());
-    let others = answer.rejected.iter().skip(skip).map(|r| format!("  {}\n", missed(r, u)));
+    let others =
+        answer.rejected.iter().skip(skip).map(|r| format!("  {}\n", missed(r, "[ (misses by {by:%})]", u)));
     let others: String = others.collect();
     if !others.is_empty() {
         out += if skip == 0 { "\nNear misses\n" } else { "\nNext closest\n" };
@@ -140,13 +141,13 @@ fn binds(best: &CandidateAnswer) -> String {
 
 const MEASURES: &str = "D0 {outer_diameter_mm:4#}, s {wall_mm:3#}[ in {sleeve}]";
 
-/// A muscle with the limit that it misses.
-fn missed(rejected: &RejectedAnswer, u: &Units) -> String {
+/// A muscle with the limit that it misses, and what else is said of it.
+fn missed(rejected: &RejectedAnswer, more: &str, u: &Units) -> String {
     let mut row = value(rejected);
     row["reason"] = u.sentence(&rejected.reason).into();
     let thousandths = rejected.misses_by.filter(|share| *share < 1.0).map(|share| (1e3 * share).ceil());
     row["by"] = thousandths.map(|by| by / 1e3).into();
-    said(&row, &format!("{MEASURES}: {{reason}}[ (misses by {{by:%}})]"), u)
+    said(&row, &format!("{MEASURES}: {{reason}}{more}"), u)
 }
 
 fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
@@ -278,7 +279,7 @@ fn rounded(mut of: Value) -> Value {
 }
 
 fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
-    let mut out = format!("Nothing fits. Closest: {}\n", missed(&closest.rejected, u));
+    let mut out = format!("Nothing fits. Closest: {}\n", missed(&closest.rejected, "", u));
     if closest.relaxations.is_empty() {
         return out + "None of the limits, relaxed alone, makes one of these muscles fit.\n";
     }

@@ -23,17 +23,17 @@ pub type Column = (String, Kind);
 pub fn columns(root: &Value, rows: &str) -> Vec<Column> {
     let mut out = vec![];
     if rows.is_empty() || rows == FLAT {
-        scalars(root, root, &mut out);
+        scalars(root, root, false, &mut out);
         if rows == FLAT {
-            properties(root, root).for_each(|(_, value)| scalars(root, value, &mut out));
+            properties(root, root).for_each(|(_, value)| scalars(root, value, false, &mut out));
         }
         return out;
     }
     for list in property(root, root, rows) {
         for node in variants(root, list) {
             match node.get("items") {
-                Some(item) => scalars(root, item, &mut out),
-                None => lists(root, node, &mut out),
+                Some(item) => scalars(root, item, false, &mut out),
+                None => scalars(root, node, true, &mut out),
             }
         }
     }
@@ -84,23 +84,12 @@ fn property<'a>(root: &'a Value, node: &'a Value, name: &str) -> Vec<&'a Value> 
     properties(root, node).filter(|p| p.0 == name).map(|p| p.1).collect()
 }
 
-/// The keys of an object whose values are numbers, flags or texts.
-fn scalars(root: &Value, node: &Value, out: &mut Vec<Column>) {
+/// The keys of an object whose values are numbers, flags or texts, or lists of such.
+fn scalars(root: &Value, node: &Value, are_lists: bool, out: &mut Vec<Column>) {
     for (name, value) in properties(root, node) {
-        if let Some(kind) = kind(root, value).filter(|_| out.iter().all(|c| c.0 != *name)) {
-            out.push((name.clone(), kind));
-        }
-    }
-}
-
-/// The keys of an object whose values are lists of such.
-fn lists(root: &Value, node: &Value, out: &mut Vec<Column>) {
-    for (name, value) in properties(root, node) {
-        let items = variants(root, value).into_iter().find_map(|node| node.get("items"));
-        let kind = items.and_then(|item| kind(root, item));
-        if let Some(kind) = kind.filter(|_| out.iter().all(|c| c.0 != *name)) {
-            out.push((name.clone(), kind));
-        }
+        let items = || variants(root, value).into_iter().find_map(|node| node.get("items"));
+        let kind = if are_lists { items() } else { Some(value) }.and_then(|value| kind(root, value));
+        out.extend(kind.filter(|_| out.iter().all(|c| c.0 != *name)).map(|kind| (name.clone(), kind)));
     }
 }
 

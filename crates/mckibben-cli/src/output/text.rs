@@ -13,10 +13,6 @@ pub fn place(path: &Path) -> String {
     line(&path.display().to_string()).into_owned()
 }
 
-pub fn or_dash<T>(v: Option<T>, show: impl Fn(T) -> String) -> String {
-    v.map_or_else(|| "–".into(), show)
-}
-
 /// A text column of a table that is too wide is not made narrower than this.
 const NARROW: usize = 24;
 const GAP: usize = 2;

@@ -12,5 +12,4 @@ mod fuzz_cli;
 mod help;
 mod output;
 mod rows;
-mod security;
 mod serve;

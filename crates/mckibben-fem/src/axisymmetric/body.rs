@@ -46,14 +46,10 @@ impl EndSystem {
         Self { free, tied, matrix: vec![0.0; size * size], y: vec![0.0; size] }
     }
 
-    pub(super) fn size(&self) -> usize {
-        self.free.len() + 1
-    }
-
     /// Condenses the Schur complement of the last station; gives the number of negative pivots.
     fn factorise(&mut self, end: &[f64], m: usize) -> Result<usize, usize> {
         let at = |i: usize, j: usize| end[i.min(j) * m + i.max(j)];
-        let (n, size) = (self.free.len(), self.size());
+        let (n, size) = (self.free.len(), self.y.len());
         for (i, &p) in self.free.iter().enumerate() {
             for (j, &q) in self.free.iter().enumerate() {
                 self.matrix[i * size + j] = at(p, q);
@@ -125,7 +121,8 @@ impl Body {
     /// A body at rest.
     pub fn new(discretisation: impl Into<Arc<Discretisation>>) -> Self {
         let discretisation = discretisation.into();
-        let state = discretisation.rest();
+        let tensions = STRAND_POINTS * discretisation.strands.len();
+        let state = State::rest(discretisation.layout.unknowns(), 0, tensions);
         Self {
             assembled: Assembled::new(&discretisation),
             end: EndSystem::new(&discretisation),

@@ -6,7 +6,7 @@ use super::mesh::Mesh;
 use crate::FemError;
 use crate::element::q2::{Geometry, NODES, POINTS, Point, point};
 use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
-use crate::solver::body::{Control, State};
+use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
 use mckibben::muscle::{Bulk, Crimp, Muscle, Parts, StrandLay};
 use mckibben::rubber::over_time::OgdenRoxburgh;
@@ -203,11 +203,6 @@ impl Discretisation {
     /// Half length at rest in mm.
     pub fn half_length(&self) -> f64 {
         self.mesh.node(0, 2 * self.mesh.along)[1]
-    }
-
-    /// The body at rest.
-    pub fn rest(&self) -> State {
-        State::rest(self.layout.unknowns(), 0, STRAND_POINTS * self.strands.len())
     }
 }
 

@@ -5,11 +5,10 @@ use super::discretisation::{Discretisation, Memory, Problem};
 use super::mesh::{Mesh, MeshSpec};
 use super::sensitivity;
 use crate::FemError;
+use crate::results::Sensitivity;
 use crate::simulation::{Divided, FiniteElements, Given};
-use crate::solver::continuation::Continuation;
 use mckibben::model::{
-    self, Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, Reference, Slopes, ThickWall,
-    Workspace,
+    self, Accuracy, Extensions, ForceModel, ModelEntry, ModelError, Reference, Slopes, ThickWall, Workspace,
 };
 use mckibben::muscle::Muscle;
 use std::sync::Arc;
@@ -76,7 +75,7 @@ impl Axisymmetric {
             thick_wall,
             default: if *spec == MeshSpec::default() { None } else { Some(Box::new(Self::new(muscle)?)) },
         };
-        Ok(Self::of(section, muscle, &ENTRY, Accuracy::share(0.0, Reference::Equations), vec![]))
+        Ok(Self::of(section, muscle, Accuracy::share(0.0, Reference::Equations), vec![]))
     }
 
     /// How far a pull in N that another mesh gave is from this one's; 0 where the muscle hangs slack, which leaves nothing to compare.
@@ -93,6 +92,7 @@ impl Axisymmetric {
 }
 
 impl Divided for MuscleSection {
+    const ENTRY: ModelEntry = ENTRY;
     type Body = Body;
 
     fn at_rest(&self) -> Result<Body, FemError> {
@@ -101,24 +101,13 @@ impl Divided for MuscleSection {
 
     fn extensions(model: &Axisymmetric) -> Extensions<'_> {
         let slopes = model.divided.discretisation.has_slopes().then_some(model as &dyn Slopes);
-        let inverse = Some(model as &dyn Inverse);
-        Extensions { inverse, slopes, mesh: Some(model), contact: Some(model), ..Extensions::default() }
+        Extensions { slopes, mesh: Some(model), contact: Some(model), ..Extensions::default() }
     }
 
     /// Soft strands let the pull rise and fall again with the pressure; the smaller of two is near that of the infinitely long muscle.
-    fn smaller_pressure(
-        &self,
-        c: &mut Continuation<Body>,
-        found_mpa: f64,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<f64> {
+    fn near_smaller(&self, found_mpa: f64, force_n: f64, contraction: f64) -> Option<f64> {
         let near = self.thick_wall.pressure_at_pull(&mut Workspace::new(), force_n, contraction)?;
-        if found_mpa <= FAR * near {
-            return None;
-        }
-        c.reach_pressure_from(near, force_n, contraction).ok()?;
-        Some(c.body.state.pressure)
+        (found_mpa > FAR * near).then_some(near)
     }
 }
 
@@ -135,12 +124,12 @@ impl Slopes for Axisymmetric {
             c.body.tangent()?;
             sensitivity::of(&mut c.body, self.muscle(), |name| names.iter().any(|n| n == name))
         };
-        let known = match known() {
-            Ok(known) => known,
-            Err(error) => return Some(Err(error.into())),
+        let one = |known: &[Sensitivity], name: &String| {
+            known.iter().find(|s| s.name == *name).map(|s| s.force_n_per_unit)
         };
-        let one = |name: &String| known.iter().find(|s| s.name == *name).map(|s| s.force_n_per_unit);
-        names.iter().map(one).collect::<Option<Vec<f64>>>().map(Ok)
+        let all =
+            known().map(|known| names.iter().map(|name| one(&known, name)).collect::<Option<Vec<f64>>>());
+        all.map_err(ModelError::from).transpose()
     }
 }
 

@@ -61,8 +61,9 @@ impl body::Body for Body {
 
     fn unstable_directions(&self) -> usize {
         let l = self.discretisation.layout;
-        let negative_end =
-            (0..self.end.free.len()).filter(|&i| self.end.matrix[i * (self.end.size() + 1)] < 0.0).count();
+        let negative_end = (0..self.end.free.len())
+            .filter(|&i| self.end.matrix[i * (self.end.free.len() + 2)] < 0.0)
+            .count();
         let multipliers = l.inside() - l.station();
         (self.assembled.chain.negative + negative_end).saturating_sub(multipliers * l.along)
     }
@@ -103,8 +104,8 @@ impl body::Body for Body {
 
     /// The pressure at which the infinitely long muscle begins to pull.
     fn pulling_pressure(&self, contraction: f64) -> Option<f64> {
-        let (endless, high) = (self.endless.as_ref()?, self.discretisation.shear);
-        let pull = |p: f64| endless.force_n(&mut Workspace::new(), p, contraction).ok();
+        let high = self.discretisation.shear;
+        let pull = |p: f64| body::Body::expected_pull(self, p, contraction);
         let push = pull(0.0)?;
         let slope = (pull(high)? - push) / high;
         (slope > 0.0).then(|| (-push / slope).max(0.0))

@@ -124,10 +124,8 @@ fn ask(case: SweepCase) -> SweepRow {
         .ok();
     let strain = endless.and_then(|r| {
         let k = case.muscle.family_stiffness_n_per_mm();
-        let width = 2.0
-            * std::f64::consts::PI
-            * case.muscle.outer_diameter_mm()
-            * case.muscle.braid().angle_rad().cos();
+        let (d0, cos) = (case.muscle.outer_diameter_mm(), case.muscle.braid().angle_rad().cos());
+        let width = 2.0 * std::f64::consts::PI * d0 * cos;
         r.braid_tension_n.map(|t| k.map_or(0.0, |k| t / (width * k)))
     });
     let required = endless.is_some_and(|r| r.force_n > 0.0) && strain.is_some_and(|s| s < 0.05);

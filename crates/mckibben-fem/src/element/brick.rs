@@ -74,23 +74,6 @@ pub struct Output<R, const NN: usize, const NM: usize> {
     pub tangent: Vec<[R; 9]>,
 }
 
-impl<R: Real, const NN: usize, const NM: usize> Input<R, NN, NM> {
-    /// Zeros.
-    pub fn zero() -> Self {
-        let o = R::splat(0.0);
-        Self {
-            rest: [[o; 3]; NN],
-            now: [[o; 3]; NN],
-            p: [o; NM],
-            volume: R::splat(1.0),
-            centre: [o; 3],
-            factors: [[o; 4]; 4],
-            compliance: 0.0,
-            augment: 0.0,
-        }
-    }
-}
-
 impl<R: Real, const NN: usize, const NM: usize> Output<R, NN, NM> {
     /// Zeros.
     pub fn zero() -> Self {

@@ -3,6 +3,7 @@
 use super::newton::{NewtonOptions, NewtonSystem};
 use crate::error::FemError;
 use std::f64::consts::PI;
+use std::slice::{from_mut, from_ref};
 
 /// The state of a body: unknowns, variables that are carried along, and the loads under which it stands.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -27,62 +28,46 @@ impl State {
         Self { u: zeros(unknowns), p: zeros(pressures), q: zeros(tensions), pressure: 0.0, terminal: 0.0 }
     }
 
-    fn lists(&mut self) -> [&mut [f64]; 3] {
-        [&mut self.u, &mut self.p, &mut self.q]
+    fn lists(&self) -> [&[f64]; 5] {
+        [&self.u, &self.p, &self.q, from_ref(&self.pressure), from_ref(&self.terminal)]
     }
 
-    fn with<'a>(&'a mut self, other: &'a Self) -> [(&'a mut [f64], &'a [f64]); 3] {
-        let [u, p, q] = self.lists();
-        [(u, &other.u), (p, &other.p), (q, &other.q)]
+    fn lists_mut(&mut self) -> [&mut [f64]; 5] {
+        let Self { u, p, q, pressure, terminal } = self;
+        [u, p, q, from_mut(pressure), from_mut(terminal)]
     }
 
     /// Takes over another state of the same body without allocating.
     pub fn copy_from(&mut self, other: &Self) {
-        for (to, from) in self.with(other) {
+        for (to, from) in self.lists_mut().into_iter().zip(other.lists()) {
             to.copy_from_slice(from);
         }
-        (self.pressure, self.terminal) = (other.pressure, other.terminal);
     }
 
     /// Adds `share` times another state.
     pub fn add(&mut self, share: f64, other: &Self) {
-        for (to, from) in self.with(other) {
-            for (x, y) in to.iter_mut().zip(from) {
-                *x += share * y;
-            }
+        for (to, from) in self.lists_mut().into_iter().zip(other.lists()) {
+            to.iter_mut().zip(from).for_each(|(x, y)| *x += share * y);
         }
-        self.pressure += share * other.pressure;
-        self.terminal += share * other.terminal;
     }
 
     /// Becomes what two states on a path extrapolate: `now` + `ratio` (`now` − `before`).
     pub fn extrapolate(&mut self, now: &Self, before: &Self, ratio: f64) {
-        for ((to, a), b) in
-            self.lists().into_iter().zip([&now.u, &now.p, &now.q]).zip([&before.u, &before.p, &before.q])
-        {
-            for ((x, a), b) in to.iter_mut().zip(a).zip(b) {
+        for ((to, now), before) in self.lists_mut().into_iter().zip(now.lists()).zip(before.lists()) {
+            for ((x, a), b) in to.iter_mut().zip(now).zip(before) {
                 *x = a + ratio * (a - b);
             }
         }
-        self.pressure = now.pressure + ratio * (now.pressure - before.pressure);
-        self.terminal = now.terminal + ratio * (now.terminal - before.terminal);
     }
 
     /// Multiplies everything.
     pub fn scale(&mut self, factor: f64) {
-        for list in self.lists() {
-            list.iter_mut().for_each(|x| *x *= factor);
-        }
-        self.pressure *= factor;
-        self.terminal *= factor;
+        self.lists_mut().into_iter().flatten().for_each(|x| *x *= factor);
     }
 
     /// Sets everything to zero: the body at rest.
     pub fn clear(&mut self) {
-        for list in self.lists() {
-            list.fill(0.0);
-        }
-        (self.pressure, self.terminal) = (0.0, 0.0);
+        self.lists_mut().into_iter().for_each(|list| list.fill(0.0));
     }
 }
 

@@ -103,6 +103,7 @@ impl Chain {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use mckibben::random::Random;
 
     /// The whole chain with a free last station.
     fn factorise(chain: &mut Chain) {
@@ -128,11 +129,8 @@ mod tests {
         let mut chain = Chain::new(slabs, m, n);
         let dimension = slabs * (n + m) + m;
         let mut dense = vec![0.0; dimension * dimension];
-        let mut seed = 7u64;
-        let mut random = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
-        };
+        let mut r = Random(7);
+        let mut random = || r.between(-0.5, 0.5);
         let size = chain.size();
         for slab in 0..slabs {
             let place = |i: usize| {

@@ -38,15 +38,6 @@ pub struct Unstable {
     pub directions: usize,
 }
 
-/// What first guesses led to.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Guessed {
-    Answer,
-    /// An equilibrium with slack strands, and its pull in N: which branch it is on must be found out.
-    Uncertain(f64),
-    Nothing,
-}
-
 /// A body that is led from equilibrium to equilibrium, and the equilibria it passed.
 #[derive(Debug, Clone)]
 pub struct Continuation<B: Body> {
@@ -190,11 +181,7 @@ impl<B: Body> Continuation<B> {
             if led.is_some_and(|led| led.is_ok()) {
                 return Ok(());
             }
-            let other_n = match c.guessed(pressure, terminal) {
-                Guessed::Answer => return Ok(()),
-                Guessed::Uncertain(pull) => Some(pull),
-                Guessed::Nothing => None,
-            };
+            let Err(other_n) = c.guessed(pressure, terminal) else { return Ok(()) };
             // A muscle that pulls is the one at rest length, shortened: there the guess is better than at a large bulge.
             let pulls = c.body.expected_pull(pressure, contraction).is_some_and(|force| force > 0.0);
             let shortened = pulls && !B::SETTINGS.take_unstable && c.shorten(pressure, terminal).is_ok();
@@ -288,20 +275,23 @@ impl<B: Body> Continuation<B> {
     }
 
     /// One step from the first guesses to the answer.
-    pub(super) fn guessed(&mut self, pressure: f64, terminal: f64) -> Guessed {
+    ///
+    /// # Errors
+    /// The pull in N of an equilibrium with slack strands, if there is one: which branch it is on must be found out.
+    pub(super) fn guessed(&mut self, pressure: f64, terminal: f64) -> Result<(), Option<f64>> {
         let mut attempt = 0;
         while let Some(applies) = self.body.guess(attempt, pressure, terminal) {
             attempt += 1;
             let found = applies && self.solve(Control::Length(terminal)).is_ok();
             if found && (B::SETTINGS.take_unstable || self.stable() && self.body.certain()) {
                 self.note();
-                return Guessed::Answer;
+                return Ok(());
             }
             if found && self.stable() {
-                return Guessed::Uncertain(self.pull());
+                return Err(Some(self.pull()));
             }
         }
-        Guessed::Nothing
+        Err(None)
     }
 
     /// That the path ends at the present equilibrium.

@@ -117,10 +117,7 @@ impl<B: Body> Continuation<B> {
 
     /// Less pressure does not make a muscle pull that pushes at one of the first stations: where it does, its tube has folded.
     fn lowered(&self, stations: usize) -> Result<(), Stopped> {
-        if self.descent.pushes(stations) && self.pull() > 0.0 && !self.body.certain() {
-            Err(Stopped::Branch)
-        } else {
-            Ok(())
-        }
+        let folded = self.descent.pushes(stations) && self.pull() > 0.0 && !self.body.certain();
+        if folded { Err(Stopped::Branch) } else { Ok(()) }
     }
 }

@@ -1,7 +1,7 @@
 //! Walks between equilibria, as large a step at a time as Newton's method allows.
 
 use super::body::{Body, Control};
-use super::continuation::{Continuation, Guessed, TAUT};
+use super::continuation::{Continuation, TAUT};
 use super::descent::growth_of_step;
 use super::newton::{Interrupted, LastConverged, Stopped};
 use super::trail::{Along, Trail};
@@ -44,7 +44,7 @@ impl<B: Body> Continuation<B> {
     pub(super) fn shorten(&mut self, pressure: f64, terminal: f64) -> Result<(), Stopped> {
         let mut trail = Trail::default();
         let (mut at, mut step) = (0.0, FIRST * terminal);
-        if self.guessed(pressure, at) != Guessed::Answer {
+        if self.guessed(pressure, at).is_err() {
             self.body.rest();
             self.walk(pressure, at, B::SETTINGS.first_step).map_err(|end| end.reason)?;
             if !(self.stable() && self.body.taut()) {

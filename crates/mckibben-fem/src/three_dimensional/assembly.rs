@@ -133,10 +133,19 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     work: &mut Assembled,
     totals: &mut Totals,
 ) -> Result<(), Stopped> {
-    let mut input = Input::<R, NN, NM>::zero();
-    let mut out = Output::<R, NN, NM>::zero();
     let Piece { d, s, m, law, bricks: Range { start, end: count } } = of;
-    (input.compliance, input.augment) = (m.compliance, m.augment);
+    let o = R::splat(0.0);
+    let mut input = Input {
+        rest: [[o; 3]; NN],
+        now: [[o; 3]; NN],
+        p: [o; NM],
+        volume: o,
+        centre: [o; 3],
+        factors: [[o; 4]; 4],
+        compliance: m.compliance,
+        augment: m.augment,
+    };
+    let mut out = Output::<R, NN, NM>::zero();
     let per_map = d.per_map();
     let mut twice = d.twice[d.twice.partition_point(|t| (t.0 as usize) < start)..].iter().peekable();
     for first in (start..count).step_by(R::LANES) {

@@ -65,7 +65,9 @@ impl Body {
         let discretisation = discretisation.into();
         let cholesky = SparseCholesky::new(discretisation.analysis.clone())
             .ok_or_else(|| FemError::too_large(discretisation.free))?;
-        let state = discretisation.rest();
+        let d = &discretisation;
+        let (nodes, trusses) = (d.problem.nodes.len(), d.problem.trusses.len());
+        let state = State::rest(3 * nodes, d.bricks() * d.modes, trusses);
         Ok(Self {
             assembled: Assembled::new(&discretisation),
             step: state.clone(),

@@ -158,12 +158,6 @@ impl Discretisation {
         Ok(out)
     }
 
-    /// The body at rest.
-    pub fn rest(&self) -> State {
-        let nodes = self.problem.nodes.len();
-        State::rest(3 * nodes, self.bricks() * self.modes, self.problem.trusses.len())
-    }
-
     /// What a piece of a strand does in a state, with the tension in N that its tangent has: T = q + γ (strain − q/(E A)); of strands
     /// stiffer than γ the rest is iterated.
     pub fn pull(&self, s: &State, t: usize, tension: f64) -> Pull {

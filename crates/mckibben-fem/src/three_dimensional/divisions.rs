@@ -37,21 +37,17 @@ impl BrickMesh {
             let known = Self::check(&BrickSpec { along: Some(along), ..*spec }).is_ok();
             known && bricks.iter().product::<f64>() <= MAX_ELEMENTS
         };
-        let fits = |around: usize, along: usize| {
+        let off = |around: &usize| (natural(*around) / along as f64).ln().abs();
+        let fewer = (1..=Self::MOST_AROUND).min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(around);
+        let rows = natural(around).round() as usize;
+        let fits = |&(around, along): &(usize, usize)| {
             affordable(around, along) && stands_for(meshed(around, along), angle)
         };
-        let off = |around: &usize| (natural(*around) / along as f64).ln().abs();
-        let fewer = (1..=Self::MOST_AROUND).min_by(|a, b| off(a).total_cmp(&off(b)));
-        let rows = natural(around).round() as usize;
-        let longer = Some((around, rows));
-        let candidates = [longer, fewer.map(|around| (around, along))].into_iter().flatten();
+        let free = if affordable(around, rows) { around } else { fewer };
         let word = if spec.brick == Brick::Quadratic { ":quadratic" } else { "" };
-        let mut fitting: Vec<String> = candidates
-            .filter(|&(around, along)| fits(around, along))
-            .map(|(around, along)| format!("{through}x{around}x{along}{word}"))
-            .collect();
-        let free = if affordable(around, rows) { Some(around) } else { fewer };
-        fitting.extend(free.map(|around| format!("{through}x{around}{word}")));
+        let fitting = [(around, rows), (fewer, along)].into_iter().filter(fits);
+        let fitting = fitting.map(|(around, along)| format!("{through}x{around}x{along}{word}"));
+        let fitting: Vec<String> = fitting.chain([format!("{through}x{free}{word}")]).collect();
         Err(FemError::Refused(format!(
             "mesh: its strands would lie at {meshed_deg:.2}°, those of the braid lie at {angle_deg:.2}°; take {fitting}, or another number of bricks around and along",
             angle_deg = angle.to_degrees(),

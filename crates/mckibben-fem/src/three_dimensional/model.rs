@@ -42,7 +42,7 @@ impl ThreeDimensional {
             false => Accuracy::share(0.0, Reference::Equations),
         };
         let notes = notes(&divided, muscle);
-        Ok(Self::of(divided, muscle, &ENTRY, accuracy, notes))
+        Ok(Self::of(divided, muscle, accuracy, notes))
     }
 }
 
@@ -64,7 +64,8 @@ fn notes(divided: &MuscleMesh, muscle: &Muscle) -> Vec<String> {
         out.push(format!("the mesh is {meshed:.2} mm long, the muscle {length} mm"));
     }
     if let Some(plug) = &mesh.plug {
-        let (name, insertion, nose) = (plug.material.name(), plug.insertion_mm, plug.nose_mm);
+        let name = format!("{:?}", plug.material).to_lowercase();
+        let (insertion, nose) = (plug.insertion_mm, plug.nose_mm);
         let assumed = if divided.insertion_assumed {
             " (assumed, because it is not stated; it reduces the pull by about 5 %)"
         } else {

@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::discretisation::Discretisation;
 use super::mesh::{BrickMesh, BrickSpec, Quarter};
-use super::model::ThreeDimensional;
+use super::model::{ENTRY, ThreeDimensional};
 use super::plug::Plug;
 use super::problem::Problem;
 use crate::FemError;
@@ -12,7 +12,7 @@ use crate::simulation::Divided;
 use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{NewtonOptions, NewtonSystem, Stopped};
-use mckibben::model::{Extensions, ForceModel};
+use mckibben::model::{Extensions, ForceModel, ModelEntry};
 use mckibben::muscle::{BraidStiffness, Muscle};
 use std::sync::Arc;
 
@@ -70,6 +70,7 @@ impl MuscleMesh {
 }
 
 impl Divided for MuscleMesh {
+    const ENTRY: ModelEntry = ENTRY;
     type Body = MuscleInBricks;
 
     fn at_rest(&self) -> Result<MuscleInBricks, FemError> {
@@ -87,7 +88,7 @@ impl Divided for MuscleMesh {
 
     fn extensions(model: &ThreeDimensional) -> Extensions<'_> {
         let companion = Some(&model.divided.limit as _);
-        Extensions { inverse: Some(model), mesh: Some(model), companion, ..Extensions::default() }
+        Extensions { mesh: Some(model), companion, ..Extensions::default() }
     }
 }
 

@@ -44,14 +44,6 @@ impl PlugMaterial {
             )),
         }
     }
-
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rigid => "rigid",
-            Self::Aluminium => "aluminium",
-        }
-    }
 }
 
 /// A terminal with a plug inside of the tube, which is meshed.

@@ -123,9 +123,8 @@ fn stretched(mut c: Continuation<Body>, pressure: f64, stretch: f64) -> Option<B
 
 /// The same, first inflated: then strands are taut.
 fn inflated(mut c: Continuation<Body>, pressure: f64, stretch: f64) -> Option<Body> {
-    let terminal = (stretch - 1.0) * c.body.discretisation.half_length();
     c.walk(pressure, 0.0, 1.0).ok()?;
-    c.walk(pressure, terminal, 1.0).ok()?;
+    c.walk(pressure, (stretch - 1.0) * c.body.discretisation.half_length(), 1.0).ok()?;
     Some(c.body)
 }
 

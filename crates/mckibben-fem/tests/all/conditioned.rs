@@ -1,5 +1,6 @@
 //! Muscles whose rubber was stretched before, as a user meets them.
 
+use super::prestretch::slopes_are_those_of_differences;
 use mckibben::model::{ForceModel, ModelKind, Response, ThickWall, Workspace};
 use mckibben::muscle::file::read_muscle;
 use mckibben::muscle::{Bulk, Conditioned, Muscle, Rubber, Tube};
@@ -52,18 +53,7 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
         let m = muscle(law, Some(0.3));
         let tube = m.tube().clone();
         let m = m.with_tube(Tube { rubber: Rubber { bulk, ..tube.rubber.clone() }, ..tube }).unwrap();
-        let (model, w) = (Axisymmetric::new(&m).unwrap(), &mut Workspace::new());
-        let (p, e, h) = (0.2, 0.12, 1e-4);
-        let mut at = |p: f64, e: f64| model.response(w, p, e).unwrap();
-        let here = at(p, e);
-        let by = |above: f64, below: f64| (above - below) / (2.0 * h);
-        let force_by_p = by(at(p + h, e).force_n, at(p - h, e).force_n);
-        let stiffness = -by(at(p, e + h).force_n, at(p, e - h).force_n) / m.length_mm();
-        let volume = |r: Response| r.volume_mm3.unwrap();
-        let volume_by_l = -by(volume(at(p, e + h)), volume(at(p, e - h))) / m.length_mm();
-        assert!((force_by_p / here.force_per_pressure_mm2.unwrap() - 1.0).abs() < 1e-6);
-        assert!((stiffness / here.stiffness_n_per_mm.unwrap() - 1.0).abs() < 1e-5);
-        assert!((force_by_p / -volume_by_l - 1.0).abs() < 1e-6);
+        slopes_are_those_of_differences(&m, (0.2, 0.12));
     }
 }
 

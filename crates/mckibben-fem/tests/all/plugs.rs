@@ -38,7 +38,6 @@ fn a_braid_laid_over_wide_plugs_pulls_as_in_independent_finite_elements_and_noth
     let plain = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
     for (plug_mm, pull_n) in [(16.0, 738.7), (20.8, 798.8), (25.6, 768.3)] {
         let muscle = plain.with(&PLUG_DIAMETER, plug_mm).unwrap();
-        println!("{plug_mm} {} {}", force_n(&muscle, 0.0, 0.0), force_n(&muscle, 0.25, 0.0));
         assert!(force_n(&muscle, 0.0, 0.0).abs() < 1e-6, "{plug_mm}");
         assert!((force_n(&muscle, 0.25, 0.0) - pull_n).abs() < 0.0025 * pull_n, "{plug_mm}");
     }

@@ -125,13 +125,7 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     ratios.sort_by(f64::total_cmp);
     let (middle, high) = (ratios[ratios.len() / 2], ratios[9 * ratios.len() / 10]);
     let highest = points.iter().map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
-    let times = |r: f64| {
-        format!(
-            "the forces are about {} times those of an ideal muscle of these measures, which no rubber explains: ",
-            show(r)
-        )
-    };
-    if middle > 2.5 {
+    let (ratio, why) = if middle > 2.5 {
         let why = if highest < 0.06 {
             format!(
                 "the highest pressure is {} MPa; if the column holds bar or MPa under another name, rename it (pressure_bar, pressure_mpa)",
@@ -144,9 +138,8 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
         } else {
             "is force_n in N (1 kgf is 9.81 N), and is the diameter in mm?".into()
         };
-        return Some(times(middle) + &why);
-    }
-    if high < 0.12 {
+        (middle, why)
+    } else if high < 0.12 {
         let why = if highest > 30.0 {
             format!("pressures reach {} MPa; if they are kPa, name the column pressure_kpa", show(highest))
         } else if highest > 1.5 {
@@ -157,9 +150,14 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
             "is force_n in kgf (multiply by 9.81) or lbf (by 4.45), or the diameter in other units than mm?"
                 .into()
         };
-        return Some(times(high) + &why);
-    }
-    None
+        (high, why)
+    } else {
+        return None;
+    };
+    Some(format!(
+        "the forces are about {} times those of an ideal muscle of these measures, which no rubber explains: {why}",
+        show(ratio)
+    ))
 }
 
 /// Pulls past the contraction at which the ideal muscle ends.
@@ -254,18 +252,13 @@ pub(super) fn after(found: &Identification, request: &Request<'_>) -> Vec<String
     notes.extend(misfit(found));
     notes.extend(pattern(&found.points));
     notes.extend(slack(found, request.build));
-    let has = |t: Target| found.parameter(t).is_some();
-    if has(Target::ContractionOffset) {
-        notes.push("a muscle file cannot hold contraction_offset: add it to your contractions".into());
-    }
-    if has(Target::DeadVolume) {
-        notes.push("a muscle file cannot hold dead_volume: subtract it from your volumes".into());
-    }
-    if has(Target::StiffnessExponent) {
-        notes.push(
-            "a muscle file cannot hold braid.stiffness_exponent: it states k at its own diameter".into(),
-        );
-    }
+    let not_in_a_file = [
+        (Target::ContractionOffset, "contraction_offset: add it to your contractions"),
+        (Target::DeadVolume, "dead_volume: subtract it from your volumes"),
+        (Target::StiffnessExponent, "braid.stiffness_exponent: it states k at its own diameter"),
+    ];
+    let found_too = not_in_a_file.iter().filter(|(target, _)| found.parameter(*target).is_some());
+    notes.extend(found_too.map(|(_, what)| format!("a muscle file cannot hold {what}")));
     notes
 }
 
@@ -278,10 +271,7 @@ fn never_locks(found: &Identification, target: Target) -> Option<&'static str> {
 
 fn unidentifiable(found: &Identification) -> Vec<String> {
     let one = |p: &super::Identified| {
-        if p.identifiable {
-            return None;
-        }
-        Some(if p.implausible {
+        if p.implausible {
             format!(
                 "{} {} {} gives an end displacement of more than 0.3 of the outer diameter, more than that of any known muscle: it is not determined; an error in another constant (length, angle, modulus) is more likely",
                 p.name,
@@ -321,9 +311,9 @@ fn unidentifiable(found: &Identification) -> Vec<String> {
                 show(p.half_width),
                 limit.trim()
             )
-        })
+        }
     };
-    found.parameters.iter().filter_map(one).collect()
+    found.parameters.iter().filter(|p| !p.identifiable).map(one).collect()
 }
 
 /// A modulus that was found and is that of no rubber.
@@ -361,19 +351,17 @@ fn correlated(found: &Identification) -> Vec<String> {
 }
 
 fn misfit(found: &Identification) -> Option<String> {
-    if !found.errors_stated {
-        return None;
-    }
-    let s = found.deviation;
-    if s > 1.5 {
-        Some(format!(
+    match found.deviation {
+        _ if !found.errors_stated => None,
+        s if s > 1.5 => Some(format!(
             "the residuals are {} times the stated errors: the model does not explain the data, or the errors are larger",
             show(s)
-        ))
-    } else if s < 0.5 {
-        Some(format!("the residuals are only {} of the stated errors: these are stated too large", show(s)))
-    } else {
-        None
+        )),
+        s if s < 0.5 => Some(format!(
+            "the residuals are only {} of the stated errors: these are stated too large",
+            show(s)
+        )),
+        _ => None,
     }
 }
 
@@ -415,12 +403,8 @@ fn slack(found: &Identification, build: &Build<'_>) -> Option<String> {
     let limit = (2.0 * found.rms_n).max(1e-3);
     let pulls = |p: &&DataPoint| {
         let e = p.at.contraction + found.candidate.contraction_offset;
-        let force = found
-            .candidate
-            .of_section(&p.section)
-            .ok()
-            .and_then(|m| build(&m).ok())
-            .and_then(|m| m.force_n(&mut Workspace::new(), p.at.pressure_mpa, e).ok());
+        let model = found.candidate.of_section(&p.section).ok().and_then(|m| build(&m).ok());
+        let force = model.and_then(|m| m.force_n(&mut Workspace::new(), p.at.pressure_mpa, e).ok());
         force.is_some_and(|f| f > limit)
     };
     let wrong: Vec<u64> = found.slack.iter().filter(pulls).map(|p| p.line).collect();

@@ -48,12 +48,11 @@ pub(super) fn bench(
     // Constants that were fitted to the points make the residuals smaller.
     let fitted = (found.points.len() as f64 / found.freedom as f64).sqrt();
     let scatter_n = scatter.map_or_else(|| t * (squares / found.freedom as f64).sqrt(), |n| n * fitted);
-    let free: Vec<_> = request.free.iter().map(|p| p.target).collect();
     let half_width_n = |pressure_mpa: f64, e: f64| -> Option<f64> {
         let (contraction, branch) = (e - offset, branches.last().copied());
         let at = MeasuredPoint { pressure_mpa, contraction, force_n: 0.0, branch };
         let point = [DataPoint::of(at)];
-        let problem = Problem::new(request, &free, (&point, None), x);
+        let problem = Problem::new(request, (&point, None), x);
         let columns = slopes(&problem, unknowns, x)?;
         let g: Vec<f64> = columns.iter().map(|c| c.first().copied().unwrap_or(0.0)).collect();
         let row = |row: &Vec<f64>| row.iter().zip(&g).map(|(c, g)| c * g).sum::<f64>();

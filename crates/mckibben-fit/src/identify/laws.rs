@@ -8,6 +8,7 @@
 use super::advice::neighbours;
 use super::{Identification, IdentifyError, Parameter, Request, Result, Target, identify};
 use crate::least_squares::aicc;
+use mckibben::analysis::find_root;
 use mckibben::cancel::Cancelled;
 use mckibben::muscle::{Rubber, Tube};
 use mckibben::rubber::{Law, LawKind, RubberLaw};
@@ -79,13 +80,9 @@ fn trial(request: &Request<'_>, kind: &'static LawKind) -> Option<LawTrial> {
 /// What a chemist would not believe of a law.
 fn doubt(law: &Law) -> Option<String> {
     // In tension I1 − 3 = λ² + 2/λ − 3.
-    let stretch = law.locks_at().map(|j| {
-        let (mut low, mut high) = (1.0_f64, (j + 3.0).sqrt());
-        for _ in 0..60 {
-            let l = 0.5 * (low + high);
-            if l * l + 2.0 / l - 3.0 < j { low = l } else { high = l }
-        }
-        low
+    let stretch = law.locks_at().and_then(|j| {
+        let beyond = |l: f64| Ok::<f64, Cancelled>(l * l + 2.0 / l - 3.0 - j);
+        find_root(beyond, 1.0, (j + 3.0).sqrt(), 1e-9).ok().flatten()
     });
     if let Some(stretch) = stretch.filter(|s| *s < EARLY_LOCK) {
         return Some(format!(

@@ -88,12 +88,10 @@ impl Target {
             return Ok(*t);
         }
         let known: Vec<String> = all.iter().map(|t| t.name(muscle)).collect();
-        let list: Vec<&str> = known.iter().map(String::as_str).collect();
-        let nearest = nearest(given, list.iter().copied()).map(str::to_owned);
+        let meant = meant(nearest(given, known.iter().map(String::as_str)));
+        let known = known.join(", ");
         Err(ParameterError(format!(
-            "`{given}` cannot be identified{}; the parameters of this muscle are {known}",
-            meant(nearest.as_deref()),
-            known = known.join(", ")
+            "`{given}` cannot be identified{meant}; the parameters of this muscle are {known}"
         )))
     }
 
@@ -127,11 +125,9 @@ impl Target {
     pub(super) fn natural_bounds(self, muscle: &Muscle) -> (f64, f64) {
         match self {
             Law(i) => {
-                let law = &muscle.tube().rubber.law;
-                let found = law.constants().into_iter().nth(i);
-                let (value, (low, high)) =
-                    found.map_or((0.0, (f64::NEG_INFINITY, f64::INFINITY)), |c| (c.value, c.constant.bounds));
-                (low, if sets_limit(law, i) { value.max(NO_LOCK) } else { high })
+                let free = (0.0, (f64::NEG_INFINITY, f64::INFINITY));
+                let (value, (low, high)) = constant(muscle, i).map_or(free, |c| (c.value, c.constant.bounds));
+                (low, if sets_limit(&muscle.tube().rubber.law, i) { value.max(NO_LOCK) } else { high })
             }
             StiffnessExponent => (-5.0, 5.0),
             ContractionOffset => (-0.3, 0.3),
@@ -193,32 +189,25 @@ impl Parameter {
 
     /// `name`, `name=start` or `name=start:low:high`, quantities with a unit if you like.
     pub fn parse(text: &str, muscle: &Muscle) -> Result<Self, ParameterError> {
-        let (name, values) = match text.split_once('=') {
-            None => (text, None),
-            Some((name, values)) => (name, Some(values)),
-        };
-        let target = Target::parse(name, muscle)?;
-        let Some(values) = values else { return Ok(Self::free(target)) };
-        let numbers = numbers(target, values, muscle)?;
-        let label = || target.name(muscle);
-        match numbers.as_slice() {
-            [start] => Ok(Self { target, start: Some(*start), bounds: None }),
-            &[start, low, high] if low < high && start >= low && start <= high => {
-                Ok(Self { target, start: Some(start), bounds: Some((low, high)) })
+        let (target, numbers) = split(text, muscle)?;
+        let own = Self::free(target);
+        match *numbers.as_slice() {
+            [] => Ok(own),
+            [start] => Ok(Self { start: Some(start), ..own }),
+            [start, low, high] if low < high && start >= low && start <= high => {
+                Ok(Self { start: Some(start), bounds: Some((low, high)), ..own })
             }
-            &[start, low, high] => Err(out_of_bounds(&label(), start, low, high)),
+            [start, low, high] => Err(out_of_bounds(&target.name(muscle), start, low, high)),
             _ => Err(form(text.trim())),
         }
     }
 
     pub fn parse_bounds(text: &str, muscle: &Muscle) -> Result<(Target, (f64, f64)), ParameterError> {
-        let form = || form(&format!("{} (bounds are name=low:high)", text.trim()));
-        let (name, values) = text.split_once('=').ok_or_else(form)?;
-        let target = Target::parse(name, muscle)?;
-        match *numbers(target, values, muscle)?.as_slice() {
+        let (target, numbers) = split(text, muscle)?;
+        match *numbers.as_slice() {
             [low, high] if low < high => Ok((target, (low, high))),
             [low, high] => Err(out_of_bounds(&target.name(muscle), low, low, high)),
-            _ => Err(form()),
+            _ => Err(form(&format!("{} (bounds are name=low:high)", text.trim()))),
         }
     }
 }
@@ -233,12 +222,16 @@ fn form(given: &str) -> ParameterError {
     ParameterError(format!("`{given}` is not of the form name, name=start or name=start:low:high"))
 }
 
-fn numbers(target: Target, text: &str, muscle: &Muscle) -> Result<Vec<f64>, ParameterError> {
+/// The target of a word, and the numbers behind it.
+fn split(text: &str, muscle: &Muscle) -> Result<(Target, Vec<f64>), ParameterError> {
+    let (name, values) = text.split_once('=').map_or((text, None), |(name, values)| (name, Some(values)));
+    let target = Target::parse(name, muscle)?;
     let one = |t: &str| {
         parse_quantity(t, target.dimension(muscle))
             .map_err(|error| ParameterError(format!("{}: {error}", target.name(muscle))))
     };
-    text.split(':').map(one).collect()
+    let numbers = values.into_iter().flat_map(|values| values.split(':')).map(one).collect::<Result<_, _>>();
+    Ok((target, numbers?))
 }
 
 #[cfg(test)]

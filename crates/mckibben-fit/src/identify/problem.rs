@@ -12,17 +12,17 @@
 //! ([`Slopes`](mckibben::model::Slopes)) where it has one and no volumes were read.
 
 use super::history::shares;
-use super::{Candidate, Request, Target};
+use super::{Candidate, Parameter, Request, Target};
 use crate::least_squares::Residuals;
 use crate::measured::{DataPoint, Quantity, Section};
 use mckibben::analysis::Evaluation;
-use mckibben::model::{ForceModel, ModelError, Workspace};
+use mckibben::model::{ForceModel, ModelError, Result, Workspace};
 use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, OUTER_DIAMETER};
 use mckibben::muscle::{BraidStiffness, Direction, Friction, Muscle};
 use mckibben::threads;
 
 /// Makes the model of a muscle.
-pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
+pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>> + Sync + 'a;
 
 /// Rows of one muscle that one model answers, in an order that suits a model with a memory.
 struct Chunk {
@@ -34,10 +34,12 @@ struct Chunk {
 const PARTS: usize = 4;
 const LEAST: usize = 24;
 
+/// Points that count, and all rows in time order.
+type Rows<'a> = (&'a [DataPoint], Option<&'a [DataPoint]>);
+
 /// What is to be made small.
 pub struct Problem<'a> {
     request: &'a Request<'a>,
-    free: &'a [Target],
     points: &'a [DataPoint],
     /// All rows in time order, where the friction has their history.
     history: Option<&'a [DataPoint]>,
@@ -55,13 +57,7 @@ struct Local {
     by_pressure: f64,
 }
 
-fn local(
-    m: &dyn ForceModel,
-    w: &mut Workspace,
-    p: f64,
-    e: f64,
-    branch: Direction,
-) -> Result<Local, ModelError> {
+fn local(m: &dyn ForceModel, w: &mut Workspace, p: f64, e: f64, branch: Direction) -> Result<Local> {
     let mut model = Evaluation::new(m, w, branch);
     let r = model.response(p, e)?;
     let by_contraction = -model.stiffness_n_per_mm(&r)? * m.muscle().length_mm();
@@ -70,12 +66,7 @@ fn local(
 }
 
 /// Newton's method for what was read, from where it was read.
-fn found(
-    m: &dyn ForceModel,
-    w: &mut Workspace,
-    point: &DataPoint,
-    offset: f64,
-) -> Result<(f64, f64, Local), ModelError> {
+fn found(m: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, offset: f64) -> Result<(f64, f64, Local)> {
     let at = &point.at;
     let (mut p, mut e) = (at.pressure_mpa, at.contraction + offset);
     const STEPS: usize = 30;
@@ -103,21 +94,9 @@ fn found(
 
 impl<'a> Problem<'a> {
     /// A problem of points, and of all rows in time order where the friction has their history; `start`: values of the free targets.
-    pub fn new(
-        request: &'a Request<'a>,
-        free: &'a [Target],
-        (points, history): (&'a [DataPoint], Option<&'a [DataPoint]>),
-        start: &[f64],
-    ) -> Self {
-        let mut out = Self {
-            request,
-            free,
-            points,
-            history,
-            chunks: chunks(points),
-            scales: [1.0; 4],
-            analytic: false,
-        };
+    pub fn new(request: &'a Request<'a>, (points, history): Rows<'a>, start: &[f64]) -> Self {
+        let (chunks, scales) = (chunks(points), [1.0; 4]);
+        let mut out = Self { request, points, history, chunks, scales, analytic: false };
         out.scales = out.mean_slopes(start).unwrap_or([1.0; 4]);
         out.analytic = out.knows_derivatives(start);
         out
@@ -134,7 +113,7 @@ impl<'a> Problem<'a> {
     }
 
     /// Residual of every point in N, or why it has none.
-    pub fn rows(&self, x: &[f64]) -> Option<Vec<Result<f64, ModelError>>> {
+    pub fn rows(&self, x: &[f64]) -> Option<Vec<Result<f64>>> {
         let candidate = self.candidate(x)?;
         let shares = self.shares(&candidate);
         let offset = candidate.contraction_offset;
@@ -174,9 +153,9 @@ impl<'a> Problem<'a> {
     fn over_rows<T: Send>(
         &self,
         candidate: &Candidate,
-        one: impl Fn(&dyn ForceModel, &mut Workspace, usize) -> Result<T, ModelError> + Sync,
-    ) -> Option<Vec<Result<T, ModelError>>> {
-        let of_chunk = |chunk: &Chunk| -> Option<Vec<Result<T, ModelError>>> {
+        one: impl Fn(&dyn ForceModel, &mut Workspace, usize) -> Result<T> + Sync,
+    ) -> Option<Vec<Result<T>>> {
+        let of_chunk = |chunk: &Chunk| -> Option<Vec<Result<T>>> {
             if self.request.progress.cancelled() {
                 return None;
             }
@@ -186,7 +165,7 @@ impl<'a> Problem<'a> {
             Some(chunk.rows.iter().map(|&i| one(model.as_ref(), &mut w, i)).collect())
         };
         let lists = threads::map(&self.chunks, of_chunk);
-        let mut out: Vec<Option<Result<T, ModelError>>> = self.points.iter().map(|_| None).collect();
+        let mut out: Vec<Option<Result<T>>> = self.points.iter().map(|_| None).collect();
         for (chunk, list) in self.chunks.iter().zip(lists) {
             for (&i, value) in chunk.rows.iter().zip(list?) {
                 out[i] = Some(value);
@@ -228,7 +207,7 @@ impl<'a> Problem<'a> {
         // A braid that follows from the measures of the muscle has another derivative by these.
         let follows =
             matches!(candidate.muscle().braid().stiffness, BraidStiffness::Paper | BraidStiffness::OfStrands);
-        if follows && self.free.iter().any(|t| t.is_geometry()) {
+        if follows && self.request.free.iter().any(|p| p.target.is_geometry()) {
             return false;
         }
         // Friction from contact depends on all that is sought.
@@ -248,32 +227,12 @@ impl<'a> Problem<'a> {
 
     /// Names whose ∂F is needed.
     fn names(&self, candidate: &Candidate) -> Vec<String> {
-        let muscle = candidate.muscle();
         let mut names: Vec<String> = vec![];
-        let mut add = |name: String| {
-            if !names.contains(&name) {
-                names.push(name);
-            }
-        };
-        for target in self.free {
-            match target {
-                Target::Modulus => {
-                    let constants = muscle.tube().rubber.law.constants();
-                    constants
-                        .iter()
-                        .filter(|c| c.constant.is_modulus())
-                        .for_each(|c| add(format!("tube.material.{}", c.name)));
+        for free in self.request.free {
+            for (name, _) in chain_rule(free.target, 1.0, candidate.muscle(), candidate) {
+                if !names.contains(&name) {
+                    names.push(name);
                 }
-                Target::StiffnessExponent => add("braid.stiffness".into()),
-                Target::Measure(m) if **m == OUTER_DIAMETER => {
-                    add(m.key.into());
-                    if candidate.family().is_some() {
-                        add("braid.stiffness".into());
-                    }
-                }
-                Target::Measure(m) if m.section() == "friction" => {}
-                Target::ContractionOffset | Target::DeadVolume => {}
-                other => add(other.name(muscle)),
             }
         }
         names
@@ -288,7 +247,7 @@ impl<'a> Problem<'a> {
         x: &[f64],
         names: &[String],
         (p, e, here): (f64, f64, &Local),
-    ) -> Result<Vec<f64>, ModelError> {
+    ) -> Result<Vec<f64>> {
         let not_known =
             || ModelError::NotFinite { model: m.info().name.to_string(), pressure_mpa: p, contraction: e };
         let own = m.extensions().slopes.and_then(|own| own.force_by(w, p, e, names));
@@ -298,25 +257,8 @@ impl<'a> Problem<'a> {
         let muscle = m.muscle();
         let friction = muscle.friction().copied();
         let sign = point.at.direction().sign();
-        let (d, s) = (muscle.outer_diameter_mm(), &point.section);
-        let one = |(&target, &v): (&Target, &f64)| match target {
-            Target::Modulus => {
-                let constants = muscle.tube().rubber.law.constants();
-                let moduli = constants.iter().filter(|c| c.constant.is_modulus());
-                moduli.map(|c| c.value / v * of(&format!("tube.material.{}", c.name))).sum()
-            }
-            Target::Stiffness => {
-                let at = candidate.family().map_or(1.0, |f| f.ratio(d).powf(f.exponent));
-                of("braid.stiffness") * at
-            }
-            Target::StiffnessExponent => {
-                candidate.family().map_or(0.0, |f| of("braid.stiffness") * f.at(d) * f.ratio(d).ln())
-            }
-            Target::Measure(m) if s.states(m) => 0.0,
-            Target::Measure(m) if *m == OUTER_DIAMETER => {
-                let through = candidate.family().map_or(0.0, |f| f.exponent * f.at(d) / d);
-                of(m.key) + of("braid.stiffness") * through
-            }
+        let one = |(free, &v): (&Parameter, &f64)| match free.target {
+            Target::Measure(m) if point.section.states(m) => 0.0,
             Target::Measure(m) if m.section() == "friction" => {
                 let by_law = |f: Friction| match m {
                     m if *m == FRICTION_COEFFICIENT => sign * p.powf(f.exponent),
@@ -328,16 +270,37 @@ impl<'a> Problem<'a> {
             }
             // Held against ε + offset: where ε is what is sought, only the pull's slope by it remains.
             Target::ContractionOffset => here.by_contraction,
-            Target::DeadVolume => 0.0,
-            Target::Law(_) | Target::Measure(_) => of(&target.name(muscle)),
+            other => chain_rule(other, v, muscle, candidate).iter().map(|(n, factor)| factor * of(n)).sum(),
         };
-        Ok(self.free.iter().zip(x).map(one).collect())
+        Ok(self.request.free.iter().zip(x).map(one).collect())
+    }
+}
+
+/// ∂F/∂θ of a target with the value v: names of which the model knows ∂F, each with the factor of it.
+fn chain_rule(target: Target, v: f64, muscle: &Muscle, candidate: &Candidate) -> Vec<(String, f64)> {
+    let (d, family) = (muscle.outer_diameter_mm(), candidate.family());
+    let by_stiffness = |factor: f64| ("braid.stiffness".to_owned(), factor);
+    match target {
+        Target::Modulus => {
+            let constants = muscle.tube().rubber.law.constants().into_iter();
+            let moduli = constants.filter(|c| c.constant.is_modulus());
+            moduli.map(|c| (format!("tube.material.{}", c.name), c.value / v)).collect()
+        }
+        Target::Stiffness => vec![by_stiffness(family.map_or(1.0, |f| f.ratio(d).powf(f.exponent)))],
+        Target::StiffnessExponent => vec![by_stiffness(family.map_or(0.0, |f| f.at(d) * f.ratio(d).ln()))],
+        Target::Measure(m) if *m == OUTER_DIAMETER => {
+            let through = family.map(|f| by_stiffness(f.exponent * f.at(d) / d));
+            [(m.key.to_owned(), 1.0)].into_iter().chain(through).collect()
+        }
+        Target::Measure(m) if m.section() == "friction" => vec![],
+        Target::ContractionOffset | Target::DeadVolume => vec![],
+        Target::Law(_) | Target::Measure(_) => vec![(target.name(muscle), 1.0)],
     }
 }
 
 impl Residuals for Problem<'_> {
     fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
-        self.rows(x)?.into_iter().collect::<Result<Vec<f64>, ModelError>>().ok()
+        self.rows(x)?.into_iter().collect::<Result<Vec<f64>>>().ok()
     }
 
     fn by_unknowns(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
@@ -366,7 +329,7 @@ impl Residuals for Problem<'_> {
             };
             Ok(slopes.into_iter().map(|s| factor * s).collect::<Vec<f64>>())
         })?;
-        let rows = rows.into_iter().collect::<Result<Vec<Vec<f64>>, ModelError>>().ok()?;
+        let rows = rows.into_iter().collect::<Result<Vec<Vec<f64>>>>().ok()?;
         Some((0..x.len()).map(|c| rows.iter().map(|r| r[c]).collect()).collect())
     }
 }

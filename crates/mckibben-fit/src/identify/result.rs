@@ -144,21 +144,21 @@ pub(super) fn spreads(points: &[PointFit]) -> Vec<Spread> {
         let list: Vec<f64> = points.iter().filter(|p| keep(p)).map(|p| p.residual_n).collect();
         (!list.is_empty() && list.len() < points.len()).then(|| spread(label, &list))
     };
-    let branch = |b: Option<Direction>| move |p: &PointFit| p.point.at.branch == b;
-    let read = |q: Quantity| move |p: &PointFit| p.point.measured == q;
-    let mut out: Vec<Spread> = [
-        of("branch contraction".into(), &branch(Some(Direction::Contraction))),
-        of("branch elongation".into(), &branch(Some(Direction::Elongation))),
-        of("mean of both branches".into(), &branch(Some(Direction::Mean))),
-        of("no branch".into(), &branch(None)),
-        of("read: force".into(), &read(Quantity::Force)),
-        of("read: contraction".into(), &read(Quantity::Contraction)),
-        of("read: pressure".into(), &read(Quantity::Pressure)),
-        of("read: volume".into(), &read(Quantity::Volume)),
-    ]
-    .into_iter()
-    .flatten()
-    .collect();
+    let branches = [
+        ("branch contraction", Some(Direction::Contraction)),
+        ("branch elongation", Some(Direction::Elongation)),
+        ("mean of both branches", Some(Direction::Mean)),
+        ("no branch", None),
+    ];
+    let read = [
+        ("read: force", Quantity::Force),
+        ("read: contraction", Quantity::Contraction),
+        ("read: pressure", Quantity::Pressure),
+        ("read: volume", Quantity::Volume),
+    ];
+    let branches = branches.map(|(label, branch)| of(label.into(), &|p| p.point.at.branch == branch));
+    let read = read.map(|(label, quantity)| of(label.into(), &|p| p.point.measured == quantity));
+    let mut out: Vec<Spread> = branches.into_iter().chain(read).flatten().collect();
     let sets = points.iter().map(|p| p.point.set).max().unwrap_or(0);
     out.extend((0..=sets).filter_map(|s| of(format!("data {}", s + 1), &|p| p.point.set == s)));
     out

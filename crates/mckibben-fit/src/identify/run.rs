@@ -75,15 +75,11 @@ fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {
 /// Starts and bounds of the free parameters.
 fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>> {
     let muscle = request.muscle;
-    let mut seen: Vec<Target> = vec![];
-    for target in request.free.iter().map(|p| p.target).chain(request.fixed.iter().map(|f| f.0)) {
-        if seen.contains(&target) {
-            return Err(IdentifyError::Refused(format!(
-                "{name} is named twice, free or fixed: name it once",
-                name = target.name(muscle)
-            )));
-        }
-        seen.push(target);
+    let named: Vec<Target> =
+        request.free.iter().map(|p| p.target).chain(request.fixed.iter().map(|f| f.0)).collect();
+    if let Some((_, twice)) = named.iter().enumerate().find(|(i, target)| named[..*i].contains(target)) {
+        let name = twice.name(muscle);
+        return Err(IdentifyError::Refused(format!("{name} is named twice, free or fixed: name it once")));
     }
     let one = |p: &Parameter| {
         let name = || p.target.name(muscle);
@@ -96,9 +92,9 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>> {
             other => other.identify().and_then(|i| i.start(muscle)),
         });
         let start = p.start.or(own).ok_or_else(|| {
+            let name = name();
             IdentifyError::Refused(format!(
-                "{0} has no value to begin with in this muscle: write {0}=START",
-                name()
+                "{name} has no value to begin with in this muscle: write {name}=START"
             ))
         })?;
         let (low, high) = p.bounds.unwrap_or_else(|| p.target.natural_bounds(muscle));
@@ -174,7 +170,7 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     (request.build)(first.muscle()).map_err(IdentifyError::Model)?;
 
     let history = request.history.then_some(request.points);
-    let of = |points| Problem::new(request, &free, (points, history), &start);
+    let of = |points| Problem::new(request, (points, history), &start);
     let problem = of(&given);
     // Residuals at the start, point by point.
     let rows = problem.rows(&start).ok_or(IdentifyError::Estimate(EstimateError::Start))?;

@@ -159,20 +159,13 @@ impl Inner<'_> {
     }
 }
 
-/// What lies beside the end of a search.
-enum Beside {
-    Minimum,
-    /// Unknowns with a smaller sum of squares.
-    Smaller(DVector<f64>),
-    /// Points without an answer of the model, where the sum of squares falls.
-    NoAnswer,
-}
-
 impl Inner<'_> {
-    /// Along the Gauss–Newton step, J δ = −r in the least squares, in the unknowns that lie on no bound: none further than its scale.
-    fn beside(&self) -> Beside {
+    /// Unknowns with a smaller sum of squares beside the end of a search, where that is no minimum; or that the model has no answer where it
+    /// falls. Sought along the Gauss–Newton step, J δ = −r in the least squares, in the unknowns that lie on no bound: none further than its
+    /// scale.
+    fn beside(&self) -> Result<Option<DVector<f64>>, &'static str> {
         let at = |u: &DVector<f64>| self.residuals.at(&self.x(u)).map(|r| self.weighted(r));
-        let Some((mut j, r)) = self.jacobian().zip(at(&self.u)) else { return Beside::Minimum };
+        let Some((mut j, r)) = self.jacobian().zip(at(&self.u)) else { return Ok(None) };
         let x = self.x(&self.u);
         for (k, (unknown, &x)) in self.unknowns.iter().zip(&x).enumerate() {
             if unknown.is_at_bound(x) {
@@ -181,12 +174,12 @@ impl Inner<'_> {
         }
         let svd = j.clone().svd(true, true);
         let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
-        let Ok(step) = svd.solve(&-&r, 1e-10 * largest) else { return Beside::Minimum };
+        let Ok(step) = svd.solve(&-&r, 1e-10 * largest) else { return Ok(None) };
         let in_scales =
             |(k, unknown): (usize, &Unknown)| (unknown.outer(self.u[k]).1 * step[k] / unknown.scale).abs();
         let far = self.unknowns.iter().enumerate().map(in_scales).fold(0.0, f64::max);
         if far <= STEP || (&j * &step).norm_squared() <= SMALLER * r.norm_squared() {
-            return Beside::Minimum;
+            return Ok(None);
         }
         let step = step / far.max(1.0);
         let mut answers = true;
@@ -195,10 +188,10 @@ impl Inner<'_> {
             let found = at(&u);
             answers = found.is_some();
             if found.is_some_and(|next| next.norm_squared() < (1.0 - SMALLER) * r.norm_squared()) {
-                return Beside::Smaller(u);
+                return Ok(Some(u));
             }
         }
-        if answers { Beside::Minimum } else { Beside::NoAnswer }
+        if answers { Ok(None) } else { Err(NO_ANSWER) }
     }
 
     fn weighted(&self, residuals: Vec<f64>) -> DVector<f64> {
@@ -316,14 +309,14 @@ pub fn estimate(
             let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
             let reason = if settled || report.termination.was_successful() {
                 match ended.beside() {
-                    Beside::Minimum => break ended,
-                    Beside::Smaller(u) if searches < SEARCHES => {
+                    Ok(None) => break ended,
+                    Ok(Some(u)) if searches < SEARCHES => {
                         ended.u = u;
                         inner = ended;
                         continue;
                     }
-                    Beside::Smaller(_) => NOT_CONVERGED,
-                    Beside::NoAnswer => NO_ANSWER,
+                    Ok(Some(_)) => NOT_CONVERGED,
+                    Err(reason) => reason,
                 }
             } else {
                 match report.termination {

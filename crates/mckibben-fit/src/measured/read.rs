@@ -8,6 +8,8 @@ use mckibben_io::table::{
 };
 use std::io::Read;
 
+type Result<T, E = TableError> = std::result::Result<T, E>;
+
 /// What the table does not say.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PointOptions {
@@ -23,12 +25,12 @@ const CONTRACTION: usize = 1;
 const FORCE: usize = 2;
 
 /// [`read_points`] of a table that says everything.
-pub fn read_data(input: impl Read) -> Result<Vec<DataPoint>, TableError> {
+pub fn read_data(input: impl Read) -> Result<Vec<DataPoint>> {
     Ok(read_points(input, &PointOptions::default())?.0)
 }
 
 /// Pressure, contraction, pull and branch of [`read_data`].
-pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>, TableError> {
+pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>> {
     Ok(read_data(input)?.into_iter().map(|p| p.at).collect())
 }
 
@@ -39,10 +41,7 @@ pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>, TableError>
 /// contraction, pressure, volume), `force_error_n`, `contraction_error`, `pressure_error_mpa`, `weight`, `outer_diameter_mm`,
 /// `volume` (read in rows that say so in `measured`, and where there are no pulls), `wall_mm`, `angle_deg`, L0 as `rest_length_mm` or, beside a contraction, `length_mm`; rows whose `status` is not `ok`
 /// (points without answer, as `curve` writes them) are left out.
-pub fn read_points(
-    input: impl Read,
-    options: &PointOptions,
-) -> Result<(Vec<DataPoint>, Understood), TableError> {
+pub fn read_points(input: impl Read, options: &PointOptions) -> Result<(Vec<DataPoint>, Understood)> {
     let mut table = Table::read(&read_text(input)?, &POINTS, &options.columns)?;
     table.keep(Meaning::Status, &["", "ok"]);
     let says_volume =
@@ -78,7 +77,7 @@ pub fn read_points(
 }
 
 /// A sheet whose rows are filled in one by one: those in which what is measured is blank are left out.
-fn leave_blank_out(table: &mut Table) -> Result<(), TableError> {
+fn leave_blank_out(table: &mut Table) -> Result<()> {
     let (contraction, force) = (table.needed(CONTRACTION)?.meaning, table.needed(FORCE)?.meaning);
     table.keep_filled(|table, row| match table.text(row, Meaning::Measured) {
         Some((_, "contraction")) => contraction,
@@ -92,11 +91,7 @@ fn leave_blank_out(table: &mut Table) -> Result<(), TableError> {
 const MEASURE: &str = "is not a measure of a muscle; it must be above zero";
 
 /// Numbers above zero, where the fields are not empty.
-fn above_zero(
-    table: &Table,
-    meaning: Meaning,
-    expected: &'static str,
-) -> Result<Vec<Option<f64>>, TableError> {
+fn above_zero(table: &Table, meaning: Meaning, expected: &'static str) -> Result<Vec<Option<f64>>> {
     let values = table.some_numbers(meaning)?;
     match (values.iter().position(|v| v.is_some_and(|v| v <= 0.0)), table.column(meaning)) {
         (Some(row), Some(column)) => Err(table.impossible(row, column, expected)),
@@ -105,7 +100,7 @@ fn above_zero(
 }
 
 /// Pulls; 0 in rows of volumes that state none.
-fn forces(table: &Table, points: &[DataPoint]) -> Result<Vec<f64>, TableError> {
+fn forces(table: &Table, points: &[DataPoint]) -> Result<Vec<f64>> {
     let column = table.needed(FORCE)?;
     if column.meaning == Meaning::Volume {
         return Ok(vec![0.0; points.len()]);
@@ -123,7 +118,7 @@ fn forces(table: &Table, points: &[DataPoint]) -> Result<Vec<f64>, TableError> {
     stated.into_iter().zip(points).enumerate().map(one).collect()
 }
 
-fn pressures(table: &Table) -> Result<Vec<f64>, TableError> {
+fn pressures(table: &Table) -> Result<Vec<f64>> {
     let column = table.needed(PRESSURE)?;
     if !column.chosen && is_absolute(&column.heading) {
         return Err(TableError::Refused(format!(
@@ -143,7 +138,7 @@ fn contractions(
     table: &Table,
     rest: &[Option<f64>],
     muscle: Option<f64>,
-) -> Result<(Vec<f64>, Option<String>), TableError> {
+) -> Result<(Vec<f64>, Option<String>)> {
     let column = table.needed(CONTRACTION)?;
     let raw = table.numbers(column)?;
     let (values, note) = match column.meaning {
@@ -193,15 +188,13 @@ fn rounded(contraction: f64) -> f64 {
 }
 
 /// A length that is the same in all lines could be that at rest.
-fn check_varies(column: &Column, lengths: &[f64]) -> Result<(), TableError> {
+fn check_varies(column: &Column, lengths: &[f64]) -> Result<()> {
     let why = "is the same in all lines and does not give the contraction: add a column of contractions, \
                or, if it is the present length, say so with `columns` length=\"HEADING:mm\"";
-    match spread(lengths.iter().copied()) < 1e-9 && !column.chosen {
-        true if !lengths.is_empty() => {
-            Err(TableError::Refused(format!("column {column} {why}", column = column.heading)))
-        }
-        _ => Ok(()),
+    if lengths.is_empty() || column.chosen || spread(lengths.iter().copied()) >= 1e-9 {
+        return Ok(());
     }
+    Err(TableError::Refused(format!("column {} {why}", column.heading)))
 }
 
 /// Largest less smallest, relative to the largest.
@@ -211,7 +204,7 @@ fn spread(values: impl Iterator<Item = f64> + Clone) -> f64 {
 }
 
 /// Beside a contraction `length_mm` means L0; a length that shrinks with the contraction is another one.
-fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Result<(), TableError> {
+fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Result<()> {
     let lengths = || rest.iter().flatten().copied();
     if lengths().count() != contractions.len() || spread(lengths()) < 0.005 {
         return Ok(());
@@ -223,24 +216,22 @@ fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Resu
         None => l / (1.0 - e),
     });
     match table.column(Meaning::RestLength) {
-        Some(column) if spread(rests.clone()) < 0.2 * spread(lengths()) => Err(TableError::Refused(format!(
-            "column {column} {why}",
-            column = column.heading,
-            why = "decreases with the contraction; together with a contraction it means the length at rest: give \
-                  the column another name (Length [mm]), and it is left out"
-        ))),
+        Some(Column { heading, .. }) if spread(rests.clone()) < 0.2 * spread(lengths()) => {
+            Err(TableError::Refused(format!(
+                "column {heading} decreases with the contraction; together with a contraction it means the length at rest: \
+                 give the column another name (Length [mm]), and it is left out"
+            )))
+        }
         _ => Ok(()),
     }
 }
 
 /// What is in the other columns.
-fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
+fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     let weights = table.some_numbers(Meaning::Weight)?;
     let errors =
         [Meaning::ForceError, Meaning::ContractionError, Meaning::PressureError, Meaning::VolumeError];
-    let stated = errors.map(|meaning| table.some_numbers(meaning));
-    let [force, contraction, pressure, volume] = stated;
-    let stated = [force?, contraction?, pressure?, volume?];
+    let stated = errors.map(|meaning| table.some_numbers(meaning)).into_iter().collect::<Result<Vec<_>>>()?;
     let volumes = above_zero(table, Meaning::Volume, "is not a volume of a muscle; it must be above zero")?;
     // Where nothing else was read, the volumes were.
     let alone = table.column(Meaning::Force).is_none() && table.column(Meaning::Volume).is_some();
@@ -286,12 +277,8 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
             return Err(refused(row, Meaning::Weight, "is not a valid weight; it must not be below zero"));
         }
         let at = MeasuredPoint { pressure_mpa: 0.0, contraction: 0.0, force_n: 0.0, branch };
-        let section = Section {
-            outer_diameter_mm: diameters[row],
-            wall_mm: walls[row],
-            length_mm: None,
-            angle_deg: angles[row],
-        };
+        let (outer_diameter_mm, wall_mm, angle_deg) = (diameters[row], walls[row], angles[row]);
+        let section = Section { outer_diameter_mm, wall_mm, length_mm: None, angle_deg };
         let volume_mm3 = volumes[row].filter(|_| measured == Quantity::Volume);
         let weight = weights[row].unwrap_or(1.0);
         Ok(DataPoint { at, measured, volume_mm3, error, weight, section, line, set: 0 })
@@ -299,7 +286,7 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
     table.lines().into_iter().enumerate().map(one).collect()
 }
 
-fn understood(table: &Table, note: Option<String>) -> Result<Understood, TableError> {
+fn understood(table: &Table, note: Option<String>) -> Result<Understood> {
     let mut used = vec![
         (table.needed(PRESSURE)?, None),
         (table.needed(CONTRACTION)?, note),

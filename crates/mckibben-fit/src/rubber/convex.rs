@@ -28,6 +28,14 @@ pub(super) struct Solution {
     pub active: Vec<usize>,
 }
 
+impl Inequality {
+    /// Of each of so many unknowns: xᵢ ≥ 0.
+    pub fn positive(count: usize) -> Vec<Self> {
+        let unit = |i: usize| (0..count).map(|k| if k == i { 1.0 } else { 0.0 }).collect();
+        (0..count).map(|i| Self { g: unit(i), h: 0.0 }).collect()
+    }
+}
+
 /// The normal equations of weighted columns: N and d.
 pub(super) fn normal(columns: &[Vec<f64>], target: &[f64], weights: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).zip(weights).map(|((a, b), w)| w * a * b).sum::<f64>();

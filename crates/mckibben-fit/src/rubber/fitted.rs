@@ -24,17 +24,53 @@ pub struct Parameter {
     pub identifiable: bool,
 }
 
+/// Differences of nominal stress over some points.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+pub struct StressErrors {
+    /// How many points.
+    pub points: usize,
+    /// Largest stretch of them in the plane of the specimen.
+    pub to_stretch: f64,
+    /// Root mean square of the differences, in MPa.
+    pub rms_mpa: f64,
+    /// The same over the root mean square of the measured stresses.
+    pub relative: f64,
+    /// Mean of measured − computed, in MPa.
+    pub bias_mpa: f64,
+    /// Largest difference, in MPa.
+    pub largest_mpa: f64,
+}
+
+impl StressErrors {
+    /// Of stretches, measured and computed stresses.
+    pub fn of(list: impl Iterator<Item = (f64, f64, f64)>) -> Self {
+        let (mut out, mut squares, mut all) = (Self::default(), 0.0, 0.0);
+        for (stretch, measured, computed) in list {
+            let left = measured - computed;
+            out.points += 1;
+            out.to_stretch = out.to_stretch.max(stretch);
+            out.bias_mpa += left;
+            out.largest_mpa = out.largest_mpa.max(left.abs());
+            squares += left * left;
+            all += measured * measured;
+        }
+        let n = out.points.max(1) as f64;
+        let relative = if all > 0.0 { (squares / all).sqrt() } else { 0.0 };
+        Self { rms_mpa: (squares / n).sqrt(), relative, bias_mpa: out.bias_mpa / n, ..out }
+    }
+
+    fn of_law<'a>(law: &Law, points: impl Iterator<Item = &'a TensionPoint>) -> Self {
+        Self::of(points.map(|p| (p.plane_stretch(), p.nominal_stress_mpa, p.stress_mpa(law))))
+    }
+}
+
 /// How well a law follows one of the tests.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ModeError {
     /// Which test.
     pub mode: Mode,
-    /// Its points.
-    pub points: usize,
-    /// Largest stretch of them in the plane of the specimen.
-    pub to_stretch: f64,
-    /// Root mean square of the differences of nominal stress, in MPa.
-    pub rms_mpa: f64,
+    #[serde(flatten)]
+    pub errors: StressErrors,
     /// Stretch up to which the law is stable in this test, where it ends below the larger of the data's and the muscle's.
     #[serde(rename = "unstable_from_stretch")]
     pub stable_to_stretch: Option<f64>,
@@ -139,11 +175,11 @@ pub(super) fn laws(form: Form, problem: &Problem, settings: &FitSettings) -> Res
         let quality = LawQuality { free_r_squared, ..held.quality };
         FittedLaw { quality, ..held }
     };
-    match fit(true).map(beside) {
-        Ok(held) if settings.stable => Ok(vec![held]),
-        Ok(held) => Ok(vec![free, held]),
-        Err(error) if settings.stable => Err(error),
-        Err(_) => Ok(vec![free]),
+    let held = fit(true).map(beside);
+    if settings.stable {
+        Ok(vec![held?])
+    } else {
+        Ok([Some(free), held.ok()].into_iter().flatten().collect())
     }
 }
 
@@ -202,19 +238,9 @@ fn judged(form: Form, constrained: bool, raw: Raw, problem: &Problem, hoop: f64)
 }
 
 fn of_mode(mode: Mode, law: &Law, problem: &Problem, hoop: f64) -> Option<ModeError> {
-    let of: Vec<_> = problem.points.iter().filter(|p| p.mode == mode).collect();
-    if of.is_empty() {
-        return None;
-    }
-    let squares: f64 = of.iter().map(|p| (p.stress_mpa(law) - p.nominal_stress_mpa).powi(2)).sum();
-    let to_stretch = of.iter().map(|p| p.plane_stretch()).fold(0.0, f64::max);
-    Some(ModeError {
-        mode,
-        points: of.len(),
-        to_stretch,
-        rms_mpa: (squares / of.len() as f64).sqrt(),
-        stable_to_stretch: stable_to(mode, law, to_stretch.max(hoop)),
-    })
+    let errors = StressErrors::of_law(law, problem.points.iter().filter(|p| p.mode == mode));
+    let stable_to_stretch = stable_to(mode, law, errors.to_stretch.max(hoop));
+    (errors.points > 0).then_some(ModeError { mode, errors, stable_to_stretch })
 }
 
 /// Stretch from which on a law is unstable in a test, walking from rest.
@@ -230,48 +256,30 @@ fn stable_to(mode: Mode, law: &Law, end: f64) -> Option<f64> {
 pub struct HeldOutError {
     /// Which test; null for the points of all of them in whose state a muscle's wall may be.
     pub mode: Option<Mode>,
-    /// Its points.
-    pub points: usize,
-    /// Largest stretch of them in the plane of the specimen.
-    pub to_stretch: f64,
-    /// Root mean square of the differences of nominal stress, in MPa.
-    pub rms_mpa: f64,
-    /// The same over the root mean square of the measured stresses.
-    pub relative: f64,
+    #[serde(flatten)]
+    pub errors: StressErrors,
     /// Σ P Pm/Σ Pm² − 1: the factor by which the law is too stiff (above zero) or too soft, less one.
     pub stiffer: f64,
 }
 
-fn of<'a>(
-    mode: Option<Mode>,
-    law: &Law,
-    points: impl Iterator<Item = &'a TensionPoint>,
-) -> Option<HeldOutError> {
-    let (mut count, mut to_stretch, mut left, mut both, mut all) = (0, 0.0_f64, 0.0, 0.0, 0.0);
+fn of(mode: Option<Mode>, law: &Law, points: &[&TensionPoint]) -> Option<HeldOutError> {
+    let (mut both, mut all) = (0.0, 0.0);
     for p in points {
-        let (model, measured) = (p.stress_mpa(law), p.nominal_stress_mpa);
-        count += 1;
-        to_stretch = to_stretch.max(p.plane_stretch());
-        left += (model - measured).powi(2);
-        both += model * measured;
-        all += measured * measured;
+        both += p.stress_mpa(law) * p.nominal_stress_mpa;
+        all += p.nominal_stress_mpa * p.nominal_stress_mpa;
     }
-    let found = HeldOutError {
-        mode,
-        points: count,
-        to_stretch,
-        rms_mpa: (left / f64::from(count as u32)).sqrt(),
-        relative: (left / all).sqrt(),
-        stiffer: both / all - 1.0,
-    };
+    let errors = StressErrors::of_law(law, points.iter().copied());
+    let found = HeldOutError { mode, errors, stiffer: both / all - 1.0 };
     // Beyond the stretch at which a law locks it has no stress.
-    (count > 0 && found.relative.is_finite() && law.shear_modulus_mpa().is_finite()).then_some(found)
+    let sound = errors.relative.is_finite() && found.stiffer.is_finite();
+    (!points.is_empty() && sound && law.shear_modulus_mpa().is_finite()).then_some(found)
 }
 
 /// By mode, and over the states of a muscle up to a hoop stretch.
 pub(super) fn errors(law: &Law, points: &[TensionPoint], hoop: f64) -> Vec<HeldOutError> {
-    let by_mode = |mode| of(Some(mode), law, points.iter().filter(|p| p.mode == mode));
+    let chosen = |keep: &dyn Fn(&TensionPoint) -> bool| points.iter().filter(|p| keep(p)).collect::<Vec<_>>();
+    let by_mode = |mode| of(Some(mode), law, &chosen(&|p| p.mode == mode));
     let mut out: Vec<HeldOutError> = Mode::ALL.into_iter().filter_map(by_mode).collect();
-    out.extend(of(None, law, points.iter().filter(|p| p.is_of_a_muscle(hoop))));
+    out.extend(of(None, law, &chosen(&|p| p.is_of_a_muscle(hoop))));
     out
 }

@@ -70,11 +70,8 @@ pub(super) fn stable(form: Form, basis: &[Law], problem: &Problem, hoop_stretch:
     let states: Vec<Vec<[f64; 3]>> = muscle_states(hoop_stretch)
         .map(|(hoop, axial)| basis.iter().map(|law| log_hessian(law, hoop, axial)).collect())
         .collect();
-    let mut cuts: Vec<Inequality> = vec![];
-    if form.kind().held_positive.is_some() {
-        let unit = |i: usize| (0..basis.len()).map(|k| if k == i { 1.0 } else { 0.0 }).collect();
-        cuts.extend((0..basis.len()).map(|i| Inequality { g: unit(i), h: 0.0 }));
-    }
+    let positive = form.kind().held_positive.is_some();
+    let mut cuts = if positive { Inequality::positive(basis.len()) } else { vec![] };
     for _ in 0..CUTS {
         let found = solve(&n, &d, &cuts).ok_or_else(|| no_fit(form, "no stable law fits these data"))?;
         let worst = states.iter().map(|s| deepest(s, &found.x)).min_by(|a, b| a.0.total_cmp(&b.0));

@@ -27,7 +27,7 @@ mod standing;
 mod warning;
 
 pub use data::{ReadOptions, read_tension, read_tests};
-pub use fitted::{FittedLaw, HeldOutError, LawQuality, ModeError, Parameter};
+pub use fitted::{FittedLaw, HeldOutError, LawQuality, ModeError, Parameter, StressErrors};
 use mckibben::cancel::{self, Cancelled};
 use mckibben::progress::{Progress, Silent};
 pub use mckibben::rubber::Form;
@@ -56,7 +56,8 @@ pub fn fit_tension_with(
     progress: &dyn Progress,
 ) -> Result<TensionFit> {
     check(settings)?;
-    let sorted = if settings.history { runs::Sorted::history(points) } else { runs::sort(points) };
+    let history = || runs::Sorted { kept: points.to_vec(), ..Default::default() };
+    let sorted = if settings.history { history() } else { runs::sort(points) };
     let mut warnings = warning::of_runs(&sorted);
     let limit = settings.up_to_stretch.unwrap_or(f64::INFINITY);
     let within = sorted.kept.into_iter().filter(|p| p.plane_stretch() <= limit);

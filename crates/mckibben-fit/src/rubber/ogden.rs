@@ -76,10 +76,7 @@ fn starts(count: usize, problem: &Problem) -> Vec<Start> {
             break;
         }
         let (n, d) = (all.select_rows(&places).select_columns(&places), right.select_rows(&places));
-        let positive =
-            |i: usize| Inequality { g: (0..count).map(|k| if k == i { 1.0 } else { 0.0 }).collect(), h: 0.0 };
-        let cuts: Vec<Inequality> = (0..count).map(positive).collect();
-        let Some(found) = solve(&n, &d, &cuts) else { continue };
+        let Some(found) = solve(&n, &d, &Inequality::positive(count)) else { continue };
         if found.x.iter().any(|x| *x <= 0.0) {
             continue;
         }

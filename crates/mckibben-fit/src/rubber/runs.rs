@@ -18,12 +18,6 @@ pub(super) struct Sorted {
     pub unloadings: usize,
 }
 
-impl Sorted {
-    pub fn history(points: &[TensionPoint]) -> Self {
-        Self { kept: points.to_vec(), ..Self::default() }
-    }
-}
-
 /// Leaves out what lies behind a rupture, and counts the loops.
 pub(super) fn sort(points: &[TensionPoint]) -> Sorted {
     let mut out = Sorted::default();

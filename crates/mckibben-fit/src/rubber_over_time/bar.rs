@@ -6,6 +6,7 @@
 //!   P(t) = [λ² S_a(t) − λ⁻¹ S_l(t)]/λ.
 
 use super::{OverTimeFitError, Result};
+use crate::rubber::{Mode, TensionPoint};
 use mckibben::rubber::RubberLaw;
 use mckibben::rubber::over_time::{OgdenRoxburgh, Prony, Softened};
 use mckibben_io::table::{Columns, HISTORIES, Table, TableError, read_text};
@@ -20,6 +21,13 @@ pub struct TimePoint {
     pub stretch: f64,
     /// Force over the area at rest, in MPa.
     pub nominal_stress_mpa: f64,
+}
+
+impl TimePoint {
+    /// The same without its time.
+    pub fn tension(&self) -> TensionPoint {
+        TensionPoint::new(Mode::Uniaxial, self.stretch, self.nominal_stress_mpa)
+    }
 }
 
 /// Reads times, stretches and nominal stresses of one specimen from a table in any common form.

@@ -12,7 +12,7 @@
 use super::bar::check;
 use super::{Bar, OverTimeFitError, Result, TimePoint, columns};
 use crate::least_squares::{Loss, Unknown, estimate};
-use crate::rubber::{FitSettings, Form, Mode, TensionPoint, fit_tension};
+use crate::rubber::{FitSettings, Form, TensionPoint, fit_tension};
 use mckibben::rubber::over_time::{Branch, Prony};
 use mckibben::rubber::{Law, RubberLaw};
 use serde::Serialize;
@@ -65,14 +65,6 @@ impl PronyFit {
     }
 }
 
-/// The law with its moduli taken from the list, its other constants as they are.
-fn with_moduli(law: &Law, moduli: &[f64]) -> Law {
-    let count = law.kind().constants.len();
-    let places: Vec<usize> =
-        (0..law.values().len()).filter(|i| law.kind().constants[i % count].is_modulus()).collect();
-    law.with_constants(|i, v| places.iter().position(|p| *p == i).map_or(v, |k| moduli[k]))
-}
-
 /// Fits a law and a series of so many branches to a history that starts from rest.
 pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<PronyFit> {
     check(history)?;
@@ -85,20 +77,13 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
     if branches == 0 || branches > 8 || points < form.fewest_points() + 4 * branches || duration_s <= 0.0 {
         return Err(too_few);
     }
-    let still = |p: &TimePoint| TensionPoint::new(Mode::Uniaxial, p.stretch, p.nominal_stress_mpa);
-    let tension: Vec<TensionPoint> = history.iter().map(still).collect();
+    let tension: Vec<TensionPoint> = history.iter().map(TimePoint::tension).collect();
     let settings = FitSettings { forms: vec![form], stable: true, history: true, ..FitSettings::default() };
     let elastic = fit_tension(&tension, &settings)?;
     let start = &elastic.laws[0];
     let law = start.law.clone();
-    let count = law.kind().constants.len();
-    let moduli: Vec<(f64, bool)> = law
-        .constants()
-        .iter()
-        .enumerate()
-        .filter(|(i, _)| law.kind().constants[i % count].is_modulus())
-        .map(|(_, c)| (c.value, c.constant.bounds.0 == 0.0))
-        .collect();
+    let constants = law.constants();
+    let moduli: Vec<usize> = (0..constants.len()).filter(|&i| constants[i].constant.is_modulus()).collect();
     let mu = law.shear_modulus_mpa();
     // The shortest time that tells something: a median step.
     let mut steps: Vec<f64> =
@@ -110,7 +95,8 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
     let middle = |i: usize| low + width * (i as f64 + 0.5);
     let n = moduli.len();
     let unpack = |x: &[f64]| -> (Law, Prony) {
-        let long_time = with_moduli(&law, &x[..n]);
+        let of_modulus = |i: usize| moduli.iter().position(|place| *place == i).map(|k| x[k]);
+        let long_time = law.with_constants(|i, v| of_modulus(i).unwrap_or(v));
         let over = &x[n..n + branches];
         let whole = 1.0 + over.iter().sum::<f64>();
         let branch = |(b, t): (&f64, &f64)| Branch { share: b / whole, time_constant_s: t.exp() };
@@ -123,9 +109,10 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
         let found: Vec<f64> = model.iter().zip(history).map(|(m, p)| m - p.nominal_stress_mpa).collect();
         found.iter().all(|v| v.is_finite()).then_some(found)
     };
-    let modulus = |&(value, positive): &(f64, bool)| {
+    let modulus = |&i: &usize| {
+        let (value, low) = (constants[i].value, constants[i].constant.bounds.0);
         let scale = value.abs().max(1e-2 * mu);
-        if positive { Unknown::above(0.8 * value, 0.0, scale) } else { Unknown::free(0.8 * value, scale) }
+        if low == 0.0 { Unknown::above(0.8 * value, 0.0, scale) } else { Unknown::free(0.8 * value, scale) }
     };
     let unknowns: Vec<Unknown> = moduli
         .iter()

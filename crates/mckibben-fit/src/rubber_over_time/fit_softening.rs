@@ -7,7 +7,7 @@
 use super::bar::check;
 use super::{Bar, OverTimeFitError, Result, TimePoint, columns};
 use crate::least_squares::{Estimate, EstimateError, Loss, Unknown, estimate};
-use crate::rubber::{FitSettings, Form, Mode, TensionPoint, fit_tension};
+use crate::rubber::{FitSettings, Form, TensionPoint, fit_tension};
 use mckibben::rubber::over_time::{OgdenRoxburgh, Prony};
 use mckibben::rubber::{Law, RubberLaw};
 use serde::Serialize;
@@ -62,12 +62,8 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit> 
         (low, high) = (p.stretch.min(low), p.stretch.max(high));
         virgin.push(beyond || (virgin.iter().all(|v| *v) && p.stretch == 1.0));
     }
-    let first: Vec<TensionPoint> = history
-        .iter()
-        .zip(&virgin)
-        .filter(|(_, first)| **first)
-        .map(|(p, _)| TensionPoint::new(Mode::Uniaxial, p.stretch, p.nominal_stress_mpa))
-        .collect();
+    let first = history.iter().zip(&virgin).filter(|(_, first)| **first);
+    let first: Vec<TensionPoint> = first.map(|(p, _)| p.tension()).collect();
     let later = history.len() - first.len();
     let needed = form.fewest_points();
     if first.len() < needed || later < 4 {

@@ -6,7 +6,7 @@
 
 use super::case::{CaseError, CaseFit, IDENTIFIED, MuscleCase, muscles, text_of, with_file};
 use super::held_out::points_of;
-use super::residual::{Left, residuals};
+use super::residual::{Left, Residual, residuals};
 use crate::identify::Build;
 use crate::measured::DataPoint;
 use mckibben::catalogue;
@@ -72,15 +72,13 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Agree
     let (own, others): (Vec<&DataPoint>, Vec<&DataPoint>) = points.iter().partition(is_own);
     let own = residuals(build, muscle, &own);
     let others = residuals(build, muscle, &others);
-    let within = muscle.bench().map(|bench| {
-        let holds = |r: &&super::residual::Residual| {
-            r.left_n.abs() <= bench.half_width_n(r.pressure_mpa, r.contraction)
-        };
-        own.iter().filter(holds).count()
+    let bench = muscle.bench().filter(|_| !own.is_empty());
+    let held = bench.map(|bench| {
+        let holds = |r: &&Residual| r.left_n.abs() <= bench.half_width_n(r.pressure_mpa, r.contraction);
+        own.iter().filter(holds).count() as f64 / own.len() as f64
     });
     let Left { points, rms_n, rms_of_blocked, largest_n, .. } = Left::of(own.iter().chain(&others));
-    let bench_points = within.map_or(0, |_| own.len());
-    let held = within.filter(|_| bench_points > 0).map(|within| within as f64 / bench_points as f64);
+    let bench_points = bench.map_or(0, |_| own.len());
     Agreement { points, rms_n, rms_of_blocked, largest_n, bench_points, held }
 }
 

@@ -55,17 +55,17 @@ fn hand_made(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<Verifi
     let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
     let ideal: &Build<'_> = &|m| Ok(Box::new(Ideal::new(m)));
     let (modulus, ends) = (Target::Modulus, Target::Measure(&END_FACTOR));
-    let cases: [(&str, &Build<'_>, &[Target], f64); 4] = [
+    let cases: [Comparison<'_>; 4] = [
         ("ideal, nothing fitted", ideal, &[], 0.10),
         ("thick-wall, modulus fitted", thick, &[modulus], 0.03),
         ("thick-wall, modulus and end factor fitted", thick, &[modulus, ends], 0.01),
         ("fe, modulus fitted, no end factor", elements, &[modulus], 0.02),
     ];
     let mut rows = vec![];
-    for (done, (name, build, parameters, allowed)) in cases.into_iter().enumerate() {
+    for (done, case) in cases.into_iter().enumerate() {
         progress.report(done, cases.len());
         progress.check()?;
-        rows.push(row(name, build, parameters, &points, allowed));
+        rows.push(row(case, &points));
     }
     progress.report(cases.len(), cases.len());
     Ok(rows)
@@ -85,13 +85,10 @@ fn fitted(build: &Build<'_>, parameters: &[Target], points: &[MeasuredPoint]) ->
     if free.is_empty() { Some(m) } else { Some(identify(&request).ok()?.muscle) }
 }
 
-fn row(
-    name: &str,
-    build: &Build<'_>,
-    parameters: &[Target],
-    points: &[MeasuredPoint],
-    allowed: f64,
-) -> VerificationRow {
+/// Name, model, what is fitted, and the rms over the largest force that passes.
+type Comparison<'a> = (&'a str, &'a Build<'a>, &'a [Target], f64);
+
+fn row((name, build, parameters, allowed): Comparison<'_>, points: &[MeasuredPoint]) -> VerificationRow {
     let largest = points.iter().map(|p| p.force_n).fold(0.0, f64::max);
     let rms = fitted(build, parameters, points).and_then(|m| {
         let (model, workspace) = (build(&m).ok()?, &mut Workspace::new());

@@ -204,7 +204,7 @@ mod tests {
                     assert!(case.points.len() > 5 && !case.fits.is_empty(), "{}", files.name);
                 }
                 Measurement::Rubber(case) => {
-                    assert!(case.len() > 30 && !case.fits.is_empty(), "{}", files.name);
+                    assert!(case.count() > 30 && !case.fits.is_empty(), "{}", files.name);
                 }
             }
         }

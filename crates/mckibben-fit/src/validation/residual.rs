@@ -164,7 +164,7 @@ pub(super) fn compared<'a>(means: &'a [DataPoint], points: &'a [DataPoint]) -> V
 /// What is left of points: measured less computed.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Left {
-    /// How many: means of the two branches of the hysteresis, and points without a branch.
+    /// How many points.
     pub points: usize,
     /// Root mean square of the differences in N.
     pub rms_n: f64,

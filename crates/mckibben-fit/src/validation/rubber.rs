@@ -3,7 +3,7 @@
 use super::case::{CaseError, Facts};
 use super::report::ReportError;
 use super::stress::{history, tests};
-use crate::rubber::{Form, Mode, Parameter, ReadOptions, TensionPoint, read_tests};
+use crate::rubber::{Form, Mode, Parameter, ReadOptions, StressErrors, TensionPoint, read_tests};
 use crate::rubber_over_time::{self, TimePoint, read_history};
 use mckibben::progress::Progress;
 use mckibben_io::table::Columns;
@@ -39,16 +39,11 @@ impl RubberCase {
     }
 
     /// How many points there are.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         match &self.points {
             Points::Tests(list) => list.len(),
             Points::History(list) => list.len(),
         }
-    }
-
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     fn run(&self, fit: &RubberCaseFit, progress: &dyn Progress) -> rubber_over_time::Result<RubberFitResult> {
@@ -120,18 +115,8 @@ pub struct RubberGroup {
     pub of: String,
     /// Whether nothing was fitted to them.
     pub blind: bool,
-    /// How many.
-    pub points: usize,
-    /// Their largest stretch.
-    pub to_stretch: f64,
-    /// Root mean square of the differences in MPa.
-    pub rms_mpa: f64,
-    /// The same over the root mean square of the measured stresses.
-    pub relative: f64,
-    /// Mean of measured − computed in MPa.
-    pub bias_mpa: f64,
-    /// Largest difference in MPa.
-    pub largest_mpa: f64,
+    #[serde(flatten)]
+    pub errors: StressErrors,
 }
 
 #[cfg(test)]
@@ -148,7 +133,7 @@ mod tests {
         assert_eq!(found.len(), cases.iter().map(|c| c.fits.len()).sum::<usize>());
         for r in &found {
             let name = format!("{} {}", cases[r.case].facts.name, r.fit);
-            assert!(r.groups.iter().any(|g| !g.blind && g.points > 5), "{name}");
+            assert!(r.groups.iter().any(|g| !g.blind && g.errors.points > 5), "{name}");
             let fit = cases[r.case].fits.iter().find(|f| f.name == r.fit).unwrap();
             assert!(fit.modes.is_empty() || r.groups.iter().any(|g| g.blind), "{name}");
         }

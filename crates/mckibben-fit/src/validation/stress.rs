@@ -1,7 +1,7 @@
 //! A law fitted to measured stresses, and what it leaves of them.
 
 use super::rubber::{RubberCaseFit, RubberFitResult, RubberGroup};
-use crate::rubber::{FitSettings, Mode, TensionFit, TensionPoint, fit_tension_with, no_fit};
+use crate::rubber::{FitSettings, Mode, StressErrors, TensionFit, TensionPoint, fit_tension_with, no_fit};
 use crate::rubber_over_time::{Bar, Result, TimePoint, fit_prony};
 use mckibben::progress::Progress;
 use mckibben::rubber::Law;
@@ -51,9 +51,9 @@ pub(super) fn tests(
         let of_mode = |mode: Mode| {
             let own = list.iter().filter(|p| p.mode == mode);
             let pairs = own.map(|p| (p.stretch.max(p.across), p.nominal_stress_mpa, p.stress_mpa(&law)));
-            RubberGroup::of(name(mode), blind, pairs)
+            RubberGroup { of: name(mode), blind, errors: StressErrors::of(pairs) }
         };
-        Mode::ALL.into_iter().map(of_mode).filter(|g| g.points > 0).collect()
+        Mode::ALL.into_iter().map(of_mode).filter(|g| g.errors.points > 0).collect()
     };
     let plain = |mode: Mode| mode.name().to_owned();
     let further = |mode: Mode| format!("{}, further", mode.name());
@@ -67,8 +67,7 @@ pub(super) fn history(
     points: &[TimePoint],
     progress: &dyn Progress,
 ) -> Result<RubberFitResult> {
-    let strip = |p: &TimePoint| TensionPoint::new(Mode::Uniaxial, p.stretch, p.nominal_stress_mpa);
-    let list: Vec<TensionPoint> = points.iter().map(strip).collect();
+    let list: Vec<TensionPoint> = points.iter().map(TimePoint::tension).collect();
     let elastic = FitSettings { history: true, ..fit.settings() };
     let (_, mut law, mut result) = fit.law(&list, elastic, progress)?;
     let mut prony = Prony::default();
@@ -97,27 +96,8 @@ pub(super) fn history(
     }
     let groups = ["loading", "unloading", "held"].map(|name| {
         let own = points.iter().zip(&computed).zip(&branch).filter(|p| *p.1 == name);
-        RubberGroup::of(name.into(), false, own.map(|((p, c), _)| (p.stretch, p.nominal_stress_mpa, *c)))
+        let errors = StressErrors::of(own.map(|((p, c), _)| (p.stretch, p.nominal_stress_mpa, *c)));
+        RubberGroup { of: name.into(), blind: false, errors }
     });
-    Ok(RubberFitResult { groups: groups.into_iter().filter(|g| g.points > 0).collect(), ..result })
-}
-
-impl RubberGroup {
-    /// Of stretches, measured and computed stresses.
-    fn of(name: String, blind: bool, list: impl Iterator<Item = (f64, f64, f64)>) -> Self {
-        let mut out = Self { of: name, blind, ..Self::default() };
-        let (mut squares, mut measured) = (0.0, 0.0);
-        for (stretch, stress, computed) in list {
-            let left = stress - computed;
-            out.points += 1;
-            out.to_stretch = out.to_stretch.max(stretch);
-            out.bias_mpa += left;
-            out.largest_mpa = out.largest_mpa.max(left.abs());
-            squares += left * left;
-            measured += stress * stress;
-        }
-        let n = out.points.max(1) as f64;
-        let relative = if measured > 0.0 { (squares / measured).sqrt() } else { 0.0 };
-        Self { rms_mpa: (squares / n).sqrt(), relative, bias_mpa: out.bias_mpa / n, ..out }
-    }
+    Ok(RubberFitResult { groups: groups.into_iter().filter(|g| g.errors.points > 0).collect(), ..result })
 }

@@ -144,6 +144,8 @@ impl Choice {
             unknown_unit: false,
             negated: heading::is_negated(headings[index]),
             chosen: true,
+            label: String::new(),
+            rank: 0,
         }))
     }
 

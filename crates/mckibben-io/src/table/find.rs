@@ -25,6 +25,9 @@ pub struct Column {
     pub(super) negated: bool,
     /// Whether somebody said that it is this one.
     pub chosen: bool,
+    /// Words of a heading that was not chosen, without the unit, and how well they name the quantity: the lower, the better.
+    pub(super) label: String,
+    pub(super) rank: usize,
 }
 
 impl Column {
@@ -207,7 +210,7 @@ impl Search {
             let headings: Vec<&str> = row.fields().collect();
             let guess = self.guess(&headings)?;
             if guess.missing.is_empty() && guess.lacking.is_empty() {
-                let columns = unambiguous(guess.columns, &headings, vocabulary)?;
+                let columns = unambiguous(&guess.columns, vocabulary)?;
                 let headings = headings.into_iter().map(str::to_owned).collect();
                 return Ok(Found { line: Some(row.line), headings, columns, first });
             }
@@ -296,6 +299,8 @@ impl Search {
                 unknown_unit: found.unknown_unit,
                 negated: heading::is_negated(text),
                 chosen: false,
+                label: found.label,
+                rank: found.rank,
             });
         }
         // Volts beside bar are no second column of pressures.
@@ -310,44 +315,26 @@ impl Search {
 }
 
 /// One column for each quantity: our own heading before those of people; the same words in two units are the same quantity.
-fn unambiguous(
-    columns: Vec<Column>,
-    headings: &[&str],
-    vocabulary: &Vocabulary,
-) -> Result<Vec<Column>, TableError> {
+fn unambiguous(columns: &[Column], vocabulary: &Vocabulary) -> Result<Vec<Column>, TableError> {
     let mut out: Vec<Column> = vec![];
-    for column in &columns {
-        let alike: Vec<(&Column, heading::Heading)> = columns
-            .iter()
-            .filter(|c| c.meaning == column.meaning && !c.chosen)
-            .filter_map(|c| Some((c, vocabulary.understand(headings[c.index])?)))
-            .collect();
-        if column.chosen {
-            out.push(column.clone());
-            continue;
+    for column in columns {
+        let alike = || columns.iter().filter(|c| !column.chosen && !c.chosen && c.meaning == column.meaning);
+        let rank = alike().map(|c| c.rank).min();
+        let best: Vec<&Column> = alike().filter(|c| Some(c.rank) == rank).collect();
+        let is_same = |c: &&Column| c.label == column.label && c.unit.is_some() && c.unit != column.unit;
+        match best.split_first() {
+            Some((first, _)) if first.index != column.index => {}
+            Some((first, others)) if !others.iter().all(is_same) => {
+                let numbered = others.iter().any(|c| c.heading == first.heading);
+                return Err(TableError::Refused(format!(
+                    "the columns {found} could all be {name}: select one with `columns` {name}=\"{example}\"",
+                    name = vocabulary.entry(column.meaning).map_or("", |e| &e.name),
+                    found = listed(best.iter().map(|c| c.heading.as_str())),
+                    example = if numbered { format!("#{}", first.index + 1) } else { first.heading.clone() }
+                )));
+            }
+            _ => out.push(column.clone()),
         }
-        let Some(rank) = alike.iter().map(|a| a.1.rank).min() else { continue };
-        let best: Vec<&(&Column, heading::Heading)> = alike.iter().filter(|a| a.1.rank == rank).collect();
-        let first = best[0];
-        if first.0.index != column.index {
-            continue;
-        }
-        let same = |a: &&(&Column, heading::Heading)| {
-            a.1.label == first.1.label && a.0.unit.is_some() && a.0.unit != first.0.unit
-        };
-        if !best.iter().skip(1).copied().all(|a| same(&a)) {
-            return Err(TableError::Refused(format!(
-                "the columns {found} could all be {name}: select one with `columns` {name}=\"{example}\"",
-                name = vocabulary.entry(column.meaning).map_or("", |e| &e.name),
-                found = listed(best.iter().map(|a| headings[a.0.index])),
-                example = if best.iter().skip(1).any(|a| headings[a.0.index] == headings[column.index]) {
-                    format!("#{}", column.index + 1)
-                } else {
-                    short(headings[column.index])
-                }
-            )));
-        }
-        out.push(column.clone());
     }
     Ok(out)
 }

@@ -117,6 +117,8 @@ fn spoken(text: &str, dimension: Dimension) -> Option<Command> {
         Values::Interval(low, high) => Some((low, high)),
         Values::List(_) => None,
     };
+    let swing =
+        |text: &str| range(text, dimension).map(|(low, high)| (0.5 * (low + high), 0.5 * (high - low)));
     let one = |text: &str, dimension| parse_quantity(text, dimension).ok();
     let text = text.trim();
     let (word, rest) = text.split_once(' ').unwrap_or(("", text));
@@ -128,20 +130,15 @@ fn spoken(text: &str, dimension: Dimension) -> Option<Command> {
         }
         "sine" => {
             let (values, frequency) = rest.split_once(" at ")?;
-            let (low, high) = range(values, dimension)?;
-            Some(Command::Sine {
-                mean: 0.5 * (low + high),
-                amplitude: 0.5 * (high - low),
-                frequency_hz: one(frequency, Dimension::Frequency)?,
-                phase_rad: -std::f64::consts::FRAC_PI_2,
-            })
+            let (mean, amplitude) = swing(values)?;
+            let frequency_hz = one(frequency, Dimension::Frequency)?;
+            Some(Command::Sine { mean, amplitude, frequency_hz, phase_rad: -std::f64::consts::FRAC_PI_2 })
         }
         "chirp" => {
             let (values, rest) = rest.split_once(" from ")?;
             let (frequencies, time) = rest.split_once(" in ")?;
-            let ((low, high), (from_hz, to_hz)) =
-                (range(values, dimension)?, range(frequencies, Dimension::Frequency)?);
-            let (mean, amplitude) = (0.5 * (low + high), 0.5 * (high - low));
+            let (mean, amplitude) = swing(values)?;
+            let (from_hz, to_hz) = range(frequencies, Dimension::Frequency)?;
             Some(Command::Chirp { mean, amplitude, from_hz, to_hz, duration_s: one(time, Dimension::Time)? })
         }
         _ => one(text, dimension).map(Command::Constant),

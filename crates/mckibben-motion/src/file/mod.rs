@@ -293,7 +293,7 @@ mod tests {
         assert_eq!((fill.liquid.name, fill.liquid.gas_share), ("oil", 0.01));
         // 0.36 m³/h is 0.1 L/s.
         let Actuator::LiquidValve(valve) = drive.actuator else { panic!() };
-        assert!((valve.supply.kv_mm3_per_s() - 1e5).abs() < 1e-6 && valve.tank == valve.supply);
+        assert!((valve.supply.kv_mm3_per_s - 1e5).abs() < 1e-6 && valve.tank == valve.supply);
         assert!(valve.line.is_some());
         let drive =
             read("[syringe]\nvolume = '20 mL'\n[command]\nvolume = 'ramp 0..15 mL in 2 s'\nuntil = '3 s'\n");

@@ -62,8 +62,8 @@ fn of_air(section: &Section<'_>) -> Result<Valve, FileError> {
     let named = section.get("name").map(|name| valve_named(name).ok_or_else(|| unknown(name)));
     let named = named.transpose()?;
     let path = |c: &str, b: &str, own: Option<Orifice>| -> Result<Option<Orifice>, FileError> {
-        let conductance = section.get(c).or(own.map(|o| o.conductance_l_per_s_bar()));
-        let ratio = section.get(b).or(own.map(|o| o.critical_ratio())).unwrap_or(CRITICAL_RATIO);
+        let conductance = section.get(c).or(own.map(|o| o.conductance_l_per_s_bar));
+        let ratio = section.get(b).or(own.map(|o| o.critical_ratio)).unwrap_or(CRITICAL_RATIO);
         let key = if section.has(b) { b } else { c };
         conductance.map(|conductance| section.valid(key, Orifice::new(conductance, ratio))).transpose()
     };

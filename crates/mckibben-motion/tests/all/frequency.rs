@@ -56,7 +56,7 @@ fn bandwidth_is_where_a_simulated_sine_falls_to_its_root_half() {
     };
     let linear = Linear::new(&drive(Command::Constant(0.25), 1.0)).unwrap();
     let f = linear.bandwidth_hz().unwrap();
-    let rest = linear.response(1e-4).unwrap().gain;
+    let rest = linear.response(1e-4).unwrap().norm();
     for (share, expected) in [(0.3, None), (1.0, Some(rest / 2f64.sqrt()))] {
         let hz = share * f;
         let amplitude = 1e-3;
@@ -73,9 +73,9 @@ fn bandwidth_is_where_a_simulated_sine_falls_to_its_root_half() {
         }
         let gain = 2.0 * f64::hypot(c, s) / n / amplitude;
         let response = linear.response(hz).unwrap();
-        close(gain, expected.unwrap_or(response.gain), 2e-3);
+        close(gain, expected.unwrap_or(response.norm()), 2e-3);
         let phase = f64::atan2(c, s);
-        assert!(((phase - response.phase_rad + PI).rem_euclid(TAU) - PI).abs() < 5e-3);
+        assert!(((phase - response.arg() + PI).rem_euclid(TAU) - PI).abs() < 5e-3);
     }
 }
 
@@ -92,7 +92,7 @@ fn closed_form_two_antagonists_turn_by_the_difference_of_their_pressures() {
     // 2 r F_P u = 2 r² K φ
     let r = model.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
     let still = r.force_per_pressure_mm2.unwrap() / (20.0 * r.stiffness_n_per_mm.unwrap());
-    close(linear.response(1e-4).unwrap().gain, still, 1e-5);
+    close(linear.response(1e-4).unwrap().norm(), still, 1e-5);
     let hz = linear.bandwidth_hz().unwrap();
     let sine = |amplitude: f64| Command::Sine { mean: 0.2, amplitude, frequency_hz: hz, phase_rad: 0.0 };
     let motion = ran(&drive(sine(1e-3), sine(-1e-3), 12.0 / hz));

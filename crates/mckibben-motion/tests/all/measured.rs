@@ -1,7 +1,7 @@
 //! Validation in shape: step responses and release speeds of a muscle of which length, diameter, valve and pressure are not stated
 //! (data/tondu2012_motion). The limits are regressions: what was found, rounded up.
 
-use crate::support::ran;
+use crate::support::{damped, ran};
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Friction, Muscle, Rubber, Terminals, Tube};
@@ -39,11 +39,7 @@ fn reaches(points: &[(f64, f64)], share: f64) -> f64 {
 
 /// A mass lifted by the muscle, its valve opened to a supply of the step's pressure.
 fn lifted(model: &ThickWall, mass_kg: f64, pressure_mpa: f64, conductance: f64) -> Vec<(f64, f64)> {
-    let load = SingleMuscle {
-        stops_mm: (0.0, 200.0),
-        damping_n_s_per_m: 300.0,
-        ..SingleMuscle::hanging(model, mass_kg)
-    };
+    let load = damped(model, mass_kg, 300.0, (0.0, 200.0));
     let valve = Actuator::Valve(Valve::new(Orifice::new(conductance, 0.3).unwrap()));
     let opened = Target::Opening(vec![Command::Constant(1.0)]);
     let mut muscle = Actuated::new(model, valve);

@@ -1,6 +1,6 @@
 //! Muscles that move: balances, friction, stops, slack, convergence.
 
-use crate::support::{close, elbow, last, note_muscle, ran, regulator, steps, valve};
+use crate::support::{close, damped, elbow, last, note_muscle, ran, regulator, steps, valve};
 use mckibben::analysis::Options;
 use mckibben::liquid::Liquid;
 use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
@@ -237,11 +237,7 @@ fn closed_form_relaxation_of_the_rubber() {
 #[test]
 fn a_muscle_lifts_a_mass_from_its_stop() {
     let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
-    let load = SingleMuscle {
-        stops_mm: (0.0, 100.0),
-        damping_n_s_per_m: 400.0,
-        ..SingleMuscle::hanging(&*model, 10.0)
-    };
+    let load = damped(&*model, 10.0, 400.0, (0.0, 100.0));
     let target = steps(&[(0.0, 0.0), (0.1, 0.3)]);
     let drive = Drive::new(&load, vec![Actuated::new(&*model, valve())], target, 1.0);
     let motion = ran(&drive);

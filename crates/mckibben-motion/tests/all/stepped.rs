@@ -1,6 +1,6 @@
 //! A drive in a control loop.
 
-use crate::support::{note_muscle, ran, regulator, steps, valve};
+use crate::support::{damped, note_muscle, ran, regulator, steps, valve};
 use mckibben::model::{ForceModel, ModelKind};
 use mckibben::progress::Silent;
 use mckibben_motion::*;
@@ -26,11 +26,7 @@ fn stepped(simulation: &mut Simulation, drive: &Drive<'_>, commands: &[f64]) {
 #[test]
 fn identity_steps_are_the_run_to_the_last_bit_and_so_are_those_of_a_copy() {
     let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
-    let load = SingleMuscle {
-        stops_mm: (0.0, 90.0),
-        damping_n_s_per_m: 100.0,
-        ..SingleMuscle::hanging(&*model, 5.0)
-    };
+    let load = damped(&*model, 5.0, 100.0, (0.0, 90.0));
     for actuator in [regulator(0.01), valve()] {
         let drive = drive(&load, &*model, actuator);
         let motion = ran(&drive);

@@ -2,6 +2,7 @@
 
 use mckibben::joint::{Joint, JointMuscle, Link, Path};
 use mckibben::load::Load;
+use mckibben::model::ForceModel;
 use mckibben::muscle::Muscle;
 use mckibben_motion::*;
 
@@ -39,6 +40,16 @@ pub fn elbow(damping_nm_s_per_rad: f64) -> Joint {
     };
     let link = Link { inertia_kg_m2: Some(0.02), damping_nm_s_per_rad, ..Link::default() };
     Joint::new(vec![muscle(20.0), muscle(-20.0)], None, link, (-60.0, 60.0)).unwrap()
+}
+
+/// A hanging mass with a damper, between stops.
+pub fn damped(
+    model: &dyn ForceModel,
+    mass_kg: f64,
+    damping_n_s_per_m: f64,
+    stops_mm: (f64, f64),
+) -> SingleMuscle {
+    SingleMuscle { stops_mm, damping_n_s_per_m, ..SingleMuscle::hanging(model, mass_kg) }
 }
 
 /// A hanging mass with a spring.

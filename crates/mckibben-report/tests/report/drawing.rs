@@ -1,7 +1,7 @@
 //! The SVG and the image made of it.
 
 use crate::figures;
-use mckibben_report::{Axis, Figure, Panel, Series, Style, texts_as_outlines};
+use mckibben_report::{Axis, Figure, Mark, Panel, Series, Style, texts_as_outlines};
 use proptest::prelude::*;
 use resvg::usvg::{self, roxmltree::Document};
 
@@ -61,6 +61,15 @@ fn no_text_is_cut_off_and_none_covers_another() {
 }
 
 #[test]
+fn texts_of_neighbouring_marks_stay_apart() {
+    let mut figure = one(vec![Series::line("a line", vec![(0.0, 0.0), (1.0, 1.0)])]);
+    for (i, at) in [0.0, 0.02, 0.03, 0.5, 0.51, 0.52, 0.97, 0.98, 1.0].into_iter().enumerate() {
+        figure.panels[0].marks.push(Mark::new(at, at, format!("operating point {i}")));
+    }
+    check_texts("marks", &figure);
+}
+
+#[test]
 fn texts_of_lines_that_end_together_stay_apart() {
     let series = (0..12).map(|i| {
         let end = 1.0 + 0.001 * f64::from(i);
@@ -104,7 +113,8 @@ fn texts_are_escaped() {
     let figure = Figure::new(nasty).caption(nasty).panel(
         Panel::new(Axis::new(nasty), Axis::new(nasty))
             .title(nasty)
-            .series(Series::new(nasty, vec![(0.0, 0.0), (1.0, 1.0)]).end_label(nasty)),
+            .series(Series::new(nasty, vec![(0.0, 0.0), (1.0, 1.0)]).end_label(nasty))
+            .mark(Mark::new(0.5, 0.5, nasty)),
     );
     let svg = figure.to_svg().unwrap();
     assert!(svg.contains("a&lt;b&gt;&amp;&quot;c&quot;&#39;d&#39;"));
@@ -229,11 +239,15 @@ fn many_and_long_entries_stay_on_the_paper() {
 }
 
 #[test]
-fn hundreds_of_named_lines_are_drawn_in_seconds() {
+fn a_thousand_marks_and_lines_are_drawn_in_seconds() {
     let start = std::time::Instant::now();
     let line =
         |i: u32| Series::line("", vec![(0.0, 0.0), (0.9, f64::from(i))]).end_label(format!("line {i}"));
-    let figure = one((0..1200).map(line).collect());
+    let mut figure = one((0..200).map(line).collect());
+    for i in 0..1000 {
+        let (x, y) = (f64::from(i % 37) / 37.0, f64::from(i % 91) * 2.0);
+        figure.panels[0].marks.push(Mark::new(x, y, format!("mark {i}")));
+    }
     parse(&figure.to_svg().unwrap());
     assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
 }
@@ -243,9 +257,11 @@ proptest! {
     #[test]
     fn any_data_give_valid_svg_or_a_typed_error(
         points in prop::collection::vec((prop::num::f64::ANY, prop::num::f64::ANY), 0..20),
+        mark in (prop::num::f64::ANY, prop::num::f64::ANY),
         label in ".{0,20}",
     ) {
-        let figure = one(vec![Series::new(label.clone(), points).end_label(label)]);
+        let mut figure = one(vec![Series::new(label.clone(), points).end_label(label.clone())]);
+        figure.panels[0].marks.push(Mark::new(mark.0, mark.1, label));
         if let Ok(svg) = figure.to_svg() {
             parse(&svg);
         }

@@ -1,6 +1,6 @@
 //! Figures to look at and to test with.
 
-use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
+use mckibben_report::{Axis, Figure, Mark, Palette, Panel, Series, Style};
 
 /// Pull of an ideal braid, N: pressure in Pa, braid angle at rest in degrees, radius in m.
 fn pull(pressure: f64, angle: f64, radius: f64, contraction: f64) -> f64 {
@@ -18,7 +18,7 @@ fn isobar(pressure: f64, angle: f64, elastic: f64) -> Vec<(f64, f64)> {
 const CAPTION: &str = "Ideal braid with elastic bladder, muscle of 20 mm bore, braid angle 25° at rest, \
                        active length 300 mm. mckibben 0.1.0";
 
-/// Isobars; without an elastic part they all end in one point.
+/// Isobars with two operating points; without an elastic part they all end in one point.
 pub fn isobars(elastic: f64) -> Figure {
     let x = Axis::new("contraction ratio ε [–]").from_zero();
     let mut panel = Panel::new(x, Axis::new("pull F [N]").from_zero());
@@ -27,6 +27,12 @@ pub fn isobars(elastic: f64) -> Figure {
         let curve = isobar(p * 1e6, 25.0, elastic);
         panel = panel.series(Series::line("", curve).colour(i).end_label(label));
     }
+    let at = |p: f64, e: f64| pull(p * 1e6, 25.0, 0.01, e) - elastic * e;
+    panel = panel.mark(Mark::new(0.05, at(0.4, 0.05), "start of the stroke")).mark(Mark::new(
+        0.2,
+        at(0.4, 0.2),
+        "holds 5 kg at ε = 0.20",
+    ));
     Figure::new("Force–contraction curves at constant pressure")
         .caption(CAPTION)
         .palette(Palette::Sequential)
@@ -99,6 +105,7 @@ pub fn ends() -> Figure {
             (0..=50).map(|i| f64::from(i) * 2e4).map(|n| (n, top * (1.0 - (-n / 2e5).exp()))).collect();
         panel = panel.series(Series::line("", points).end_label(format!("{} bar", k + 1)));
     }
+    panel = panel.mark(Mark::new(1e6, 3.0, "at the edge")).mark(Mark::new(0.0, 0.0, "new muscle"));
     Figure::new("Direct labels at the right edge").panel(panel)
 }
 
@@ -116,17 +123,20 @@ pub fn own_legends() -> Figure {
             let style = if i == 2 { Style::Points } else { Style::Auto };
             panel = panel.series(Series::new(format!("variant {k}.{i}"), points).style(style));
         }
-        figure = figure.panel(panel);
+        figure = figure.panel(panel.mark(Mark::new(2e5, 60.0, "a point")));
     }
     figure
 }
 
-/// Markers of every shape.
+/// Markers, and operating points that crowd.
 pub fn markers() -> Figure {
     let mut panel = Panel::new(Axis::new("x [m]"), Axis::new("y [N]"));
     for i in 0..9 {
         let points: Vec<_> = (0..12).map(f64::from).map(|t| (t, f64::from(i) + 0.02 * t * t)).collect();
         panel = panel.series(Series::scatter(format!("kind {i}"), points));
+    }
+    for (i, at) in [0.0, 0.3, 5.0, 5.2, 5.4, 11.0].into_iter().enumerate() {
+        panel = panel.mark(Mark::new(at, at, format!("operating point {i}")));
     }
     Figure::new("Markers").panel(panel)
 }

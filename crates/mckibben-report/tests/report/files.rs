@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::figures;
-use mckibben_report::{Axis, Figure, FigureError, Panel, Series};
+use mckibben_report::{Axis, Figure, FigureError, Mark, Panel, Series};
 
 #[test]
 fn the_ending_names_the_format() {
@@ -43,7 +43,8 @@ fn texts_cannot_break_out_of_the_page() {
     let nasty = "</script><script>alert(1)</script>";
     let figure = Figure::new(nasty).panel(
         Panel::new(Axis::new(nasty), Axis::new(nasty))
-            .series(Series::new(nasty, vec![(0.0, 1.0), (1.0, 2.0)])),
+            .series(Series::new(nasty, vec![(0.0, 1.0), (1.0, 2.0)]))
+            .mark(Mark::new(0.5, 1.5, nasty)),
     );
     let html = figure.to_html().unwrap();
     assert!(!html.contains("<script"));

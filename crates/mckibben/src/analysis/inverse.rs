@@ -1,5 +1,5 @@
 //! P(F, ε) and ε(F, P) of any model, by one way for all of them: the model's own inverse, where it has one
-//! ([`Inverse`](crate::model::Inverse)); else samples of the range, with the extrema between them, up to the first two that enclose the answer
+//! ([`ForceModel::pressure_at_pull`]); else samples of the range, with the extrema between them, up to the first two that enclose the answer
 //! ([`Sweep`]).
 //!
 //! Friction is no part of a model: with it only samples are left.
@@ -9,7 +9,7 @@ use super::evaluation::{Evaluation, Options};
 use super::sweep::{Sweep, places};
 use crate::cancel;
 use crate::model::root::rising_root;
-use crate::model::{ForceModel, Inverse, ModelError, Workspace};
+use crate::model::{ForceModel, ModelError, Workspace};
 use crate::muscle::Muscle;
 
 /// Where the search for a pressure ends if the model sets no limit, in MPa.
@@ -93,12 +93,7 @@ fn nearest<F: FnMut(f64) -> Result<f64, ModelError>>(
     }
 }
 
-impl<'a> Evaluation<'a> {
-    /// The model's own inverse, where nothing is added to its pull.
-    fn own_inverse(&self) -> Option<&'a dyn Inverse> {
-        self.model.extensions().inverse.filter(|_| self.friction().is_none())
-    }
-
+impl Evaluation<'_> {
     /// The smallest pressure in MPa at which the pull is `force_n` at a contraction, within the model's range (with
     /// `extrapolate`, or where the model sets no limit, up to 20 MPa). Soft strands let a pull rise and fall again with the pressure, and a
     /// muscle that pushes pushes harder: both are searched.
@@ -116,11 +111,13 @@ impl<'a> Evaluation<'a> {
                 Evaluation::new(companion, &mut Workspace::new(), options).pressure_at(force_n, contraction);
             refused(nearly, &info.name)?;
         }
-        let own = self.own_inverse();
-        let direct = own.and_then(|own| own.pressure_at_pull(self.workspace, force_n, contraction));
-        cancel::check().map_err(ModelError::from)?;
-        if let Some(p) = direct.and_then(|p| within((lowest, highest), p)) {
-            return Ok(p);
+        // Where friction is added to its pull, the model's own inverse is none.
+        if self.friction().is_none() {
+            let own = model.pressure_at_pull(self.workspace, force_n, contraction);
+            cancel::check().map_err(ModelError::from)?;
+            if let Some(p) = own.and_then(|p| within((lowest, highest), p)) {
+                return Ok(p);
+            }
         }
         let fineness = Fineness::of(model);
         let mut sweep = Sweep::new(fineness.closing, |p| Ok(self.force_n(p, contraction)? - force_n));
@@ -243,8 +240,8 @@ impl<'a> Evaluation<'a> {
             }
             None => false,
         };
-        if let Some(own) = self.own_inverse().filter(|_| taut || longer) {
-            let found = own.contraction_at_pull(self.workspace, force_n, pressure_mpa);
+        if (taut || longer) && self.friction().is_none() {
+            let found = model.contraction_at_pull(self.workspace, force_n, pressure_mpa);
             let reach = if taut { (start, range.1) } else { (lowest, start) };
             if let Some(e) = found.and_then(|e| within(reach, e)) {
                 return Ok(e);

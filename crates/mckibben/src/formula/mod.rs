@@ -28,6 +28,7 @@ pub use universal::{
     Deficit, Form, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary, UniversalTerm,
 };
 
+use file::File;
 use file::check::interval;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -98,8 +99,9 @@ impl Default for Provenance {
     }
 }
 
-/// A formula with its data.
-#[derive(Debug, Clone, PartialEq)]
+/// A formula with its data; it is written as its file.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(into = "File")]
 pub struct Formula {
     /// Its name, which answers carry.
     pub name: String,

@@ -71,7 +71,11 @@ impl Term {
 }
 
 /// A product of powers in letters.
-pub(super) fn name(powers: [u8; 4], letters: &[&str; 4], power: impl Fn(u8) -> String) -> String {
+pub(super) fn name<const N: usize>(
+    powers: [u8; N],
+    letters: &[&str; N],
+    power: impl Fn(u8) -> String,
+) -> String {
     let factor = |(letter, &n): (&&str, &u8)| match n {
         0 => None,
         1 => Some((*letter).to_owned()),

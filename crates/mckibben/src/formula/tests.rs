@@ -1,5 +1,5 @@
 use super::*;
-use crate::model::{ForceModel, FormulaModel, ModelKind, Paper, Workspace};
+use crate::model::{ForceModel, FormulaModel, ModelKind, Workspace};
 use crate::muscle::Muscle;
 use std::sync::Arc;
 
@@ -67,7 +67,7 @@ fn the_published_numbers_as_a_file_answer_like_the_model_paper() {
     assert_eq!(serde_json::to_value(&*f).unwrap()["terms"].as_array().unwrap().len(), 48);
     for (d, s) in [(30.0, 5.0), (41.3, 2.2), (50.0, 1.0)] {
         let m = Muscle::prototype().with_section(d, s).unwrap();
-        let (ours, paper) = (FormulaModel::new(&f, &m), Paper::new(&m));
+        let (ours, paper) = (FormulaModel::new(&f, &m), FormulaModel::paper(&m));
         for (p, e) in [(0.05, 0.0), (0.13, 0.11), (0.25, 0.2)] {
             assert_eq!(
                 ours.response(&mut Workspace::new(), p, e).unwrap(),
@@ -75,8 +75,8 @@ fn the_published_numbers_as_a_file_answer_like_the_model_paper() {
             );
         }
         let own = |model: &dyn ForceModel| {
-            let (inverse, w) = (model.extensions().inverse.unwrap(), &mut Workspace::new());
-            (inverse.pressure_at_pull(w, 300.0, 0.1), inverse.contraction_at_pull(w, 100.0, 0.2))
+            let w = &mut Workspace::new();
+            (model.pressure_at_pull(w, 300.0, 0.1), model.contraction_at_pull(w, 100.0, 0.2))
         };
         assert_eq!(own(&ours), own(&paper));
     }

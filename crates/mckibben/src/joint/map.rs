@@ -140,7 +140,7 @@ impl JointModel<'_> {
                 (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
             let range = &self.of(i).info().range;
             let mut violations = range.violations(max_pressure_mpa, least);
-            let beyond = Interval::new(Quantity::Contraction, range.contraction).violation(most, 1e-12);
+            let beyond = Interval::new(Quantity::CONTRACTION, range.contraction).violation(most, 1e-12);
             let beyond = beyond.filter(|v| !violations.contains(v));
             // Beyond its free contraction it hangs slack.
             if let Some(beyond) = beyond

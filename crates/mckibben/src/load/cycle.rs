@@ -62,7 +62,7 @@ mod tests {
     use super::*;
     use crate::analysis::Evaluation;
     use crate::analysis::Options;
-    use crate::model::{ForceModel, Ideal, Inverse, Workspace};
+    use crate::model::{ForceModel, Ideal, Workspace};
     use crate::muscle::Muscle;
 
     /// ∫P dV of an ideal muscle is the work on the load: between two equilibria of a weight, P = F/A(ε) along the way.

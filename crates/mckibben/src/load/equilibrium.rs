@@ -159,7 +159,7 @@ impl Evaluation<'_> {
 mod tests {
     use super::*;
     use crate::load::Lever;
-    use crate::model::{ForceModel, Ideal, Inverse, Workspace};
+    use crate::model::{ForceModel, Ideal, Workspace};
     use crate::muscle::Muscle;
 
     fn ideal() -> Ideal {

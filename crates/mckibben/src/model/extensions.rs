@@ -6,8 +6,6 @@ use crate::formula::Section;
 /// What a model can do besides answering; nothing by default.
 #[derive(Clone, Copy, Default)]
 pub struct Extensions<'m> {
-    /// It solves for a pressure or a contraction itself.
-    pub inverse: Option<&'m dyn Inverse>,
     /// It has ∂F by constants and measures of its muscle.
     pub slopes: Option<&'m dyn Slopes>,
     /// It has an error of its mesh, or another scale for errors than its own blocked force.
@@ -18,23 +16,6 @@ pub struct Extensions<'m> {
     pub lists: Option<&'m Section>,
     /// A model with nearly the same answers at a fraction of the cost, by which a pull that no pressure gives is refused at once.
     pub companion: Option<&'m dyn ForceModel>,
-}
-
-/// A model whose equation can be solved for pressure or contraction, in closed form or with the load held in place of them. Nothing is
-/// checked against the model's range; whoever wants an inverse of any model takes [`crate::analysis::pressure_at`].
-pub trait Inverse {
-    /// The pressure in MPa at which the pull is `force_n`; `None` where it has none or finds none.
-    fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64>;
-
-    /// The contraction at which the pull is `force_n`, likewise.
-    fn contraction_at_pull(
-        &self,
-        _workspace: &mut Workspace,
-        _force_n: f64,
-        _pressure_mpa: f64,
-    ) -> Option<f64> {
-        None
-    }
 }
 
 /// A model with derivatives by its muscle.

@@ -8,8 +8,8 @@
 
 use super::root::rising_root;
 use super::{
-    Accuracy, BlockedAt, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange,
-    Reference, Response, Result, Workspace,
+    Accuracy, BlockedAt, ForceModel, ModelEntry, ModelError, ModelInfo, ModelRange, Reference, Response,
+    Result, Workspace,
 };
 use crate::muscle::Muscle;
 use std::f64::consts::FRAC_PI_2;
@@ -150,12 +150,6 @@ impl ForceModel for FestoHunt {
         })
     }
 
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), ..Extensions::default() }
-    }
-}
-
-impl Inverse for FestoHunt {
     fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let highest = (self.e_max - contraction / (SHIFT + FRAC_PI_2 / STEEP)) / LOSS;
         (contraction >= 0.0 && force_n < highest).then(|| self.pressure(force_n, contraction).0 / KPA_PER_MPA)

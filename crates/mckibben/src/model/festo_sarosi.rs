@@ -6,8 +6,8 @@
 //! d < 0 and aP + b > 0, and ∂F/∂P stays above zero up to κ = 31 %.
 
 use super::{
-    Accuracy, BlockedAt, Extensions, ForceModel, Inverse, ModelEntry, ModelInfo, ModelRange, Reference,
-    Response, Result, Workspace,
+    Accuracy, BlockedAt, ForceModel, ModelEntry, ModelInfo, ModelRange, Reference, Response, Result,
+    Workspace,
 };
 use crate::muscle::Muscle;
 
@@ -124,12 +124,6 @@ impl ForceModel for FestoSarosi {
         .finite(self.fit.entry.name)
     }
 
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), ..Extensions::default() }
-    }
-}
-
-impl Inverse for FestoSarosi {
     fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let (rest, slope) = self.line(contraction);
         (slope > 0.0 && rest.is_finite()).then(|| (force_n - rest) / slope / BAR_PER_MPA)

@@ -12,7 +12,7 @@ use std::sync::Arc;
 const TOLERANCE: f64 = 1e-6;
 
 #[derive(Debug, Clone)]
-enum Bound {
+pub(super) enum Bound {
     Paper(Section),
     Global(GlobalSection),
 }
@@ -20,8 +20,8 @@ enum Bound {
 /// A formula with a muscle's diameter and wall put in.
 #[derive(Debug, Clone)]
 pub struct FormulaModel {
-    info: ModelInfo,
-    bound: Bound,
+    pub(super) info: ModelInfo,
+    pub(super) bound: Bound,
 }
 
 impl FormulaModel {
@@ -48,6 +48,11 @@ impl FormulaModel {
             notes: notes::of_a_simple_tube(&formula.name, muscle),
         };
         Self { info, bound }
+    }
+
+    /// The section of a formula like the paper's.
+    fn section(&self) -> Option<&Section> {
+        if let Bound::Paper(section) = &self.bound { Some(section) } else { None }
     }
 
     /// F, ∂F/∂ε, ∂F/∂P.
@@ -86,13 +91,16 @@ impl ForceModel for FormulaModel {
         self.at(pressure_mpa, contraction).map(|all| all[0])
     }
 
+    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
+        self.section()?.pressure_mpa(force_n, contraction)
+    }
+
+    fn contraction_at_pull(&self, _: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+        self.section()?.contraction(force_n, pressure_mpa)
+    }
+
     fn extensions(&self) -> Extensions<'_> {
-        match &self.bound {
-            Bound::Paper(section) => {
-                Extensions { inverse: Some(section), lists: Some(section), ..Extensions::default() }
-            }
-            Bound::Global(_) => Extensions::default(),
-        }
+        Extensions { lists: self.section(), ..Extensions::default() }
     }
 }
 
@@ -106,10 +114,10 @@ fn range(formula: &Formula, m: &Muscle) -> ModelRange {
         ..ModelRange::open()
     };
     range.with_measures(&[
-        (Interval::new(Quantity::OuterDiameter, r.outer_diameter_mm), m.outer_diameter_mm()),
-        (Interval::new(Quantity::WallThickness, r.wall_mm), m.wall_mm()),
-        (Interval::only(Quantity::Length, made.length_mm), m.length_mm()),
-        (Interval::only(Quantity::BraidAngle, made.angle_deg), m.braid().angle_deg),
+        (Interval::new(Quantity::OUTER_DIAMETER, r.outer_diameter_mm), m.outer_diameter_mm()),
+        (Interval::new(Quantity::WALL_THICKNESS, r.wall_mm), m.wall_mm()),
+        (Interval::only(Quantity::LENGTH, made.length_mm), m.length_mm()),
+        (Interval::only(Quantity::BRAID_ANGLE, made.angle_deg), m.braid().angle_deg),
     ])
 }
 

@@ -9,8 +9,7 @@
 //! of the paper; its (1.2) is printed without 1/sin²θ0.
 
 use super::{
-    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response,
-    Result, Workspace,
+    Accuracy, ForceModel, ModelEntry, ModelError, ModelInfo, Reference, Response, Result, Workspace,
 };
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
@@ -93,12 +92,6 @@ impl ForceModel for Ideal {
         .finite(ENTRY.name)
     }
 
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), ..Extensions::default() }
-    }
-}
-
-impl Inverse for Ideal {
     fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let per_pressure = self.pull(1.0, contraction);
         (per_pressure > 0.0).then(|| force_n / per_pressure)

@@ -4,50 +4,42 @@ use serde::Serialize;
 use std::fmt;
 
 /// A quantity that a model's box may bound.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Quantity {
-    /// Gauge pressure P in MPa.
-    Pressure,
-    /// Contraction ratio ε.
-    Contraction,
-    /// Outer diameter D0 in mm.
-    OuterDiameter,
-    /// Wall s in mm.
-    WallThickness,
-    /// Length L0 in mm.
-    Length,
-    /// Braid angle θ0 in degrees.
-    BraidAngle,
-    /// s/D0.
-    WallRatio,
-    /// L0/D0.
-    LengthRatio,
-    /// C01/(C10 + C01) of the rubber.
-    C01Share,
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Quantity {
+    /// Its word, as in muscle files and messages.
+    #[serde(rename = "quantity")]
+    pub name: &'static str,
+    /// Its unit; empty for ratios.
+    #[serde(skip)]
+    pub unit: &'static str,
 }
 
 impl Quantity {
-    /// Its word, as in muscle files and messages, and its unit; empty for ratios.
-    pub fn words(self) -> (&'static str, &'static str) {
-        match self {
-            Quantity::Pressure => ("pressure", "MPa"),
-            Quantity::Contraction => ("contraction", ""),
-            Quantity::OuterDiameter => ("outer_diameter", "mm"),
-            Quantity::WallThickness => ("wall_thickness", "mm"),
-            Quantity::Length => ("length", "mm"),
-            Quantity::BraidAngle => ("braid_angle", "deg"),
-            Quantity::WallRatio => ("wall_ratio", ""),
-            Quantity::LengthRatio => ("length_ratio", ""),
-            Quantity::C01Share => ("c01_share", ""),
-        }
-    }
+    /// Gauge pressure P.
+    pub const PRESSURE: Self = Self { name: "pressure", unit: "MPa" };
+    /// Contraction ratio ε.
+    pub const CONTRACTION: Self = Self { name: "contraction", unit: "" };
+    /// Outer diameter D0.
+    pub const OUTER_DIAMETER: Self = Self { name: "outer_diameter", unit: "mm" };
+    /// Wall s.
+    pub const WALL_THICKNESS: Self = Self { name: "wall_thickness", unit: "mm" };
+    /// Length L0.
+    pub const LENGTH: Self = Self { name: "length", unit: "mm" };
+    /// Braid angle θ0.
+    pub const BRAID_ANGLE: Self = Self { name: "braid_angle", unit: "deg" };
+    /// s/D0.
+    pub const WALL_RATIO: Self = Self { name: "wall_ratio", unit: "" };
+    /// L0/D0.
+    pub const LENGTH_RATIO: Self = Self { name: "length_ratio", unit: "" };
+    /// C01/(C10 + C01) of the rubber.
+    pub const C01_SHARE: Self = Self { name: "c01_share", unit: "" };
 }
 
 /// Bounds of a quantity, in its unit; equal where only one value will do.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Interval {
     /// Of what.
+    #[serde(flatten)]
     pub quantity: Quantity,
     /// Lower end.
     pub low: f64,
@@ -92,8 +84,7 @@ pub struct RangeViolation {
 
 impl fmt::Display for RangeViolation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Interval { quantity, low, high } = self.interval;
-        let (name, unit) = quantity.words();
+        let Interval { quantity: Quantity { name, unit }, low, high } = self.interval;
         let space = if unit.is_empty() { "" } else { " " };
         let round = |v: f64| (v * 1e6).round() / 1e6;
         let (rounded, low, high) = (round(self.value), round(low), round(high));

@@ -78,8 +78,8 @@ models! {
     Universal = universal::ENTRY, |m| universal("universal", UniversalFormula::large(), m);
     /// [`Universal`] in its short form
     UniversalSmall = universal::SMALL, |m| universal("universal-small", UniversalFormula::small(), m);
-    /// [`Paper`]
-    Paper = paper::ENTRY, |m| Ok(Box::new(Paper::new(m)));
+    /// [`FormulaModel::paper`]
+    Paper = paper::ENTRY, |m| Ok(Box::new(FormulaModel::paper(m)));
 }
 
 fn universal(

@@ -10,8 +10,7 @@
 
 use super::pantograph::Pantograph;
 use super::{
-    Accuracy, Extensions, ForceModel, Ideal, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response,
-    Result, Workspace,
+    Accuracy, ForceModel, Ideal, ModelEntry, ModelError, ModelInfo, Reference, Response, Result, Workspace,
 };
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
@@ -101,12 +100,6 @@ impl ForceModel for KluteHannaford {
         Ok(response)
     }
 
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), ..Extensions::default() }
-    }
-}
-
-impl Inverse for KluteHannaford {
     fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         self.braid.at(contraction).ok()?;
         self.ideal.pressure_at_pull(workspace, force_n - self.elastic_pull(contraction), contraction)

@@ -45,9 +45,7 @@ pub use bounds::{Bounds, pulls_within};
 pub use chou_hannaford::ChouHannaford;
 pub use conical_ends::ConicalEnds;
 pub use error::{ModelError, Result};
-pub use extensions::{
-    Contact, Extensions, Inverse, Mesh, Slopes, blocked_scale_n, notes_of, pivoting_n_per_mm,
-};
+pub use extensions::{Contact, Extensions, Mesh, Slopes, blocked_scale_n, notes_of, pivoting_n_per_mm};
 pub use festo_hunt::FestoHunt;
 pub use festo_sarosi::FestoSarosi;
 pub use force_balance::ForceBalance;
@@ -57,7 +55,6 @@ pub use info::{ModelEntry, ModelInfo};
 pub use interval::{Interval, Quantity, RangeViolation};
 pub use kind::{ModelKind, UnknownModel};
 pub use klute_hannaford::KluteHannaford;
-pub use paper::Paper;
 pub use range::ModelRange;
 pub use response::Response;
 pub use rounded_ends::RoundedEnds;
@@ -109,6 +106,18 @@ pub trait ForceModel: Send + Sync {
             self.force_n(workspace, p, e).map(|pull| *place = pull).is_ok()
         };
         pressures_mpa.len() == contractions.len() && points.all(&mut one) && pressures_mpa.len() == out.len()
+    }
+
+    /// The pressure in MPa at which the pull is `force_n`, where its equation can be solved for it, in closed form or with the load held in place of
+    /// it; `None` where it has none or finds none. Nothing is checked against its range; whoever wants an inverse of any model takes
+    /// [`Evaluation::pressure_at`](crate::analysis::Evaluation::pressure_at).
+    fn pressure_at_pull(&self, _: &mut Workspace, _force_n: f64, _contraction: f64) -> Option<f64> {
+        None
+    }
+
+    /// The contraction at which the pull is `force_n`, likewise.
+    fn contraction_at_pull(&self, _: &mut Workspace, _force_n: f64, _pressure_mpa: f64) -> Option<f64> {
+        None
     }
 
     /// What it can do besides.

@@ -7,11 +7,11 @@
 //! F in N, P in MPa, s and D0 in mm. 48 published numbers (Table 2), fitted by the paper's authors to finite elements of
 //! one make: θ0 28°, L0 285 mm, one rubber, one braid.
 
+use super::formula::Bound;
 use super::{
-    Accuracy, BlockedAt, Extensions, ForceModel, Interval, Inverse, ModelEntry, ModelError, ModelInfo,
-    ModelRange, Quantity, Reference, Response, Result, Workspace,
+    Accuracy, BlockedAt, FormulaModel, Interval, ModelEntry, ModelInfo, ModelRange, Quantity, Reference,
 };
-use crate::formula::{Coefficients, Section};
+use crate::formula::Coefficients;
 use crate::muscle::Muscle;
 
 pub(super) const ENTRY: ModelEntry = ModelEntry {
@@ -25,13 +25,6 @@ const PRESSURE: (f64, f64) = (0.0, 0.25);
 const CONTRACTION: (f64, f64) = (0.0, 0.20);
 const ANGLE_DEG: f64 = 28.0;
 const LENGTH_MM: f64 = 285.0;
-
-/// The paper's formula (11) for one muscle.
-#[derive(Debug, Clone)]
-pub struct Paper {
-    info: ModelInfo,
-    section: Section,
-}
 
 /// The box, and what of a muscle lies outside.
 fn range(m: &Muscle) -> ModelRange {
@@ -48,22 +41,25 @@ fn range(m: &Muscle) -> ModelRange {
     }
     ModelRange { pressure_mpa: PRESSURE, contraction: CONTRACTION, make, ..ModelRange::open() }.with_measures(
         &[
-            (Interval::new(Quantity::OuterDiameter, Paper::DIAMETERS_MM), m.outer_diameter_mm()),
-            (Interval::new(Quantity::WallThickness, Paper::WALLS_MM), m.wall_mm()),
-            (Interval::only(Quantity::Length, LENGTH_MM), m.length_mm()),
-            (Interval::only(Quantity::BraidAngle, ANGLE_DEG), m.braid().angle_deg),
+            (
+                Interval::new(Quantity::OUTER_DIAMETER, FormulaModel::PAPER_DIAMETERS_MM),
+                m.outer_diameter_mm(),
+            ),
+            (Interval::new(Quantity::WALL_THICKNESS, FormulaModel::PAPER_WALLS_MM), m.wall_mm()),
+            (Interval::only(Quantity::LENGTH, LENGTH_MM), m.length_mm()),
+            (Interval::only(Quantity::BRAID_ANGLE, ANGLE_DEG), m.braid().angle_deg),
         ],
     )
 }
 
-impl Paper {
-    /// Outer diameters in mm for which the formula was made.
-    pub const DIAMETERS_MM: (f64, f64) = (30.0, 50.0);
+impl FormulaModel {
+    /// Outer diameters in mm for which the paper's formula was made.
+    pub const PAPER_DIAMETERS_MM: (f64, f64) = (30.0, 50.0);
     /// Walls in mm for which it was made.
-    pub const WALLS_MM: (f64, f64) = (1.0, 5.0);
+    pub const PAPER_WALLS_MM: (f64, f64) = (1.0, 5.0);
 
-    /// The formula with the published numbers.
-    pub fn new(muscle: &Muscle) -> Self {
+    /// The paper's formula (11) with the published numbers, for one muscle.
+    pub fn paper(muscle: &Muscle) -> Self {
         let section = Coefficients::published().section(muscle.outer_diameter_mm(), muscle.wall_mm());
         let accuracy = Accuracy {
             share_of_blocked: Some(0.05),
@@ -72,51 +68,16 @@ impl Paper {
                 "its authors state about 2 % and at most 50 N against their own finite elements; against this program's axisymmetric finite elements (rubber and braid `paper`) 95 % of 1889 points over its box lie within 3.9 %, the worst at 5.9 % near D0 37.5 mm, and the published C block, linear in D0, is weakest near D0 35–40 mm",
             ),
         };
-        Self { info: ModelInfo { range: range(muscle), accuracy, ..ModelInfo::new(&ENTRY, muscle) }, section }
-    }
-}
-
-impl ForceModel for Paper {
-    fn info(&self) -> &ModelInfo {
-        &self.info
-    }
-
-    fn response(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
-        let force_n = self.force_n(workspace, pressure_mpa, contraction)?;
-        let slope = self.section.by_contraction(pressure_mpa, contraction);
-        Ok(Response {
-            pressure_mpa,
-            contraction,
-            force_n,
-            stiffness_n_per_mm: Some(-slope / self.info.muscle.length_mm()),
-            force_per_pressure_mm2: Some(self.section.by_pressure(contraction)),
-            ..Response::default()
-        })
-    }
-
-    fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
-        let force_n = self.section.force_n(pressure_mpa, contraction);
-        ModelError::finite(force_n, ENTRY.name, pressure_mpa, contraction)
-    }
-
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(&self.section), lists: Some(&self.section), ..Extensions::default() }
-    }
-}
-
-impl Inverse for Section {
-    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        self.pressure_mpa(force_n, contraction)
-    }
-
-    fn contraction_at_pull(&self, _: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
-        self.contraction(force_n, pressure_mpa)
+        let info = ModelInfo { range: range(muscle), accuracy, ..ModelInfo::new(&ENTRY, muscle) };
+        Self { info, bound: Bound::Paper(section) }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::formula::Section;
+    use crate::model::{ForceModel, Workspace};
 
     #[test]
     fn the_numbers_are_those_of_the_table_shipped() {
@@ -183,9 +144,9 @@ mod tests {
 
     #[test]
     fn what_lies_outside_of_the_box_is_named() {
-        assert!(Paper::new(&Muscle::prototype()).info.range.check("paper", 0.25, 0.2).is_ok());
+        assert!(FormulaModel::paper(&Muscle::prototype()).info.range.check("paper", 0.25, 0.2).is_ok());
         let other = Muscle::prototype().with_section(60.0, 0.5).unwrap();
-        let text = Paper::new(&other).info.range.check("paper", 0.3, 0.25).unwrap_err().to_string();
+        let text = FormulaModel::paper(&other).info.range.check("paper", 0.3, 0.25).unwrap_err().to_string();
         for part in ["outer_diameter 60", "wall_thickness 0.5", "pressure 0.3", "contraction 0.25"] {
             assert!(text.contains(part), "{text}");
         }
@@ -194,8 +155,10 @@ mod tests {
             angle_deg: 25.0,
             ..crate::muscle::Braid::paper()
         };
-        let range = Paper::new(&Muscle::prototype().with_braid(stiff).unwrap()).info.range;
+        let range = FormulaModel::paper(&Muscle::prototype().with_braid(stiff).unwrap()).info.range;
         assert_eq!((range.make.len(), range.muscle.len()), (1, 1));
-        assert!(Paper::new(&Muscle::prototype()).force_n(&mut Workspace::new(), f64::NAN, 0.1).is_err());
+        assert!(
+            FormulaModel::paper(&Muscle::prototype()).force_n(&mut Workspace::new(), f64::NAN, 0.1).is_err()
+        );
     }
 }

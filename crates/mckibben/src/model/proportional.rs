@@ -1,6 +1,6 @@
 //! Formulas whose pull is in proportion to the pressure: F = P f(ε).
 
-use super::{Extensions, ForceModel, Inverse, ModelInfo, Response, Result, Workspace};
+use super::{ForceModel, ModelInfo, Response, Result, Workspace};
 
 /// What such a formula says at a contraction, per unit of pressure.
 #[derive(Debug, Clone, Copy, Default)]
@@ -23,7 +23,7 @@ pub(super) trait Proportional: Send + Sync {
 
     fn per_pressure(&self, contraction: f64) -> Result<PerPressure>;
 
-    /// As [`Inverse::contraction_at_pull`].
+    /// As [`ForceModel::contraction_at_pull`].
     fn contraction_of(&self, _force_n: f64, _pressure_mpa: f64) -> Option<f64> {
         None
     }
@@ -51,12 +51,6 @@ impl<T: Proportional> ForceModel for T {
         tension.map_or(response, |n| response.with_braid_tension(n, strands)).finite(&info.name)
     }
 
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), ..Extensions::default() }
-    }
-}
-
-impl<T: Proportional> Inverse for T {
     fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let f = self.per_pressure(contraction).ok()?.f;
         (f > 0.0).then(|| force_n / f)

@@ -78,8 +78,8 @@ impl ModelRange {
     /// Every bound: of pressure, contraction and the muscle's measures.
     pub fn intervals(&self) -> Vec<Interval> {
         let asked = [
-            Interval::new(Quantity::Pressure, self.pressure_mpa),
-            Interval::new(Quantity::Contraction, self.contraction),
+            Interval::new(Quantity::PRESSURE, self.pressure_mpa),
+            Interval::new(Quantity::CONTRACTION, self.contraction),
         ];
         asked.into_iter().chain(self.measures.iter().copied()).collect()
     }
@@ -87,8 +87,8 @@ impl ModelRange {
     /// Everything that is outside at a pressure and contraction, the muscle's own violations first.
     pub fn violations(&self, pressure_mpa: f64, contraction: f64) -> Vec<RangeViolation> {
         let asked = [
-            (Interval::new(Quantity::Pressure, self.pressure_mpa), pressure_mpa),
-            (Interval::new(Quantity::Contraction, self.contraction), contraction),
+            (Interval::new(Quantity::PRESSURE, self.pressure_mpa), pressure_mpa),
+            (Interval::new(Quantity::CONTRACTION, self.contraction), contraction),
         ];
         // The comparison is exact but for the last bits of a sum such as 0.1 + 0.15.
         let outside = asked.iter().filter_map(|(interval, value)| interval.violation(*value, 1e-12));

@@ -6,8 +6,8 @@
 //! lengths can.
 
 use super::{
-    Contact, Extensions, ForceModel, Inverse, Mesh, ModelError, ModelId, ModelInfo, ModelRange, Response,
-    Result, Slopes, Workspace, blocked_scale_n, pivoting_n_per_mm,
+    Contact, Extensions, ForceModel, Mesh, ModelError, ModelId, ModelInfo, ModelRange, Response, Result,
+    Slopes, Workspace, blocked_scale_n, pivoting_n_per_mm,
 };
 use crate::differences::slope;
 use crate::muscle::{EndState, Ends, InnerPull, Muscle};
@@ -183,30 +183,27 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         self.inner.force_n(workspace, p, x).map_err(|error| self.for_whole_muscle(error, e, x))
     }
 
-    fn extensions(&self) -> Extensions<'_> {
-        let inner = self.inner.extensions();
-        Extensions {
-            inverse: inner.inverse.map(|_| self as &dyn Inverse),
-            slopes: inner.slopes.map(|_| self as &dyn Slopes),
-            mesh: Some(self),
-            contact: Some(self),
-            ..Extensions::default()
-        }
-    }
-}
-
-impl<M: ForceModel + ?Sized> Inverse for Seated<M> {
     fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, e: f64) -> Option<f64> {
         if self.ends.slip_mm_per_n > 0.0 {
             return None;
         }
         let x = self.between(0.0, e, force_n);
-        self.inner.extensions().inverse?.pressure_at_pull(workspace, force_n, x)
+        self.inner.pressure_at_pull(workspace, force_n, x)
     }
 
     fn contraction_at_pull(&self, workspace: &mut Workspace, force_n: f64, p: f64) -> Option<f64> {
-        let x = self.inner.extensions().inverse?.contraction_at_pull(workspace, force_n, p)?;
+        let x = self.inner.contraction_at_pull(workspace, force_n, p)?;
         Some(self.ends.whole(x, self.ends.end_displacement_mm(p, force_n)))
+    }
+
+    fn extensions(&self) -> Extensions<'_> {
+        let inner = self.inner.extensions();
+        Extensions {
+            slopes: inner.slopes.map(|_| self as &dyn Slopes),
+            mesh: Some(self),
+            contact: Some(self),
+            ..Extensions::default()
+        }
     }
 }
 

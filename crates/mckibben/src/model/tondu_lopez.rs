@@ -4,9 +4,7 @@
 //!
 //! Source: Tondu & Lopez (2000) \[tondu2000\], whose text was not at hand: the formula is taken from Tondu's review (2012) \[tondu2012\].
 
-use super::{
-    Extensions, ForceModel, Ideal, Inverse, ModelEntry, ModelError, ModelInfo, Response, Result, Workspace,
-};
+use super::{ForceModel, Ideal, ModelEntry, ModelError, ModelInfo, Response, Result, Workspace};
 use crate::muscle::{EndFactor, Muscle};
 use std::f64::consts::PI;
 
@@ -68,12 +66,6 @@ impl ForceModel for TonduLopez {
         .with_braid_tension(tension, self.muscle().braid().strands.map(|s| s.count)))
     }
 
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), ..Extensions::default() }
-    }
-}
-
-impl Inverse for TonduLopez {
     fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         match self.factor {
             EndFactor::Constant(k) => self.ideal.pressure_at_pull(workspace, force_n, k * contraction),

@@ -129,18 +129,8 @@ impl UncertaintyParts {
     /// From the parts in the order of their fields.
     pub(crate) fn of(parts: [Option<f64>; 9], friction_is_stated: bool) -> Self {
         let [formula, mesh, rubber, braid, measured, friction, fit, transfer, length_transfer] = parts;
-        Self {
-            formula,
-            mesh,
-            rubber,
-            braid,
-            measured,
-            friction,
-            fit,
-            transfer,
-            length_transfer,
-            friction_is_stated,
-        }
+        let of_any = Self { formula, mesh, rubber, braid, measured, friction, ..Self::default() };
+        Self { fit, transfer, length_transfer, friction_is_stated, ..of_any }
     }
 
     /// The parts with their names, those that there are.

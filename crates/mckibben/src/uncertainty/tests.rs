@@ -3,6 +3,12 @@ use crate::model::{Ideal, ThickWall, Workspace};
 use crate::muscle::{Braid, BraidStiffness, Friction, Rubber, Tube};
 use crate::rubber::library::{is_known_from_one_axis, of_equal_standing};
 
+/// The parts by the thick-wall model, in which the pull itself does not count.
+fn parts_of(m: &Muscle, pressure_mpa: f64, contraction: f64, direction: Direction) -> UncertaintyParts {
+    let (model, w) = (ThickWall::new(m), &mut Workspace::new());
+    Evaluation::new(&model, w, direction).uncertainty(pressure_mpa, contraction, 100.0).unwrap()
+}
+
 #[test]
 fn parts_add_as_squares() {
     let parts = UncertaintyParts { formula: Some(3.0), friction: Some(4.0), ..Default::default() };
@@ -16,13 +22,10 @@ fn laws_that_disagree_are_a_part() {
         rubber: crate::rubber::library::find(name).unwrap(),
         ..Muscle::prototype().tube().clone()
     };
-    let w = &mut Workspace::new();
-    let part = |m: &Muscle, w: &mut Workspace| {
-        Evaluation::new(&ThickWall::new(m), w, Direction::Mean).uncertainty(0.25, 0.2, 100.0).unwrap().rubber
-    };
+    let part = |m: &Muscle| parts_of(m, 0.25, 0.2, Direction::Mean).rubber;
     let named = Muscle::prototype().with_tube(tube("treloar-natural-rubber")).unwrap();
-    assert_eq!(part(&named, w).is_some(), !of_equal_standing(&named.tube().rubber, named.reach()).is_empty());
-    assert_eq!(part(&Muscle::prototype(), w), None);
+    assert_eq!(part(&named).is_some(), !of_equal_standing(&named.tube().rubber, named.reach()).is_empty());
+    assert_eq!(part(&Muscle::prototype()), None);
 }
 
 /// A silicone that was pulled along one axis: with one law of standing the part is that share of its stiffness alone.
@@ -42,10 +45,7 @@ fn what_one_axis_does_not_tell_is_a_part() {
     assert!(!is_known_from_one_axis(&changed.tube().rubber));
     let mut pull = |m: &Muscle| ThickWall::new(m).force_n(w, 0.25, 0.2).unwrap();
     let expected = (pull(&changed) - pull(&named)).abs();
-    let found = Evaluation::new(&ThickWall::new(&named), w, Direction::Mean)
-        .uncertainty(0.25, 0.2, 100.0)
-        .unwrap()
-        .rubber;
+    let found = parts_of(&named, 0.25, 0.2, Direction::Mean).rubber;
     assert_eq!(found, Some(expected));
 }
 
@@ -68,9 +68,7 @@ fn factors_of_estimates_are_parts() {
         ..Rubber::of(crate::rubber::Law::NeoHookean(crate::rubber::NeoHookean { mu_mpa }))
     };
     let [soft, own, stiff] = [0.37 / 1.25, 0.37, 0.37 * 1.25].map(|m| pull(&of(1000.0, 1.0, mu(m))));
-    let mut parts = |m: &Muscle| {
-        Evaluation::new(&ThickWall::new(m), w, Direction::Mean).uncertainty(0.25, 0.1, 100.0).unwrap()
-    };
+    let parts = |m: &Muscle| parts_of(m, 0.25, 0.1, Direction::Mean);
     let found = parts(&of(1000.0, 2.0, paper.clone()));
     assert_eq!(found.braid, Some((low - here).abs().max((high - here).abs())));
     assert_eq!(parts(&of(1000.0, 1.0, paper)).braid, None);
@@ -94,21 +92,14 @@ fn a_simpler_model_has_a_larger_uncertainty() {
 fn stated_friction_counts_until_a_branch_is_asked_for() {
     let (m, w) = (Muscle::prototype(), &mut Workspace::new());
     let stated = m.with_friction(Some(Friction::power_law(74.0, 0.5))).unwrap();
-    let part = |m: &Muscle, direction: Direction, w: &mut Workspace| {
-        Evaluation::new(&ThickWall::new(m), w, direction)
-            .uncertainty(0.25, 0.1, 300.0)
-            .unwrap()
-            .friction
-            .unwrap()
-    };
-    assert!((part(&stated, Direction::Mean, w) - 1.81 * 37.0).abs() < 1e-9);
-    assert!((part(&stated, Direction::Contraction, w) - 0.81 * 37.0).abs() < 1e-9);
-    assert!((part(&stated, Direction::Elongation, w) - 0.81 * 37.0).abs() < 1e-9);
+    let part = |m: &Muscle, direction: Direction| parts_of(m, 0.25, 0.1, direction).friction.unwrap();
+    assert!((part(&stated, Direction::Mean) - 1.81 * 37.0).abs() < 1e-9);
+    assert!((part(&stated, Direction::Contraction) - 0.81 * 37.0).abs() < 1e-9);
+    assert!((part(&stated, Direction::Elongation) - 0.81 * 37.0).abs() < 1e-9);
     let blocked = ThickWall::new(&m).force_n(w, 0.25, 0.0).unwrap();
-    assert!((part(&m, Direction::Mean, w) - 0.12 * blocked).abs() < 1e-9);
+    assert!((part(&m, Direction::Mean) - 0.12 * blocked).abs() < 1e-9);
     // No pressure, no loop.
-    let none =
-        Evaluation::new(&ThickWall::new(&stated), w, Direction::Mean).uncertainty(0.0, 0.1, 0.0).unwrap();
+    let none = parts_of(&stated, 0.0, 0.1, Direction::Mean);
     assert_eq!(none.friction, Some(0.0));
 }
 
@@ -133,30 +124,26 @@ fn with_bench(muscle: &Muscle, model: &str, branches: Vec<Direction>) -> Muscle 
 /// √(3² + 4²) N inside; squares weighted by one half in the middle of the margin of 0.05.
 #[test]
 fn on_its_own_bench_the_uncertainty_is_that_of_the_fit() {
-    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let m = Muscle::prototype();
     let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
-    let total = |m: &Muscle, e: f64, w: &mut Workspace| {
-        Evaluation::new(&ThickWall::new(m), w, Direction::Mean).uncertainty(0.2, e, 100.0).unwrap().total()
-    };
-    assert!((total(&own, 0.2, w) - 5.0).abs() < 1e-12);
-    let outside = total(&m, 0.225, w);
+    let total = |m: &Muscle, e: f64| parts_of(m, 0.2, e, Direction::Mean).total();
+    assert!((total(&own, 0.2) - 5.0).abs() < 1e-12);
+    let outside = total(&m, 0.225);
     let middle = (0.5 * 25.0 + 0.5 * outside * outside).sqrt();
-    assert!((total(&own, 0.225, w) - middle).abs() < 1e-9);
-    assert_eq!(total(&own, 0.26, w), total(&m, 0.26, w));
+    assert!((total(&own, 0.225) - middle).abs() < 1e-9);
+    assert_eq!(total(&own, 0.26), total(&m, 0.26));
     // Continuous at both edges of the margin.
-    assert!((total(&own, 0.2 + 1e-9, w) - 5.0).abs() < 1e-3);
-    assert!((total(&own, 0.25 - 1e-9, w) - total(&m, 0.25, w)).abs() < 1e-3);
+    assert!((total(&own, 0.2 + 1e-9) - 5.0).abs() < 1e-3);
+    assert!((total(&own, 0.25 - 1e-9) - total(&m, 0.25)).abs() < 1e-3);
 }
 
 /// h = 74·P^0.5 = 33.1 N at 0.2 MPa by hand: with a law that was fitted to both branches the mean answers within h + ±fit, a branch within ±fit.
 #[test]
 fn a_friction_that_was_measured_is_not_unknown() {
-    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let m = Muscle::prototype();
     let stated = m.with_friction(Some(Friction::power_law(74.0, 0.5))).unwrap();
     let own = with_bench(&stated, "thick-wall", Direction::BRANCHES.to_vec());
-    let mut total = |m: &Muscle, direction| {
-        Evaluation::new(&ThickWall::new(m), w, direction).uncertainty(0.2, 0.1, 100.0).unwrap().total()
-    };
+    let total = |m: &Muscle, direction| parts_of(m, 0.2, 0.1, direction).total();
     let half = 74.0 * 0.2_f64.sqrt();
     assert!((total(&own, Direction::Mean) - (half + 5.0)).abs() < 1e-9);
     assert!((total(&own, Direction::Contraction) - 5.0).abs() < 1e-9);
@@ -168,13 +155,11 @@ fn a_friction_that_was_measured_is_not_unknown() {
 /// 0.24 of the blocked force by hand beside the fit; on another diameter beside all other parts.
 #[test]
 fn another_specimen_of_a_product_is_a_part() {
-    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let m = Muscle::prototype();
     let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
     let theirs = Bench { laboratory: Some("Portland".into()), ..own.bench().unwrap().clone() };
     let theirs = m.clone().with_bench(theirs.sealed(&m));
-    let mut parts = |m: &Muscle| {
-        Evaluation::new(&ThickWall::new(m), w, Direction::Mean).uncertainty(0.2, 0.1, 100.0).unwrap()
-    };
+    let parts = |m: &Muscle| parts_of(m, 0.2, 0.1, Direction::Mean);
     let share = TRANSFER * ThickWall::new(&m).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap();
     assert_eq!(parts(&own).transfer, None);
     assert_eq!(parts(&theirs), UncertaintyParts { transfer: Some(share), ..parts(&own) });
@@ -187,15 +172,13 @@ fn another_specimen_of_a_product_is_a_part() {
 /// 8.3 · 30 mm · |1/200 − (1/285 + 1/400)/2| mm⁻¹ of the blocked force by hand, beside the parts of a muscle without a bench.
 #[test]
 fn another_length_of_an_identified_muscle_is_a_part() {
-    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let m = Muscle::prototype();
     let of = |length_mm: f64| m.with_tube(Tube { length_mm, ..m.tube().clone() }).unwrap();
     let bench = with_bench(&m, "thick-wall", vec![Direction::Mean]).bench().unwrap().clone();
     let own = Bench { lengths_mm: vec![m.length_mm(), 400.0], ..bench };
     let own = m.clone().with_bench(own.sealed(&m));
     let short = of(200.0).with_bench_of(&own);
-    let mut parts = |m: &Muscle| {
-        Evaluation::new(&ThickWall::new(m), w, Direction::Mean).uncertainty(0.2, 0.1, 100.0).unwrap()
-    };
+    let parts = |m: &Muscle| parts_of(m, 0.2, 0.1, Direction::Mean);
     let (found, without) = (parts(&short), parts(&of(200.0)));
     let inverse = 0.5 * (1.0 / m.length_mm() + 1.0 / 400.0);
     let off = m.tube().outer_diameter_mm * (1.0 / 200.0 - inverse);
@@ -214,42 +197,38 @@ fn another_length_of_an_identified_muscle_is_a_part() {
 
 #[test]
 fn a_bench_of_another_muscle_model_or_branch_says_nothing() {
-    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
-    let parts = |m: &Muscle, w: &mut Workspace| {
-        Evaluation::new(&ThickWall::new(m), w, Direction::Mean).uncertainty(0.2, 0.1, 100.0).unwrap()
-    };
+    let m = Muscle::prototype();
+    let parts = |m: &Muscle| parts_of(m, 0.2, 0.1, Direction::Mean);
     let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
     // Another diameter.
     let other = own.with_section(31.0, 3.0).unwrap();
-    assert_eq!(parts(&other, w), parts(&m.with_section(31.0, 3.0).unwrap(), w));
+    assert_eq!(parts(&other), parts(&m.with_section(31.0, 3.0).unwrap()));
     assert!(other.warnings().iter().any(|s| s.contains("[identified]")) && own.warnings().is_empty());
     // And back again.
-    assert_eq!(parts(&other.with_section(30.0, 3.0).unwrap(), w), parts(&own, w));
-    assert_eq!(parts(&with_bench(&m, "ideal", vec![Direction::Mean]), w), parts(&m, w));
+    assert_eq!(parts(&other.with_section(30.0, 3.0).unwrap()), parts(&own));
+    assert_eq!(parts(&with_bench(&m, "ideal", vec![Direction::Mean])), parts(&m));
     // Identified with finite elements: the fit, and the model's distance from them.
-    let by_elements = parts(&with_bench(&m, "fe", vec![Direction::Mean]), w);
-    assert_eq!((by_elements.fit, by_elements.formula), (Some(5.0), parts(&m, w).formula));
+    let by_elements = parts(&with_bench(&m, "fe", vec![Direction::Mean]));
+    assert_eq!((by_elements.fit, by_elements.formula), (Some(5.0), parts(&m).formula));
     // The shortening muscle alone was measured: the other branch is not known.
-    let half = parts(&with_bench(&m, "thick-wall", vec![Direction::Contraction]), w);
-    assert_eq!((half.fit, half.friction), (Some(5.0), parts(&m, w).friction));
+    let half = parts(&with_bench(&m, "thick-wall", vec![Direction::Contraction]));
+    assert_eq!((half.fit, half.friction), (Some(5.0), parts(&m).friction));
     let both = with_bench(&m, "thick-wall", Direction::BRANCHES.to_vec());
-    assert_eq!(parts(&both, w).friction, None);
+    assert_eq!(parts(&both).friction, None);
     // Points whose branch is not stated measure no loop.
-    assert_eq!(parts(&with_bench(&m, "thick-wall", vec![]), w), half);
+    assert_eq!(parts(&with_bench(&m, "thick-wall", vec![])), half);
 }
 
 #[test]
 fn no_uncertainty_of_an_identified_muscle_is_below_the_scatter_of_its_points() {
-    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let m = Muscle::prototype();
     let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
     let own = Bench { scatter_n: 1000.0, ..own.bench().unwrap().clone() }.sealed(&m);
     let own = m.clone().with_bench(own);
     for length_mm in [m.length_mm(), 200.0, 400.0] {
         let muscle = own.with_tube(Tube { length_mm, ..m.tube().clone() }).unwrap();
         for (p, e) in [(0.0, 0.0), (0.2, 0.1), (0.2, 0.22), (0.5, 0.0), (0.3, 0.4), (0.1, -0.1)] {
-            let found = Evaluation::new(&ThickWall::new(&muscle), w, Direction::Mean)
-                .uncertainty(p, e, 100.0)
-                .unwrap();
+            let found = parts_of(&muscle, p, e, Direction::Mean);
             assert!(found.total() >= 1000.0 * (1.0 - 1e-12), "{length_mm} {p} {e}: {found:?}");
         }
     }

@@ -3,8 +3,7 @@
 use mckibben::curve::Test;
 use mckibben::formula::Coefficients;
 use mckibben::model::{
-    ChouHannaford, ForceBalance, ForceModel, Ideal, Inverse, ModelError, ModelKind, Paper, ThickWall,
-    Workspace,
+    ChouHannaford, ForceBalance, ForceModel, FormulaModel, Ideal, ModelError, ModelKind, ThickWall, Workspace,
 };
 use mckibben::muscle::{
     Braid, BraidStiffness, EndFactor, MeasuredStrand, Muscle, NEUTRAL_ANGLE_DEG, Rubber, Terminals, Tube,
@@ -191,8 +190,8 @@ fn closed_inverses_come_back() {
         let name = model.info().name.clone();
         for (p, e) in grid(&*model).into_iter().filter(|(p, _)| *p > 0.0) {
             let force = model.force_n(&mut Workspace::new(), p, e).unwrap();
-            let (inverse, w) = (model.extensions().inverse, &mut Workspace::new());
-            if let Some(back) = inverse.and_then(|own| own.pressure_at_pull(w, force, e)) {
+            let w = &mut Workspace::new();
+            if let Some(back) = model.pressure_at_pull(w, force, e) {
                 assert!((back - p).abs() < 1e-9, "{name} {p} {e}");
             }
             let falls = model
@@ -200,8 +199,7 @@ fn closed_inverses_come_back() {
                 .unwrap()
                 .stiffness_n_per_mm
                 .is_some_and(|k| k > 0.0);
-            if let Some(back) = inverse.and_then(|own| own.contraction_at_pull(w, force, p)).filter(|_| falls)
-            {
+            if let Some(back) = model.contraction_at_pull(w, force, p).filter(|_| falls) {
                 assert!((back - e).abs() < 1e-9, "{name} {p} {e}");
             }
         }
@@ -327,7 +325,7 @@ fn thick_wall_tends_to_ideal_as_the_wall_thins() {
 fn paper_and_thick_wall_speak_of_the_same_muscle() {
     for (d0, s) in [(30.0, 1.0), (30.0, 3.0), (50.0, 1.0), (50.0, 5.0)] {
         let m = Muscle::prototype().with_section(d0, s).unwrap();
-        let (paper, thick) = (Paper::new(&m), ThickWall::new(&m));
+        let (paper, thick) = (FormulaModel::paper(&m), ThickWall::new(&m));
         let blocked = paper.force_n(&mut Workspace::new(), 0.25, 0.0).unwrap();
         let off = thick.force_n(&mut Workspace::new(), 0.25, 0.0).unwrap() / blocked - 1.0;
         assert!(off.abs() < 0.10, "D0 {d0}, s {s}: {off}");
@@ -474,9 +472,9 @@ proptest! {
             if let Ok(r) = model.response(&mut Workspace::new(), p, e) {
                 prop_assert!(r.force_n.is_finite(), "{}", kind);
             }
-            let (own, w) = (model.extensions().inverse, &mut Workspace::new());
-            let inverses = own.map(|own| [own.pressure_at_pull(w, 10.0, e), own.contraction_at_pull(w, 10.0, p)]);
-            for x in inverses.into_iter().flatten().flatten() {
+            let w = &mut Workspace::new();
+            let inverses = [model.pressure_at_pull(w, 10.0, e), model.contraction_at_pull(w, 10.0, p)];
+            for x in inverses.into_iter().flatten() {
                 prop_assert!(x.is_finite(), "{}", kind);
             }
         }

@@ -63,7 +63,7 @@ impl Plan {
         hash::hex(self.text.as_bytes())
     }
 
-    pub(super) fn sampling(&self) -> &Sampling {
+    pub fn sampling(&self) -> &Sampling {
         &self.design.sampling
     }
 

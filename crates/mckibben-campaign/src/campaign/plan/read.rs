@@ -48,14 +48,13 @@ impl Plan {
 
 /// A plan none of whose first thousand muscles is one is a slip, not a campaign.
 fn some_muscle(plan: &Plan) -> Result<(), String> {
-    let mut first = None;
-    for number in 0..plan.muscles().min(1000) {
-        match plan.inputs(number).muscle() {
-            Ok(_) => return Ok(()),
-            Err(error) => first = first.or(Some(error)),
+    let mut muscles = (0..plan.muscles().min(1000)).map(|number| plan.inputs(number).muscle());
+    match muscles.next() {
+        Some(Err(first)) if !muscles.any(|muscle| muscle.is_ok()) => {
+            Err(format!("makes no muscle; the first: {first}"))
         }
+        _ => Ok(()),
     }
-    first.map_or(Ok(()), |error| Err(format!("makes no muscle; the first: {error}")))
 }
 
 fn whole(section: &Section<'_>, key: &str, most: u64) -> Result<Option<u64>, FileError> {

@@ -1,8 +1,8 @@
 //! Parquet files → rows.
 
+use super::resume::belongs;
 use super::{Field, Provenance, Table, Which, part_name};
 use crate::PointRow;
-use crate::campaign::resume::belongs;
 use crate::campaign::{CampaignError, Result};
 use mckibben_io::files::ReadError;
 use mckibben_io::parquet::{Reader, TableError};

@@ -139,18 +139,20 @@ impl Folder {
     }
 
     /// Writes parts so that they survive whatever follows.
-    pub(crate) fn write(&self, parts: &mut Vec<(u64, Vec<u8>)>) -> Result<()> {
+    pub(crate) fn write(&self, parts: &mut Vec<(u64, Vec<u8>)>) -> Result<Vec<(u64, PathBuf)>> {
+        let mut written = vec![];
         if parts.is_empty() {
-            return Ok(());
+            return Ok(written);
         }
         for (number, bytes) in parts.drain(..) {
             let path = self.path.join(part_name(number));
             // Removed again if anything fails before it is renamed.
             let file = Unfinished::inside(&path, true).and_then(|file| file.with(&bytes));
             file.and_then(|file| file.put(true)).map_err(CampaignError::write(&path))?;
+            written.push((number, path));
         }
         mckibben_io::files::sync(&self.path);
-        Ok(())
+        Ok(written)
     }
 
     /// Removes parts, and the folder if nothing else is in it: they are in one file now.

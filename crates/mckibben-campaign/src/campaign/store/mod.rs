@@ -1,13 +1,26 @@
-//! The store: tables in Parquet files, one file or a folder of parts.
+//! The store: tables in Parquet files, one file or a folder of parts. Plans are run into it, shards of it are merged, and it is read.
 
 mod decode;
 mod encode;
 mod folder;
 mod layout;
+mod merge;
 mod provenance;
+mod read;
+mod resume;
+mod run;
+mod shard;
+mod status;
+mod summary;
 mod table;
 
+pub use merge::{Merged, merge};
 pub use provenance::Provenance;
+pub use read::{Rows, read, rows};
+pub use run::{Counts, Outcome, Recomputed, RunOptions, run};
+pub use shard::Shard;
+pub use status::{CampaignStatus, ShardState, ShardStatus, status};
+pub use summary::{Extent, Failed, Summary, summary};
 
 pub(super) use decode::{Opened, PartSource, flat};
 pub(super) use encode::{part, write};

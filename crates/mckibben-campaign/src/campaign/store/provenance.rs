@@ -9,7 +9,7 @@ use serde::Serialize;
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Where a table comes from. No time and no host: the same plan gives the same bytes.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 pub struct Provenance {
     /// Version of the program.
     pub version: String,

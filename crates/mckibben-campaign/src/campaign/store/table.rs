@@ -58,7 +58,10 @@ pub(crate) struct Table {
 
 impl Table {
     pub(crate) fn new(layout: &Layout) -> Self {
-        let fields: Arc<[Field]> = layout.fields().into();
+        Self::empty(layout.fields().into())
+    }
+
+    fn empty(fields: Arc<[Field]>) -> Self {
         Self { columns: fields.iter().map(Field::kind).collect(), fields, rows: 0 }
     }
 
@@ -68,8 +71,7 @@ impl Table {
 
     /// The same without rows.
     pub(super) fn emptied(&self) -> Self {
-        let columns = self.fields.iter().map(Field::kind).collect();
-        Self::of(&self.fields, columns, 0)
+        Self::empty(self.fields.clone())
     }
 
     pub(crate) fn push(&mut self, mut row: PointRow) {

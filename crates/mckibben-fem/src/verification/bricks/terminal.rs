@@ -32,27 +32,22 @@ pub fn terminal(rows: &mut Rows) {
             rows.add(format!("{name}, {what}"), reference, ours, tolerance);
         };
         let (p, e) = (0.2, 0.1);
-        let lid = (|| {
-            let mut c = muscle(brick, None)?;
+        let lid = muscle(brick, None).and_then(|mut c| {
             c.reach(p, e).ok()?;
             // The lid is round, a plug's face has the rim of the inner surface: a prism of the muscle's length lies between them.
             let more = c.body.mesh.lid_mm2() - c.body.mesh.polygon_mm2();
-            let (pull, volume) = (c.pull(), c.body.bricks.totals.volume);
-            Some((pull + 4.0 * p * more, volume - more * (1.0 - e) * c.body.bricks.discretisation.half))
-        })();
-        let sharp = totals(brick, plug(rigid, 0.0, 0.0), p, e);
+            let half = c.body.bricks.discretisation.half;
+            Some([c.pull() + 4.0 * p * more, c.body.bricks.totals.volume - more * (1.0 - e) * half])
+        });
+        let [sharp, nose] = [0.0, 4.0]
+            .map(|nose| [(p, e), (0.1, 0.0)].map(|(p, e)| totals(brick, plug(rigid, 0.0, nose), p, e)));
         let what = "rigid plug without insertion or nose: F of the lid (N)";
-        row(what, lid.map(|t| t.0), sharp.map(|t| t.pull), 1e-10);
-        row("the same: V of the eighth (mm³)", lid.map(|t| t.1), sharp.map(|t| t.volume), 1e-10);
+        row(what, lid.map(|t| t[0]), sharp[0].map(|t| t.pull), 1e-10);
+        row("the same: V of the eighth (mm³)", lid.map(|t| t[1]), sharp[0].map(|t| t.volume), 1e-10);
         // A nose takes the same volume from every state, and no pull.
-        let nose = |p: f64, e: f64| {
-            let (with, without) =
-                (totals(brick, plug(rigid, 0.0, 4.0), p, e)?, totals(brick, plug(rigid, 0.0, 0.0), p, e)?);
-            Some((without.volume - with.volume, with.pull, without.pull))
-        };
-        let (one, two) = (nose(0.2, 0.1), nose(0.1, 0.0));
-        row("nose: F as without it (N)", one.map(|n| n.2), one.map(|n| n.1), 1e-9);
-        row("nose: volume it takes, in two states (mm³)", one.map(|n| n.0), two.map(|n| n.0), 1e-8);
+        row("nose: F as without it (N)", sharp[0].map(|t| t.pull), nose[0].map(|t| t.pull), 1e-9);
+        let [one, two] = [0, 1].map(|i| Some(sharp[i]?.volume - nose[i]?.volume));
+        row("nose: volume it takes, in two states (mm³)", one, two, 1e-8);
         for (material, what) in [(rigid, "rigid"), (aluminium, "aluminium")] {
             let found = (|| {
                 let mut c = muscle(brick, plug(material, 10.0, 3.0))?;

@@ -57,7 +57,7 @@ pub fn tearing(muscle: &Muscle, below_mpa: Option<f64>) -> Result<FailurePressur
             // Not taut yet, or beyond the last equilibrium.
             Err(_) if low == 0.0 => (low, high) = (high, GROWTH * high),
             Err(_) => {
-                return Ok(FailurePressure::Unknown(NoBurst::NoAnswer { up_to_mpa: low }));
+                return Ok(FailurePressure::Unknown(NoBurst::NoAnswerBeyond(low)));
             }
         }
     }

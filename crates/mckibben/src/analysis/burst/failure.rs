@@ -3,6 +3,7 @@
 use crate::muscle::Muscle;
 use serde::Serialize;
 use std::fmt;
+use thiserror::Error;
 
 /// Burst pressure over allowed pressure, of strands and clamps: that of new hose for compressed air (RMA, Hose Handbook, IP-2, 2003).
 pub const SAFETY: f64 = 4.0;
@@ -92,51 +93,40 @@ impl FailurePressure {
 }
 
 /// Why the pressure of a failure mode is not known.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum NoBurst {
     /// Neither the number of the strands nor their strength is stated.
+    #[error(
+        "the strength of the braid is not stated; give `strands` (how many) and `strand_strength` (such as \"40 N\") in [braid] of the muscle file"
+    )]
     NoStrands,
     /// The number of the strands is stated, and their strength is not.
+    #[error(
+        "the strength of the strands is not stated; give `strand_strength` (such as \"40 N\") in [braid] of the muscle file"
+    )]
     NoStrength,
     /// How many strands lie side by side, or how thick they are, is not stated.
+    #[error(
+        "the openings of the braid are not stated; give `strands`, `strand_area` and `strands_per_carrier` in [braid] of the muscle file"
+    )]
     NoOpening,
     /// The elongation at break of the rubber is not known.
+    #[error("the elongation at break of this rubber is not known")]
     NoElongation,
     /// The pull-off force of the clamps is not stated.
+    #[error(
+        "the pull-off force of the clamps is not stated; give `pull_off` in [terminals] of the muscle file"
+    )]
     NoPullOff,
+    /// The model has no answer for the blocked muscle.
+    #[error("the model has no answer for the blocked muscle; another model may answer")]
+    NoAnswer,
     /// The model has no answer beyond this pressure in MPa, and nothing fails up to it.
-    NoAnswer {
-        /// The largest pressure with an answer.
-        up_to_mpa: f64,
-    },
-}
-
-impl fmt::Display for NoBurst {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoStrands => f.write_str(
-                "the strength of the braid is not stated; give `strands` (how many) and `strand_strength` (such as \"40 N\") in [braid] of the muscle file",
-            ),
-            Self::NoStrength => f.write_str(
-                "the strength of the strands is not stated; give `strand_strength` (such as \"40 N\") in [braid] of the muscle file",
-            ),
-            Self::NoOpening => f.write_str(
-                "the openings of the braid are not stated; give `strands`, `strand_area` and `strands_per_carrier` in [braid] of the muscle file",
-            ),
-            Self::NoElongation => f.write_str("the elongation at break of this rubber is not known"),
-            Self::NoPullOff => {
-                f.write_str("the pull-off force of the clamps is not stated; give `pull_off` in [terminals] of the muscle file")
-            }
-            Self::NoAnswer { up_to_mpa } if *up_to_mpa == 0.0 => {
-                f.write_str("the model has no answer for the blocked muscle; another model may answer")
-            }
-            Self::NoAnswer { up_to_mpa } => write!(
-                f,
-                "the model has no answer beyond {up_to_mpa:.3} MPa ({:.2} bar), and nothing fails up to there; another model may answer",
-                10.0 * up_to_mpa
-            ),
-        }
-    }
+    #[error(
+        "the model has no answer beyond {0:.3} MPa ({bar:.2} bar), and nothing fails up to there; another model may answer",
+        bar = 10.0 * .0
+    )]
+    NoAnswerBeyond(f64),
 }
 
 /// The pressures at which a muscle fails.

@@ -74,7 +74,7 @@ fn closed(found: Found, thick: &mut Blocked<'_>) -> FailurePressure {
     match found {
         Found::Fails(pressure_mpa) => FailurePressure::At(pressure_mpa),
         Found::Ends(pressure_mpa) => match thick.over(BEYOND * pressure_mpa) {
-            Ok(over) if over < 0.0 => FailurePressure::Unknown(NoBurst::NoAnswer { up_to_mpa: pressure_mpa }),
+            Ok(over) if over < 0.0 => FailurePressure::Unknown(NoBurst::NoAnswerBeyond(pressure_mpa)),
             _ => FailurePressure::At(pressure_mpa),
         },
     }

@@ -9,7 +9,7 @@ use super::error::FormulaError;
 use super::{Body, Document, Formula, UniversalFormula};
 use head::{Kind, Read, kind};
 use section::{GlobalTerm, PaperTerm, SectionFile, global, global_list, paper, paper_list};
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use universal::{UniversalFile, universal};
 
 /// A formula's file.
@@ -39,20 +39,6 @@ impl From<Formula> for File {
 impl From<UniversalFormula> for File {
     fn from(formula: UniversalFormula) -> Self {
         Self::Universal(formula.into())
-    }
-}
-
-/// A formula is written as its file.
-impl Serialize for Formula {
-    fn serialize<S: Serializer>(&self, out: S) -> Result<S::Ok, S::Error> {
-        File::from(self.clone()).serialize(out)
-    }
-}
-
-/// A formula is written as its file.
-impl Serialize for UniversalFormula {
-    fn serialize<S: Serializer>(&self, out: S) -> Result<S::Ok, S::Error> {
-        File::from(self.clone()).serialize(out)
     }
 }
 

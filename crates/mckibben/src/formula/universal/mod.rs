@@ -7,7 +7,9 @@ pub use form::{Deficit, Form, UniversalTerm};
 pub use range::UniversalRange;
 
 use super::Provenance;
+use super::file::File;
 use super::file::check::share;
+use super::terms::name;
 use serde::{Deserialize, Serialize};
 use std::sync::{Arc, LazyLock};
 
@@ -52,8 +54,9 @@ impl UniversalErrors {
     }
 }
 
-/// A universal formula with all that is known of it.
-#[derive(Debug, Clone, PartialEq)]
+/// A universal formula with all that is known of it; it is written as its file.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(into = "File")]
 pub struct UniversalFormula {
     /// Its name, which answers carry.
     pub name: String,
@@ -89,14 +92,7 @@ impl UniversalFormula {
 
     /// A term in letters: `S N^2`.
     pub fn term_name(&self, term: &UniversalTerm) -> String {
-        let letters = self.deficit.form.letters();
-        let factor = |(letter, n): (&str, u8)| match n {
-            0 => None,
-            1 => Some(letter.to_owned()),
-            n => Some(format!("{letter}^{n}")),
-        };
-        let list: Vec<String> = letters.into_iter().zip(term.powers).filter_map(factor).collect();
-        if list.is_empty() { "1".into() } else { list.join(" ") }
+        name(term.powers, &self.deficit.form.letters(), |n| format!("^{n}"))
     }
 
     /// The equation in one line.

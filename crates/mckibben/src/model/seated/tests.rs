@@ -7,7 +7,7 @@ fn with(terminals: Terminals) -> Muscle {
 }
 
 fn contraction_at_pull(model: &dyn ForceModel, force_n: f64, p: f64) -> Option<f64> {
-    model.extensions().inverse?.contraction_at_pull(&mut Workspace::new(), force_n, p)
+    model.contraction_at_pull(&mut Workspace::new(), force_n, p)
 }
 
 fn muscle(seating_mm: f64) -> Muscle {

@@ -1,7 +1,7 @@
 //! What the thick-wall model answers, and what it can do besides.
 
 use super::ThickWall;
-use crate::model::{Contact, Extensions, ForceModel, Inverse, ModelInfo, Response, Result, Workspace};
+use crate::model::{Contact, Extensions, ForceModel, ModelInfo, Response, Result, Workspace};
 use crate::muscle::EndFactor;
 use std::f64::consts::PI;
 
@@ -37,12 +37,6 @@ impl ForceModel for ThickWall {
         Ok(self.state(pressure_mpa, l)?.force)
     }
 
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), contact: Some(self), ..Extensions::default() }
-    }
-}
-
-impl Inverse for ThickWall {
     /// In closed form where strands do not stretch, else by Newton's method for the radius. A tube pushes as hard at a lower pressure, with
     /// its strands slack.
     fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
@@ -53,6 +47,10 @@ impl Inverse for ThickWall {
         }
         let (l, _, _) = self.stretch(0.0, contraction);
         self.pressure_for(force_n, l)
+    }
+
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { contact: Some(self), ..Extensions::default() }
     }
 }
 

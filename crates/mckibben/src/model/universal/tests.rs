@@ -166,7 +166,7 @@ fn maxwell_holds_within_the_correction() {
 fn the_box_names_what_is_outside() {
     let m = muscle(4.5, 60.0, 45.0, mooney(0.3), BraidStiffness::NewtonPerMm(100.0));
     let range = ModelKind::Universal.build(&m).unwrap().info().range.clone();
-    let names: Vec<&str> = range.muscle.iter().map(|v| v.interval.quantity.words().0).collect();
+    let names: Vec<&str> = range.muscle.iter().map(|v| v.interval.quantity.name).collect();
     assert_eq!(names, ["wall_ratio", "length_ratio", "braid_angle"]);
     // 4 sin²θ0 k/D0 · 6 %: 0.6 MPa, below 5 μ.
     assert!((range.pressure_mpa.1 - 0.6).abs() < 1.1e-5, "{:?}", range.pressure_mpa);

@@ -1,7 +1,7 @@
 //! The values of a file against the list of keys: each is of its kind, and within its bounds.
 
 use super::error::{FileError, without_key};
-use super::keys::{Key, dimension, dotted, join};
+use super::keys::{Key, dimension, dotted, join, words};
 use super::source::{Source, shortened};
 use crate::nearest::{meant, nearest};
 use crate::rubber::{Law, foreign};
@@ -102,19 +102,15 @@ impl Key {
     }
 }
 
-fn split(kind: &str) -> (&str, &str) {
-    kind.split_once(' ').unwrap_or((kind, ""))
-}
-
 fn expected(kind: &str) -> String {
-    let (word, rest) = split(kind);
+    let (word, rest) = words(kind);
     match word {
         ">0" | ">=0" => expected(rest),
         "number" | "whole" | "within" | "end-factor" => PLAIN.into(),
         "boolean" => "true or false, without quotes".into(),
         "word" => format!("one of {}", rest.replace(' ', ", ")),
         "or" => {
-            let (words, rest) = split(rest);
+            let (words, rest) = words(rest);
             format!("\"{}\", or {}", words.replace('/', "\", \""), expected(rest))
         }
         "list" | "pair" => LIST.into(),
@@ -130,7 +126,7 @@ fn expected(kind: &str) -> String {
 
 /// A value of a kind in the units used inside; `expected` is what else may stand there.
 fn of_kind(kind: &str, value: &Written, expected: &str) -> Result<Value, String> {
-    let (word, rest) = split(kind);
+    let (word, rest) = words(kind);
     let wrong = || format!("is {}; expected {expected}", type_of_value(value));
     let unknown = |text: &str, words: &str| {
         let near = nearest(text, words.split([' ', '/']));
@@ -153,7 +149,7 @@ fn of_kind(kind: &str, value: &Written, expected: &str) -> Result<Value, String>
         }
         ("within", _) => {
             let read = sound(value, PLAIN)?;
-            let (low, high) = split(rest);
+            let (low, high) = words(rest);
             let within = low.parse().is_ok_and(|low: f64| low <= read)
                 && high.parse().is_ok_and(|high: f64| read <= high);
             if within { Ok(read.into()) } else { Err(format!("is {read}; it must be from {low} to {high}")) }
@@ -162,7 +158,7 @@ fn of_kind(kind: &str, value: &Written, expected: &str) -> Result<Value, String>
         ("word", Some(text)) if rest.split(' ').any(|word| word == text) => Ok(text.into()),
         ("word", Some(text)) => Err(unknown(text, rest)),
         ("or", _) => {
-            let (words, rest) = split(rest);
+            let (words, rest) = words(rest);
             match text {
                 Some(text) if words.split('/').any(|word| word == text) => Ok(text.into()),
                 Some(text) if !text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) => {
@@ -176,13 +172,13 @@ fn of_kind(kind: &str, value: &Written, expected: &str) -> Result<Value, String>
         }
         ("pair", _) => match value.as_array().map(|array| array.iter().collect::<Vec<_>>()).as_deref() {
             Some(&[first, second]) => {
-                let (one, other) = split(rest);
+                let (one, other) = words(rest);
                 Ok(json!([of_kind(one, first, expected)?, of_kind(other, second, expected)?]))
             }
             _ => Err(wrong()),
         },
         ("values" | "range", _) => {
-            let (dimension, suffix) = split(rest);
+            let (dimension, suffix) = words(rest);
             let read = values(value, super::keys::dimension(dimension).unwrap_or(Dimension::Ratio), suffix)?;
             match (word, &read.0) {
                 ("range", Values::Interval(low, high)) => Ok(json!([low, high])),

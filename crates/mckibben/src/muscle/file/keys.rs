@@ -63,14 +63,9 @@ impl Key {
         keys("law").into_iter().chain(constants).chain(keys("material")).collect()
     }
 
-    /// The first word of the kind, and the rest.
-    pub fn words(&self) -> (&str, &str) {
-        self.kind.split_once(' ').unwrap_or((&self.kind, ""))
-    }
-
     /// The keys of the table that it names; of a rubber those of `law`, or of all laws.
     pub fn table(&self, law: Option<&str>) -> Option<Vec<Self>> {
-        let (word, rest) = self.words();
+        let (word, rest) = words(&self.kind);
         Some(match word {
             "table" => keys(rest),
             "end-factor" => keys("end-factor"),
@@ -98,6 +93,11 @@ impl Key {
             _ => return None,
         })
     }
+}
+
+/// The first word of a kind, and the rest.
+pub(super) fn words(kind: &str) -> (&str, &str) {
+    kind.split_once(' ').unwrap_or((kind, ""))
 }
 
 fn of_measure(measure: &'static Measure) -> Key {

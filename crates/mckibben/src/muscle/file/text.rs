@@ -1,6 +1,6 @@
 //! The lines of a muscle file, and values as it has them.
 
-use super::keys::{Key, dimension, keys};
+use super::keys::{Key, dimension, keys, words};
 use crate::units::Dimension;
 use mckibben_io::clean::is_unseen;
 use serde::Serialize;
@@ -59,7 +59,7 @@ impl Text {
 
 /// A value of a kind as a file has it.
 fn written(kind: &str, value: &Value) -> String {
-    let (word, rest) = kind.split_once(' ').unwrap_or((kind, ""));
+    let (word, rest) = words(kind);
     let (one, other) = rest.split_once(' ').unwrap_or_default();
     let list = |items: Vec<String>| format!("[{}]", items.join(", "));
     match (word, value) {

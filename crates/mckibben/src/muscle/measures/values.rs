@@ -21,7 +21,7 @@ impl MeasureValues {
         self.0.retain(|v| v.0 != measure);
         self.0.push((measure, value));
         let place = |m: &Measure| fields().position(|(_, other)| other == m);
-        self.0.sort_by_key(|v| place(v.0));
+        self.0.sort_by_cached_key(|v| place(v.0));
     }
 
     /// All of them.

@@ -33,16 +33,6 @@ impl ArrudaBoyce {
         Self { mu_mpa, lambda_m, rest: Chain::at(1.0 / lambda_m) }
     }
 
-    /// Shear modulus μ at rest in MPa.
-    pub fn mu_mpa(&self) -> f64 {
-        self.mu_mpa
-    }
-
-    /// Locking stretch λm = √N.
-    pub fn lambda_m(&self) -> f64 {
-        self.lambda_m
-    }
-
     /// μ' = n k T in MPa.
     pub fn chain_modulus_mpa(&self) -> f64 {
         3.0 * self.mu_mpa * self.rest.q
@@ -252,7 +242,7 @@ mod tests {
         let n = 9.0_f64;
         let series = [3.0 / 5.0, 99.0 / 175.0, 513.0 / 875.0, 42039.0 / 67375.0];
         let sum = 1.0 + series.iter().enumerate().map(|(i, c)| c / n.powi(i as i32 + 1)).sum::<f64>();
-        let ratio = law.mu_mpa() / law.chain_modulus_mpa() / sum - 1.0;
+        let ratio = law.mu_mpa / law.chain_modulus_mpa() / sum - 1.0;
         assert!(ratio > 0.0 && ratio < n.powi(-5), "{ratio}");
     }
 

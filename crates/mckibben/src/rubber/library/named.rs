@@ -62,21 +62,19 @@ pub(crate) fn following(rubber: Rubber, reach: f64) -> Rubber {
     if rubber.name.is_none() || rubber == Rubber::paper() {
         return rubber;
     }
-    let of_library = |(entry, law): (&RubberEntry, Option<&str>)| {
-        let found = entry.has(law, &rubber).then(|| entry.up_to(law, COVERING * reach))??;
-        Some(entry.rubber(law, found))
-    };
-    let followed = rubber.name.as_deref().and_then(exactly).and_then(of_library);
+    let followed =
+        known(&rubber).and_then(|(entry, law)| Some(entry.rubber(law, entry.up_to(law, COVERING * reach)?)));
     followed.unwrap_or(rubber)
+}
+
+/// Entry and law of a rubber of the library, with its constants.
+fn known(rubber: &Rubber) -> Option<(&'static RubberEntry, Option<&str>)> {
+    exactly(rubber.name.as_deref()?).filter(|(entry, law)| entry.has(*law, rubber))
 }
 
 /// Whether a rubber is one of the library whose law follows the muscle.
 pub fn follows(rubber: &Rubber) -> bool {
-    rubber
-        .name
-        .as_deref()
-        .and_then(exactly)
-        .is_some_and(|(entry, law)| entry.each(law).nth(1).is_some() && entry.has(law, rubber))
+    known(rubber).is_some_and(|(entry, law)| entry.each(law).nth(1).is_some())
 }
 
 /// Whether a rubber is one of the library, with its constants, whose tests are uniaxial alone: what it does in two axes is then a guess
@@ -92,9 +90,7 @@ pub fn stiffness_factor(rubber: &Rubber) -> f64 {
     if let Some(Ok((found, factor))) = hardness::find(name) {
         return if found.law == rubber.law { factor } else { 1.0 };
     }
-    let own =
-        |(entry, law): (&'static RubberEntry, Option<&str>)| entry.has(law, rubber).then_some(entry.factor);
-    exactly(name).and_then(own).unwrap_or(1.0)
+    known(rubber).map_or(1.0, |(entry, _)| entry.factor)
 }
 
 /// Entry and law of a name that the library itself gave.

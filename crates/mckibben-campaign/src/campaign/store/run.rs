@@ -2,8 +2,8 @@
 
 use super::merge::write_whole;
 use super::resume::{Marker, finished, there};
-use super::store::{Folder, PartSource, Provenance, Table, check_name, is_file_name, part, part_name};
-use super::{CampaignError, Plan, Result, Shard, solve};
+use super::{Folder, PartSource, Provenance, Table, check_name, is_file_name, part};
+use crate::campaign::{CampaignError, Plan, Result, Shard, solve};
 use mckibben::progress::Progress;
 use mckibben::threads::Threads;
 use mckibben_io::files::check_writable;
@@ -168,43 +168,33 @@ fn in_folder(
     let report = |c: &Counts| progress.report(c.muscles as usize, c.of as usize);
     report(&counts);
 
-    let mut pending = vec![];
-    let mut error = None;
-    let mut flushed = Instant::now();
+    let (mut pending, mut ended, mut flushed) = (vec![], Ok(()), Instant::now());
     // Its own flag, so that an error here does not look like the user's wish.
     let failed = AtomicBool::new(false);
     let halted = || progress.cancelled() || failed.load(Ordering::Relaxed);
     let work = |&number: &u64| compute(plan, provenance, number, &halted);
     threads.for_each(&missing, work, |done| {
-        match done.flatten() {
-            Some(Ok(done)) if error.is_none() => {
-                counts.muscles += provenance.muscles_of(done.part).count() as u64;
+        let take_over = || -> Result<()> {
+            if let Some(done) = done.flatten().transpose()? {
+                counts.muscles += muscles(done.part);
                 counts.points += done.points;
                 counts.failed += done.failed;
                 pending.push((done.part, done.bytes));
-                report(&counts);
             }
-            Some(Ok(_)) => {}
-            Some(Err(e)) => error = error.take().or(Some(e)),
-            None => report(&counts),
-        }
-        if error.is_none() && flushed.elapsed() > FLUSH {
-            let numbers: Vec<u64> = pending.iter().map(|p: &(u64, Vec<u8>)| p.0).collect();
-            match folder.write(&mut pending) {
-                Ok(()) => {
-                    places.extend(numbers.iter().map(|&n| (n, PartSource::File(store.join(part_name(n))))))
-                }
-                Err(e) => error = Some(e),
+            report(&counts);
+            if flushed.elapsed() > FLUSH {
+                let written = folder.write(&mut pending)?.into_iter();
+                places.extend(written.map(|(number, path)| (number, PartSource::File(path))));
+                flushed = Instant::now();
             }
-            flushed = Instant::now();
-        }
-        if error.is_some() {
-            failed.store(true, Ordering::Relaxed);
+            Ok(())
+        };
+        if ended.is_ok() {
+            ended = take_over();
+            failed.store(ended.is_err(), Ordering::Relaxed);
         }
     });
-    if let Some(error) = error {
-        return Err(error);
-    }
+    ended?;
     let shard = options.shard.map(|shard| shard.to_string());
     let outcome = Outcome { recomputed, shard, ..Outcome::new(provenance, out, &store, counts) };
     if one_file && outcome.complete {

@@ -1,9 +1,9 @@
 //! Reads a campaign: one file, or a folder of parts.
 
 use super::merge::gather;
-use super::store::{Opened, PartSource, Provenance, Which, flat};
-use super::{CampaignError, Result};
+use super::{Opened, PartSource, Provenance, Which, flat};
 use crate::PointRow;
+use crate::campaign::{CampaignError, Result};
 use std::path::{Path, PathBuf};
 
 /// The rows of a campaign one after another; holds one group of them at a time. An error is the last of them.

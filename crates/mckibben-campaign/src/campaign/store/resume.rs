@@ -1,8 +1,8 @@
 //! What is there already, and whether it belongs to a plan.
 
 use super::run::{Counts, Outcome, Recomputed};
-use super::store::{Folder, MARKER, Opened, PartSource, Provenance, Which};
-use super::{CampaignError, Result};
+use super::{Folder, MARKER, Opened, PartSource, Provenance, Which};
+use crate::campaign::{CampaignError, Result};
 use mckibben::threads::Threads;
 use mckibben_io::files::{Unfinished, read};
 use serde::{Deserialize, Serialize};
@@ -99,11 +99,8 @@ pub(super) fn belongs(theirs: &Provenance, ours: &Provenance, path: &Path) -> Re
         let message = format!("{name} was written by mckibben {theirs}, and this is version {ours}");
         return Err(CampaignError::OtherPlan(message));
     }
-    if theirs == ours {
-        Ok(())
-    } else {
-        Err(CampaignError::damaged(path, "its metadata are not those of this plan"))
-    }
+    let why = "its metadata are not those of this plan";
+    if theirs == ours { Ok(()) } else { Err(CampaignError::damaged(path, why)) }
 }
 
 /// Its longest file in bytes.
@@ -119,11 +116,8 @@ pub(super) struct Marker {
 
 impl Marker {
     pub(super) fn of(provenance: &Provenance) -> Self {
-        Self {
-            version: provenance.version.clone(),
-            plan_sha256: provenance.plan_sha256.clone(),
-            parts: provenance.parts(),
-        }
+        let Provenance { version, plan_sha256, .. } = provenance.clone();
+        Self { version, plan_sha256, parts: provenance.parts() }
     }
 
     pub(super) fn read(folder: &Path) -> Option<Self> {

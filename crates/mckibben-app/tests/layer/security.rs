@@ -1,19 +1,7 @@
 //! What `SECURITY.md` says of the code.
 
-use crate::common::root;
+use super::{root, sources};
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
-
-fn sources(folder: &Path, out: &mut Vec<PathBuf>) {
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            sources(&path, out);
-        } else if path.extension().is_some_and(|e| e == "rs") {
-            out.push(path);
-        }
-    }
-}
 
 /// Whether code holds the word `unsafe`, outside of comments, texts and the names of attributes.
 fn holds_unsafe(text: &str) -> bool {

@@ -1,8 +1,8 @@
 //! How far a folder of parts is, shard by shard: from names, locks and ends of files alone, at any time and from any machine.
 
 use super::resume::Marker;
-use super::store::{Folder, Opened};
-use super::{CampaignError, Result, Shard};
+use super::{Folder, Opened};
+use crate::campaign::{CampaignError, Result, Shard};
 use mckibben_io::files::ReadError;
 use serde::Serialize;
 use std::collections::BTreeSet;

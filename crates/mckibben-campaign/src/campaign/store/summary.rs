@@ -1,8 +1,8 @@
 //! What a campaign holds, in a few figures.
 
-use super::store::{Field, Folder, Opened, Provenance, Which};
-use super::{CampaignError, Result};
+use super::{Field, Folder, Opened, Provenance, Which};
 use crate::PointRow;
+use crate::campaign::{CampaignError, Result};
 use crate::columns::Role;
 use mckibben::status::Status;
 use serde::Serialize;
@@ -32,7 +32,7 @@ pub struct Extent {
 }
 
 /// Contents of a campaign.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Summary {
     /// Muscles that are there.
     pub muscles: u64,
@@ -61,19 +61,7 @@ pub struct Summary {
 
 impl Summary {
     fn new(provenance: Provenance) -> Self {
-        Self {
-            muscles: 0,
-            points: 0,
-            points_wanted: provenance.points(),
-            complete: false,
-            answered: 0,
-            failed: BTreeMap::new(),
-            ranges: vec![],
-            bytes: 0,
-            missing_parts: 0,
-            damaged: vec![],
-            provenance,
-        }
+        Self { points_wanted: provenance.points(), provenance, ..Self::default() }
     }
 
     fn add(&mut self, mut row: PointRow, fields: &[Field]) {

@@ -1,8 +1,8 @@
 //! Parts → one file.
 
 use super::resume::belongs;
-use super::store::{Folder, Opened, PartSource, Provenance, Which, flat, is_file_name, part_name, write};
-use super::{CampaignError, Result};
+use super::{Folder, Opened, PartSource, Provenance, Which, flat, is_file_name, part_name, write};
+use crate::campaign::{CampaignError, Result};
 use mckibben_io::files::{Unfinished, sync};
 use serde::Serialize;
 use std::collections::BTreeMap;

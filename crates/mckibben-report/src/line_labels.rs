@@ -1,0 +1,123 @@
+//! Texts that name lines directly: beside the plot where lines reach its right edge, otherwise beside the line.
+
+use crate::font::Metrics;
+use crate::labels::{HEIGHT, Label, SIZE, around, cost_of, inside};
+use crate::rect::{Rect, Spot};
+use crate::room::Room;
+
+/// A line with its text.
+pub(crate) struct Ended {
+    pub text: String,
+    /// Colour number; that of the text where it has none.
+    pub colour: Option<usize>,
+    pub line: Vec<Spot>,
+}
+
+/// Places tried along a line, from its end backward.
+const STATIONS: usize = 40;
+
+/// Whether the text of a line belongs to the right of the plot: the line reaches the edge.
+pub(crate) fn reaches_edge(line: &[Spot], plot: &Rect) -> bool {
+    line.last().is_some_and(|end| end.0 > plot.right() - 0.02 * plot.w)
+}
+
+/// Places the texts of the lines.
+pub(crate) fn of_lines(lines: Vec<Ended>, metrics: &Metrics, room: &mut Room) -> Vec<Label> {
+    let plot = room.plot();
+    let (edge, inner): (Vec<_>, Vec<_>) =
+        lines.into_iter().filter(|l| !l.line.is_empty()).partition(|l| reaches_edge(&l.line, &plot));
+    let mut labels = beside_plot(edge, &plot);
+    labels.extend(inner.into_iter().filter_map(|line| along(line, metrics, room)));
+    labels
+}
+
+/// Texts to the right of the plot, spread so that they do not overlap.
+fn beside_plot(mut lines: Vec<Ended>, plot: &Rect) -> Vec<Label> {
+    let end = |l: &Ended| l.line.last().map_or(plot.y, |s| s.1);
+    lines.sort_by(|a, b| end(a).total_cmp(&end(b)));
+    let wanted: Vec<f64> = lines.iter().map(end).collect();
+    let heights = spread(&wanted, HEIGHT + 1.5, plot.y, plot.bottom());
+    let text_x = plot.right() + 8.0;
+    let place = |(line, y): (&Ended, f64)| {
+        let from = (plot.right() + 1.0, end(line));
+        let leader = ((from.1 - y).abs() > 3.0).then_some((from, (text_x - 1.0, y)));
+        Label { at: (text_x, y), text: line.text.clone(), colour: line.colour, leader }
+    };
+    lines.iter().zip(heights).map(place).collect()
+}
+
+/// Moves rising values apart to at least `step`, each group about its middle, within limits
+/// if they fit.
+fn spread(wanted: &[f64], step: f64, low: f64, high: f64) -> Vec<f64> {
+    // groups of (sum of first places, count) that touch are merged until none touch
+    let mut groups: Vec<(f64, usize)> = Vec::new();
+    let top = |group: &(f64, usize)| {
+        let first = group.0 / group.1 as f64;
+        first.min(high - (group.1 - 1) as f64 * step).max(low)
+    };
+    for value in wanted {
+        groups.push((*value, 1));
+        while let [.., a, b] = groups.as_slice() {
+            if top(a) + a.1 as f64 * step <= top(b) {
+                break;
+            }
+            let both = (a.0 + b.0 - a.1 as f64 * step * b.1 as f64, a.1 + b.1);
+            groups.truncate(groups.len() - 2);
+            groups.push(both);
+        }
+    }
+    groups.iter().flat_map(|g| (0..g.1).map(move |k| top(g) + k as f64 * step)).collect()
+}
+
+/// A text beside its line, as near to its end as there is room.
+fn along(line: Ended, metrics: &Metrics, room: &mut Room) -> Option<Label> {
+    let within = room.plot().grown(-2.0);
+    let w = metrics.width(&line.text, SIZE);
+    let mut best: Option<(f64, Spot)> = None;
+    for station in 0..=STATIONS {
+        let part = station as f64 / STATIONS as f64;
+        let (spot, direction) = station_of(&line.line, part);
+        let normals = [(direction.1, -direction.0), (-direction.1, direction.0)];
+        for (side, normal) in normals.into_iter().enumerate() {
+            // so far along the normal that the box just clears the line
+            let clear = normal.0.abs() * w / 2.0 + normal.1.abs() * HEIGHT / 2.0 + 3.0;
+            let middle = (spot.0 + normal.0 * clear, spot.1 + normal.1 * clear);
+            let at = (middle.0 - w / 2.0, middle.1);
+            let cost = cost_of(&around(at, w), room, &within) + 14.0 * part + 0.5 * side as f64;
+            if best.is_none_or(|(least, _)| cost < least) {
+                best = Some((cost, at));
+            }
+        }
+    }
+    let (_, at) = best?;
+    let at = inside(at, w, &within);
+    room.add_box(around(at, w));
+    Some(Label { at, text: line.text, colour: line.colour, leader: None })
+}
+
+fn lengths(line: &[Spot]) -> impl Iterator<Item = f64> {
+    line.windows(2).map(|p| (p[1].0 - p[0].0).hypot(p[1].1 - p[0].1))
+}
+
+fn length_of(line: &[Spot]) -> f64 {
+    lengths(line).sum()
+}
+
+/// The spot a part of the way back from the end of a line, and the direction there.
+fn station_of(line: &[Spot], part: f64) -> (Spot, Spot) {
+    let mut left = length_of(line) * (1.0 - part);
+    let mut last = (line.first().copied().unwrap_or_default(), (1.0, 0.0));
+    for (pair, length) in line.windows(2).zip(lengths(line)) {
+        if length <= 0.0 {
+            continue;
+        }
+        let direction = ((pair[1].0 - pair[0].0) / length, (pair[1].1 - pair[0].1) / length);
+        let t = left.min(length);
+        last = ((pair[0].0 + direction.0 * t, pair[0].1 + direction.1 * t), direction);
+        if left <= length {
+            break;
+        }
+        left -= length;
+    }
+    last
+}

@@ -1,0 +1,144 @@
+//! Technical drawings: lines, circles and texts on a sheet of paper, as SVG, and as PDF by way of it.
+//!
+//! Places are in mm from the lower left corner of the sheet, y upwards. Widths of lines follow ISO 128-2: outlines twice as wide as all others.
+
+use crate::FigureError;
+use crate::layout::{PER_MM, check_paper};
+use crate::rect::Spot;
+use crate::strokes::through;
+use crate::svg::{INK, head};
+use crate::xml::{escape, length as n};
+use std::fmt::Write as _;
+
+/// Height of the capitals of the embedded font, as a share of its size.
+const CAPITALS: f64 = 0.729;
+
+/// A sheet with a drawing on it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Sheet {
+    title: String,
+    width_mm: f64,
+    height_mm: f64,
+    /// What is drawn, as SVG.
+    drawn: String,
+    /// A place that is not a number.
+    is_lost: bool,
+}
+
+/// A kind of line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pen {
+    /// Visible edges: 0.5 mm.
+    Outline,
+    /// Dimensions, hatches, leaders: 0.25 mm.
+    Thin,
+    /// Axes: thin, long and short dashes.
+    Axis,
+}
+
+impl Pen {
+    fn stroke(self) -> String {
+        let width_mm = if self == Self::Outline { 0.5 } else { 0.25 };
+        let dashes = [6.0, 1.0, 0.5, 1.0].map(|mm| n(mm * PER_MM)).join(" ");
+        let dashes =
+            if self == Self::Axis { format!(" stroke-dasharray=\"{dashes}\"") } else { String::new() };
+        let width = n(width_mm * PER_MM);
+        format!(" stroke=\"{INK}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"{dashes}")
+    }
+}
+
+/// Which part of a text lies at its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+impl Sheet {
+    /// An empty sheet of a size in mm; the title says what the drawing shows.
+    pub fn new(title: String, width_mm: f64, height_mm: f64) -> Self {
+        Self { title, width_mm, height_mm, ..Self::default() }
+    }
+
+    /// A place in units of the drawing, y downwards.
+    fn place(&mut self, [x, y]: [f64; 2]) -> Spot {
+        self.is_lost |= !(x.is_finite() && y.is_finite());
+        (x * PER_MM, (self.height_mm - y) * PER_MM)
+    }
+
+    fn path(&mut self, points: Vec<[f64; 2]>) -> String {
+        let places: Vec<Spot> = points.into_iter().map(|point| self.place(point)).collect();
+        let mut d = String::new();
+        through(&mut d, &places);
+        d
+    }
+
+    /// A line through points.
+    pub fn line(&mut self, pen: Pen, points: impl Into<Vec<[f64; 2]>>) {
+        let d = self.path(points.into());
+        let _ = writeln!(self.drawn, "<path d=\"{d}\" fill=\"none\"{}/>", pen.stroke());
+    }
+
+    /// A closed line through corners.
+    pub fn outline(&mut self, pen: Pen, corners: impl Into<Vec<[f64; 2]>>) {
+        let mut points = corners.into();
+        points.extend(points.first().copied());
+        self.line(pen, points);
+    }
+
+    /// A filled polygon: an arrow, a thin section.
+    pub fn fill(&mut self, points: impl Into<Vec<[f64; 2]>>) {
+        let d = self.path(points.into());
+        let _ = writeln!(self.drawn, "<path d=\"{d}Z\" fill=\"{INK}\"/>");
+    }
+
+    /// A circle.
+    pub fn circle(&mut self, pen: Pen, centre: [f64; 2], radius_mm: f64) {
+        let ((x, y), r) = (self.place(centre), n(radius_mm * PER_MM));
+        let (x, y, stroke) = (n(x), n(y), pen.stroke());
+        let _ = writeln!(self.drawn, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"none\"{stroke}/>");
+    }
+
+    /// A text that reads to the right: the place of its base line, and the height of its capitals.
+    pub fn text(&mut self, at: [f64; 2], height_mm: f64, anchor: Anchor, text: impl Into<String>) {
+        self.write(at, height_mm, anchor, (&text.into(), false));
+    }
+
+    /// A text that reads upwards.
+    pub fn text_upwards(&mut self, at: [f64; 2], height_mm: f64, anchor: Anchor, text: impl Into<String>) {
+        self.write(at, height_mm, anchor, (&text.into(), true));
+    }
+
+    fn write(&mut self, at: [f64; 2], height_mm: f64, anchor: Anchor, (text, upwards): (&str, bool)) {
+        let (x, y) = self.place(at);
+        let (x, y, size, text) = (n(x), n(y), n(height_mm * PER_MM / CAPITALS), escape(text));
+        let anchor = match anchor {
+            Anchor::Start => "",
+            Anchor::Middle => " text-anchor=\"middle\"",
+            Anchor::End => " text-anchor=\"end\"",
+        };
+        let turn = if upwards { format!(" transform=\"rotate(-90 {x} {y})\"") } else { String::new() };
+        let _ = writeln!(
+            self.drawn,
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" fill=\"{INK}\"{anchor}{turn}>{text}</text>"
+        );
+    }
+
+    /// The drawing as SVG of the sheet's size.
+    pub fn to_svg(&self) -> Result<String, FigureError> {
+        check_paper(self.width_mm, self.height_mm)?;
+        if self.is_lost {
+            let what = format!("a place of the drawing \"{}\" is not a finite number", self.title);
+            return Err(FigureError::Drawing(what));
+        }
+        let head = head(&self.title, self.width_mm * PER_MM, self.height_mm * PER_MM);
+        Ok(format!("{head}{}</svg>\n", self.drawn))
+    }
+
+    /// The drawing as a PDF page of the sheet's size.
+    #[cfg(feature = "png")]
+    pub fn to_pdf(&self) -> Result<Vec<u8>, FigureError> {
+        crate::pdf::render(&self.to_svg()?, &self.title)
+    }
+}
