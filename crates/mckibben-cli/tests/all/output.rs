@@ -119,7 +119,7 @@ fn figures_are_whole_and_have_their_numbers_beside_them() {
     assert!(svg.contains("<svg") && svg.trim_end().ends_with("</svg>"));
     for (more, points) in [("pdf", 160.0 * 72.0 / 25.4), ("pdf --plot-width 88mm", 249.45)] {
         let pdf = read(more);
-        assert!(pdf.starts_with(b"%PDF-1.4") && pdf.ends_with(b"%%EOF\n"));
+        assert!(pdf.starts_with(b"%PDF-1.") && pdf.ends_with(b"%%EOF"));
         let text = String::from_utf8_lossy(&pdf).into_owned();
         let size = text.split("/MediaBox [0 0 ").nth(1).unwrap().split(' ').next().unwrap();
         assert!((size.parse::<f64>().unwrap() - points).abs() < 0.01, "{size}");
@@ -218,7 +218,7 @@ pub const VALIDATE: &str = "validate";
 
 /// No case disappears.
 const HELD: [&str; 4] = [
-    "verification: 315 of 315 cases hold",
+    "verification: 317 of 317 cases hold",
     "measured pulls: 12 of 12 cases hold",
     "other measured quantities: 3 of 3 cases hold",
     "± of fe: 29 of 29 cases hold",
