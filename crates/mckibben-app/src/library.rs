@@ -12,13 +12,9 @@ use serde::Serialize;
 /// A muscle of the library.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct LibraryMuscle {
-    /// Its name, which may stand where a muscle file may: `lib:dmsp-20-300`.
-    pub name: String,
-    /// What it is.
-    pub title: String,
-    /// The product, where one can buy it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub product: Option<String>,
+    /// Its name, which may stand where a muscle file may (`lib:dmsp-20-300`), and what is known of it.
+    #[serde(flatten)]
+    pub facts: Facts,
     /// The muscle.
     #[serde(flatten)]
     pub muscle: MuscleSummary,
@@ -32,10 +28,6 @@ pub struct LibraryMuscle {
     pub free_contraction: Option<f64>,
     /// Points of its bench.
     pub points: usize,
-    /// Who measured it.
-    pub source: String,
-    /// Terms of use of the points.
-    pub terms: String,
 }
 
 /// A muscle of the library, with what is known of it and how well it agrees with its points.
@@ -44,10 +36,6 @@ pub struct LibraryDetails {
     /// The muscle.
     #[serde(flatten)]
     pub muscle: LibraryMuscle,
-    /// What is known of it.
-    pub known: String,
-    /// What is not.
-    pub unknown: String,
     /// The fit that identified it.
     pub fit: String,
     /// What was identified.
@@ -66,17 +54,13 @@ impl LibraryMuscle {
         let blocked = model.force_n(pressure_mpa, 0.0).ok();
         let half = blocked.and_then(|n| model.uncertainty(pressure_mpa, 0.0, n));
         Ok(Self {
-            name: format!("{PREFIX}{}", facts.name),
-            title: facts.title.clone(),
-            product: facts.product.clone(),
+            facts: Facts { name: format!("{PREFIX}{}", facts.name), ..facts.clone() },
             muscle: muscle.into(),
             pressure_mpa,
             blocked_force_n: blocked,
             uncertainty_n: half.map(|parts| parts.total()),
             free_contraction: model.free_contraction(pressure_mpa).ok(),
             points,
-            source: facts.source.clone(),
-            terms: facts.terms.clone(),
         })
     }
 }
@@ -95,8 +79,6 @@ pub(crate) fn library_details(name: &str) -> Result<Option<LibraryDetails>, Prob
     let file = TextFile { name: format!("{}.toml", case.facts.name), text: to_toml(muscle) };
     Ok(Some(LibraryDetails {
         muscle: LibraryMuscle::of(&case.facts, muscle)?,
-        known: case.facts.known.clone(),
-        unknown: case.facts.unknown.clone(),
         fit: case.fit_of_library().map(|fit| fit.name.clone()).unwrap_or_default(),
         identified: muscle.bench().map(|bench| bench.parameters.clone()).unwrap_or_default(),
         agreement: agreement(case, muscle, &|m: &Muscle| Model::FE.build(m)),

@@ -31,26 +31,12 @@ pub struct RubberSummary {
 /// A rubber with its laws, its source and its terms.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct RubberDetails {
-    /// Its name.
-    pub name: String,
-    /// What it is.
-    pub title: String,
-    /// Largest engineering strain of the test.
-    pub max_strain: Option<f64>,
-    /// Nominal stress there, MPa.
-    pub max_stress_mpa: Option<f64>,
+    #[serde(flatten)]
+    pub entry: RubberEntry,
     /// The laws that can be asked for: `NAME:LAW`.
     pub laws: Vec<String>,
     /// The laws fitted to it: those of its curve by ranges of stretch, then the published ones.
     pub fits: Vec<LibraryFit>,
-    /// Its curve in the repository's `data/`, where there is one.
-    pub data: Option<String>,
-    /// Where the data come from.
-    pub source: String,
-    /// Terms under which the data may be used.
-    pub terms: String,
-    /// What else one should know.
-    pub note: Option<String>,
     /// The word for `rubber` by which the fits are found that are taken.
     pub rubber: String,
     /// Warnings about the fit that the prototype uses.
@@ -131,16 +117,9 @@ pub(crate) fn rubber_details(name: &str) -> Result<Option<RubberDetails>, Proble
     let fitted = entry.windows.iter().flat_map(|w| w.laws.iter().map(|l| of_curve(&word, w, l)));
     let published = entry.fits.iter().map(|fit| as_published(&word, entry, fit));
     Ok(Some(RubberDetails {
-        name: entry.name.clone(),
-        title: entry.title.clone(),
-        max_strain: entry.max_strain,
-        max_stress_mpa: entry.max_stress_mpa,
         laws: entry.laws(),
         fits: fitted.chain(published).collect(),
-        data: entry.data.clone(),
-        source: entry.source.clone(),
-        terms: entry.terms.clone(),
-        note: entry.note.clone(),
+        entry: entry.clone(),
         warnings: library::warnings(&found),
         rubber: word,
     }))

@@ -7,6 +7,7 @@
 use crate::limit::{Score, probe, probe_with};
 use crate::line::{self, Found, Merit, NO_SCORE, Sample};
 use crate::spec::THICK_WALL;
+use crate::trial::Trial;
 use crate::{BraidChoice, Build, Models, Objective, OperatingPoint, Reason, Spec, TubePart};
 use mckibben::analysis::Evaluation;
 use mckibben::model::Workspace;

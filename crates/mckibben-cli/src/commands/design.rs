@@ -4,7 +4,6 @@ use crate::{
     Asked, Bar, Failure, Format, NO_ANSWER, Units, burst_first, check_ending, each, emit, in_flags, listed,
     number, pairs, place, said, save, shown, tabled, value,
 };
-use mckibben::analysis::FailureMode;
 use mckibben_app::{CandidateAnswer, ClosestAnswer, DesignAnswer, RejectedAnswer};
 use mckibben_design::{CandidatePoint, Limit, Spread};
 use serde_json::Value;

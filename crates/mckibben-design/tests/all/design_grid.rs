@@ -5,7 +5,7 @@ use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
 use mckibben::muscle::{Muscle, Tube};
 use mckibben::random::{Random, rounds};
 use mckibben::units::Values;
-use mckibben_design::{BraidChoice, Limits, OperatingPoint, Spec, design, fits};
+use mckibben_design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design, fits};
 use rayon::prelude::*;
 
 fn universal(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
@@ -80,7 +80,7 @@ fn case(seed: u64) -> Option<Case> {
     };
     let mut spec = Spec::new(points, max_pressure_mpa);
     spec.base = muscle(30.0, 3.0, 28.0, 300.0)?;
-    spec.length_mm = length_mm;
+    (spec.length_mm, spec.objective) = (length_mm, Objective::Diameter);
     spec.braid = BraidChoice::Angle(angle);
     (spec.wall_mm, spec.outer_diameter_mm, spec.limits) = (wall_mm, outer_diameter_mm, limits);
     spec.extrapolate = true;
