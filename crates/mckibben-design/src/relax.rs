@@ -1,11 +1,9 @@
 //! Where nothing fits: which limit to relax, and by how much.
 
 use crate::limit::{Probe, probe};
-use crate::spec::THICK_WALL;
 use crate::trial::{Below, Trial};
 use crate::{Build, Demand, Limit, Limits, OperatingPoint, Spec};
 use mckibben::analysis::{Evaluation, FailureMode, FailurePressure, Options};
-use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use serde::Serialize;
 
@@ -35,10 +33,6 @@ pub enum Relaxation {
     OuterDiameter {
         /// mm.
         outer_diameter_mm: f64,
-        /// The model that says so.
-        model: String,
-        /// The model of the search, to which that model was scaled because it lies outside of its range.
-        scaled_to: Option<String>,
     },
     /// Allow this diameter when bulged.
     MaxBulgedDiameter { bulged_diameter_mm: f64 },
@@ -99,12 +93,12 @@ impl Miss<'_> {
         let Ok(mut trial) = Trial::new(spec, self.build, muscle) else { return vec![] };
         let Ok(probe) = probe(spec, self.build, muscle) else { return vec![] };
         let wanted = spec.points(muscle);
-        let pulls: Vec<Option<f64>> = probe.checks.iter().take(wanted.len()).map(|c| Some(c.value)).collect();
+        let pulls: Vec<f64> = probe.checks.iter().take(wanted.len()).map(|c| c.value).collect();
         let mut out = vec![];
-        if wanted.iter().zip(&pulls).any(|(p, pull)| falls_short(p, *pull)) {
+        if wanted.iter().zip(&pulls).any(|(p, pull)| pull / p.force_n < 1.0) {
             out.extend(self.pressure(&mut trial));
             let forces = self.points(&pulls, |p, pull| {
-                pull.filter(|f| f * p.force_n > 0.0).map(|force_n| OperatingPoint { force_n, ..*p })
+                (pull * p.force_n > 0.0).then_some(OperatingPoint { force_n: pull, ..*p })
             });
             out.extend(forces.map(|points| Relaxation::Force { points }));
             let contractions = self.points(&pulls, |p, _| {
@@ -114,7 +108,7 @@ impl Miss<'_> {
             });
             out.extend(contractions.map(|points| Relaxation::Contraction { points }));
             if widen {
-                out.extend(self.wider(&*trial.model));
+                out.extend(self.wider());
             }
         }
         // The largest of each kind, and no more than the last bit beyond it.
@@ -182,13 +176,13 @@ impl Miss<'_> {
     /// Other operating points in place of those that fall short.
     fn points(
         &self,
-        pulls: &[Option<f64>],
-        mut instead: impl FnMut(&OperatingPoint, Option<f64>) -> Option<OperatingPoint>,
+        pulls: &[f64],
+        mut instead: impl FnMut(&OperatingPoint, f64) -> Option<OperatingPoint>,
     ) -> Option<Vec<OperatingPoint>> {
         let mut list = self.spec.points(self.muscle).into_owned();
         let mut changed = vec![];
         for (p, &pull) in list.iter_mut().zip(pulls) {
-            if falls_short(p, pull) {
+            if pull / p.force_n < 1.0 {
                 *p = instead(p, pull)?;
                 changed.push(*p);
             }
@@ -198,29 +192,8 @@ impl Miss<'_> {
         self.fits(|spec| spec.wanted = Demand::Points(list)).then_some(changed)
     }
 
-    /// The smallest diameter beyond the bound that fits: by the design's model or, outside of its range, by the thick-wall
-    /// model scaled so that both agree on the muscle.
-    fn wider(&self, own: &dyn ForceModel) -> Option<Relaxation> {
-        let (spec, muscle) = (self.spec, self.muscle);
-        let model = own.info().name.to_string();
-        if let Some(outer_diameter_mm) = self.smallest_wider() {
-            return Some(Relaxation::OuterDiameter { outer_diameter_mm, model, scaled_to: None });
-        }
-        let thick = THICK_WALL(muscle).ok()?;
-        let workspace = &mut Workspace::new();
-        let scaled = |p: &OperatingPoint| {
-            let mut at = |m: &dyn ForceModel| m.force_n(workspace, spec.max_pressure_mpa, p.contraction).ok();
-            let ratio = at(&*thick)? / at(own)?;
-            (ratio.is_finite() && ratio > 0.0).then_some(OperatingPoint { force_n: p.force_n * ratio, ..*p })
-        };
-        let points = spec.points(muscle).iter().map(scaled).collect::<Option<Vec<_>>>()?;
-        let spec = &Spec { wanted: Demand::Points(points), ..spec.clone() };
-        let outer_diameter_mm = Miss { spec, build: THICK_WALL, muscle }.smallest_wider()?;
-        let scaled_to = Some(model);
-        Some(Relaxation::OuterDiameter { outer_diameter_mm, model: thick.info().name.to_string(), scaled_to })
-    }
-
-    fn smallest_wider(&self) -> Option<f64> {
+    /// The smallest diameter beyond the bound that fits.
+    fn wider(&self) -> Option<Relaxation> {
         let (_, high) = self.spec.outer_diameter_mm.bounds();
         let does = |d0: f64| {
             let muscle = self.muscle.with_section(d0, self.muscle.wall_mm());
@@ -233,14 +206,10 @@ impl Miss<'_> {
             let mid = 0.5 * (low + top);
             if does(mid) { top = mid } else { low = mid }
         }
-        Some((top * 100.0).ceil() / 100.0)
+        Some(Relaxation::OuterDiameter { outer_diameter_mm: (top * 100.0).ceil() / 100.0 })
     }
 }
 
 fn is_on_bound(probe: Probe) -> bool {
     probe.checks.iter().all(|c| c.excess() <= ON_BOUND)
-}
-
-fn falls_short(p: &OperatingPoint, pull: Option<f64>) -> bool {
-    pull.is_some_and(|pull| pull / p.force_n < 1.0)
 }

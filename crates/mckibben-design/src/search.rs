@@ -9,8 +9,6 @@ use crate::line::{self, Found, Merit, NO_SCORE, Sample};
 use crate::spec::THICK_WALL;
 use crate::trial::Trial;
 use crate::{BraidChoice, Build, Models, Objective, OperatingPoint, Reason, Spec, TubePart};
-use mckibben::analysis::Evaluation;
-use mckibben::model::Workspace;
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
 use mckibben::progress::Progress;
 use mckibben::threads;
@@ -140,11 +138,6 @@ impl<'a> Search<'a> {
         Search { spec, build, rubbers, progress, done: AtomicUsize::new(0), settles, steps }
     }
 
-    /// How many misses are kept.
-    fn misses(&self) -> usize {
-        self.spec.top + if self.settles { SPARE } else { 0 }
-    }
-
     pub(super) fn muscle(&self, pick: Pick) -> Result<Muscle, MuscleError> {
         let base = &self.spec.base;
         let angled = |angle_deg: f64| Braid { angle_deg, ..base.braid().clone() };
@@ -256,14 +249,11 @@ impl<'a> Search<'a> {
 
     /// Whether even the infinitely long muscle, which pulls harder than a short one, is far from a pull that is wanted: nothing better need be asked.
     fn is_far_too_weak(&self, muscle: &Muscle) -> bool {
-        let Ok(model) = THICK_WALL(muscle) else { return false };
-        let workspace = &mut Workspace::new();
-        let (max, mut model) =
-            (self.spec.max_pressure_mpa, Evaluation::new(&*model, workspace, self.spec.options()));
-        let far_too_weak = |q: &OperatingPoint| {
-            model.force_n(max, q.contraction).is_ok_and(|pull| pull / q.force_n < FAR_TOO_WEAK)
+        let Ok(mut trial) = Trial::new(self.spec, THICK_WALL, muscle) else { return false };
+        let mut far_too_weak = |q: &OperatingPoint| {
+            trial.strongest_n(q.contraction).is_ok_and(|pull| pull / q.force_n < FAR_TOO_WEAK)
         };
-        self.spec.points(muscle).iter().any(far_too_weak)
+        self.spec.points(muscle).iter().any(&mut far_too_weak)
     }
 
     /// Tries a muscle, and keeps it among those that fit or miss.
@@ -283,7 +273,7 @@ impl<'a> Search<'a> {
             SearchResult::keep(&mut result.near, sample.score, pick, MOST);
         }
         if sample.violation().is_finite() || self.muscle(pick).is_ok() {
-            SearchResult::keep(&mut result.misses, sample.violation(), pick, self.misses());
+            SearchResult::keep(&mut result.misses, sample.violation(), pick, self.spec.top + SPARE);
         }
     }
 
@@ -415,7 +405,7 @@ impl<'a> Search<'a> {
 
     fn gather(&self, parts: impl Iterator<Item = SearchResult>) -> SearchResult {
         parts.fold(SearchResult::default(), |mut all, part| {
-            all.add(part, self.misses());
+            all.add(part, self.spec.top + SPARE);
             all
         })
     }

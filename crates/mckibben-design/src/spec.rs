@@ -1,8 +1,8 @@
 //! What is wanted, and what may be varied.
 
 use crate::{Demand, OperatingPoint, TubePart};
-use mckibben::analysis::Options;
 pub use mckibben::analysis::SAFETY;
+use mckibben::analysis::{Options, Safety};
 use mckibben::cancel::Cancelled;
 use mckibben::liquid::LiquidSupply;
 use mckibben::model::{ForceModel, ModelError, ModelKind};
@@ -75,6 +75,11 @@ pub struct Limits {
 }
 
 impl Limits {
+    /// The factors of the allowed pressure.
+    pub fn safety(&self) -> Safety {
+        Safety::new(self.burst_margin.unwrap_or(0.0), self.tube_margin)
+    }
+
     /// The limits that keep people safe: burst pressure at least [`SAFETY`] times the maximum pressure, strand strain up to
     /// [`VALIDATED_STRAND_STRAIN`], rubber stretched no further than its law was fitted.
     pub fn safe() -> Self {

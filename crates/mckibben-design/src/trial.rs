@@ -2,11 +2,11 @@
 
 use crate::{Build, OperatingPoint, Spec};
 use mckibben::analysis::{
-    AnalysisError, Burst, Evaluation, FailureMode, FailurePressure, NoBurst, Safety, burst, find_root,
+    AnalysisError, Burst, Evaluation, FailureMode, FailurePressure, NoBurst, burst, find_root,
 };
 use mckibben::cancel;
 use mckibben::load::LiquidStroke;
-use mckibben::model::{ForceModel, ModelError, ModelKind, Response, Workspace};
+use mckibben::model::{ForceModel, ModelError, ModelKind, Response, Result, Workspace};
 use mckibben::muscle::Muscle;
 
 pub(super) struct Trial<'a> {
@@ -51,7 +51,7 @@ pub(super) struct Stroke {
 }
 
 impl<'a> Trial<'a> {
-    pub(super) fn new(spec: &'a Spec, build: &Build<'_>, muscle: &'a Muscle) -> Result<Self, ModelError> {
+    pub(super) fn new(spec: &'a Spec, build: &Build<'_>, muscle: &'a Muscle) -> Result<Self> {
         // Of what is to end, not even the model is made.
         cancel::check()?;
         let (model, thick_wall) = (build(muscle)?, ModelKind::ThickWall.build(muscle)?);
@@ -60,7 +60,7 @@ impl<'a> Trial<'a> {
             Err(AnalysisError::Model(error @ ModelError::Cancelled(_))) => return Err(error),
             Err(_) => Burst::unknown(NoBurst::NoAnswer),
         };
-        let safety = Safety::new(spec.limits.burst_margin.unwrap_or(0.0), spec.limits.tube_margin);
+        let safety = spec.limits.safety();
         let burst = Burst { safety, ..found };
         let allowed = burst.allowed().map(|(mpa, by)| match by {
             Some(by) => (mpa, Below::Failure(by, mpa * safety.of(by))),
@@ -78,22 +78,19 @@ impl<'a> Trial<'a> {
             bounds.fold((spec.max_pressure_mpa, None), |a, b| if b.0 < a.0 { b } else { a });
         let workspace = Workspace::new();
         let mut trial = Self { spec, muscle, model, thick_wall, workspace, burst, highest_mpa, below };
-        let strained_mpa = trial.strained()?;
-        if strained_mpa < highest_mpa {
-            (trial.highest_mpa, trial.below) = (strained_mpa, Some(Below::Strained));
-        }
+        trial.strained()?;
         Ok(trial)
     }
 
     /// The strain of the strands, where it is known.
-    pub(super) fn strand_strain(&mut self, p: f64, contraction: f64) -> Result<Option<f64>, ModelError> {
+    pub(super) fn strand_strain(&mut self, p: f64, contraction: f64) -> Result<Option<f64>> {
         let (full, _) = self.full_response(p, contraction)?;
         Ok(full.braid_tension_n.and_then(|t| self.muscle.strand_strain(t)))
     }
 
-    /// The highest pressure at which the strands are strained by no more than their limit, not shortened and at the operating points.
-    fn strained(&mut self) -> Result<f64, ModelError> {
-        let Some(bound) = self.spec.limits.strand_strain else { return Ok(self.highest_mpa) };
+    /// The strands are strained by no more than their limit, not shortened and at the operating points.
+    fn strained(&mut self) -> Result<()> {
+        let Some(bound) = self.spec.limits.strand_strain else { return Ok(()) };
         let points = self.spec.points(self.muscle);
         let mut high = self.highest_mpa;
         for e in std::iter::once(0.0).chain(points.iter().map(|q| q.contraction)) {
@@ -112,8 +109,9 @@ impl<'a> Trial<'a> {
                 *(if bears(middle)? { &mut low } else { &mut high }) = middle;
             }
             high = low;
+            (self.highest_mpa, self.below) = (low, Some(Below::Strained));
         }
-        Ok(high)
+        Ok(())
     }
 
     /// Its model, ready to be asked.
@@ -122,7 +120,7 @@ impl<'a> Trial<'a> {
     }
 
     /// The pull at the highest pressure.
-    pub(super) fn strongest_n(&mut self, contraction: f64) -> Result<f64, ModelError> {
+    pub(super) fn strongest_n(&mut self, contraction: f64) -> Result<f64> {
         let max = self.highest_mpa;
         self.evaluation().force_n(max, contraction)
     }
@@ -141,20 +139,20 @@ impl<'a> Trial<'a> {
 
     /// The pressure a point takes, where the pull at the highest pressure is known to be enough; of a pull that is guaranteed that at which the end of its ± is
     /// what is wanted.
-    pub(super) fn need(&mut self, point: &OperatingPoint) -> Result<f64, ModelError> {
+    pub(super) fn need(&mut self, point: &OperatingPoint) -> Result<f64> {
         let pull_mpa = self.pull_mpa(point)?;
         if self.spec.guaranteed.is_none() || pull_mpa >= self.highest_mpa {
             return Ok(pull_mpa);
         }
         let max = self.highest_mpa;
-        let missed = |p: f64| -> Result<f64, ModelError> {
+        let missed = |p: f64| -> Result<f64> {
             let pull_n = self.evaluation().force_n(p, point.contraction)?;
             Ok(1.0 - self.sure_n(p, point.contraction, pull_n) / point.force_n)
         };
         Ok(find_root(missed, pull_mpa, max, SURE * max)?.unwrap_or(max))
     }
 
-    fn pull_mpa(&mut self, point: &OperatingPoint) -> Result<f64, ModelError> {
+    fn pull_mpa(&mut self, point: &OperatingPoint) -> Result<f64> {
         let OperatingPoint { force_n, contraction } = *point;
         let max = self.highest_mpa;
         let mut model = self.evaluation();
@@ -179,7 +177,7 @@ impl<'a> Trial<'a> {
         &mut self,
         p: f64,
         contraction: f64,
-    ) -> Result<(Response, Vec<&'static str>), ModelError> {
+    ) -> Result<(Response, Vec<&'static str>)> {
         cancel::check()?;
         let mut r = self.model.response(&mut self.workspace, p, contraction)?;
         let mut filled = vec![];

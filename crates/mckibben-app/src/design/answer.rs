@@ -7,7 +7,7 @@ use crate::{
     MuscleSummary, PressureLimits, TextFile, UncertaintyWords, Units, number, percent, put_first, said_of,
     words::braid_name, words::rubber_name,
 };
-use mckibben::analysis::{Burst, Safety};
+use mckibben::analysis::Burst;
 use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::{liquid::Liquid, muscle::file::to_toml, warning::Warning};
 use mckibben_design::{
@@ -257,10 +257,7 @@ impl SearchedAnswer {
             braid: braid_of(spec),
             length_mm: spec.length_mm.is_none().then(|| spec.base.length_mm()),
             min_burst_margin: spec.limits.burst_margin.filter(|m| *m > 0.0),
-            min_tube_margin: Some(
-                Safety::new(spec.limits.burst_margin.unwrap_or(0.0), spec.limits.tube_margin).tube,
-            )
-            .filter(|m| *m > 0.0),
+            min_tube_margin: Some(spec.limits.safety().tube).filter(|m| *m > 0.0),
             burst_checked: match &spec.braid {
                 BraidChoice::Sleeves(list) => list.iter().all(has_strength),
                 _ => has_strength(spec.base.braid()),

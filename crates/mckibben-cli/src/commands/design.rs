@@ -244,10 +244,7 @@ const RELAXED: [(&str, &str); 10] = [
     ("max_pressure", "raise the maximum pressure to {pressure_mpa}[ ({extrapolated})]"),
     ("force", "reduce the pull to {pulls}"),
     ("contraction", "reduce the contraction to {contractions}"),
-    (
-        "outer_diameter",
-        "take an outer diameter of {outer_diameter_mm:5} (by the {model} model[, scaled to {scaled_to} here])",
-    ),
+    ("outer_diameter", "take an outer diameter of {outer_diameter_mm:5}"),
     ("max_bulged_diameter", "allow a bulged diameter of {bulged_diameter_mm:5}"),
     ("max_stretch", "allow a stretch of {max_stretch:3}"),
     ("max_strand_strain", "allow a strand strain of {strand_strain:%}"),
@@ -255,23 +252,22 @@ const RELAXED: [(&str, &str); 10] = [
     ("guided", "guide the muscle, so that it cannot buckle (--guided)"),
     ("min_burst_margin", "reduce the safety factor to {burst_margin:3}"),
 ];
-/// So many parts of one are shown of a limit that rises.
-const UP: [(&str, f64); 4] = [
+/// So many parts of one are shown of a limit that rises; minus as many of one that falls.
+const ROUNDED: [(&str, f64); 7] = [
     ("bulged_diameter_mm", 10.0),
     ("max_stretch", 100.0),
     ("strand_strain", 1e4),
     ("liquid_volume_mm3", 0.1),
+    ("burst_margin", -100.0),
+    ("force_n", -1.0),
+    ("contraction", -1e4),
 ];
-/// And of one that falls.
-const DOWN: [(&str, f64); 3] = [("burst_margin", 100.0), ("force_n", 1.0), ("contraction", 1e4)];
 
 /// A limit that is relaxed, to digits with which the muscle still fits.
 fn rounded(mut of: Value) -> Value {
-    let up = UP.map(|(key, parts)| (key, parts, f64::ceil as fn(f64) -> f64));
-    let down = DOWN.map(|(key, parts)| (key, parts, f64::trunc as fn(f64) -> f64));
-    for (key, parts, round) in up.into_iter().chain(down) {
+    for (key, parts) in ROUNDED {
         if let Some(number) = of[key].as_f64() {
-            of[key] = (round(number * parts) / parts).into();
+            of[key] = ((number.abs() * parts).ceil() / parts * number.signum()).into();
         }
     }
     of
