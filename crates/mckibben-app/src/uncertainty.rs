@@ -19,6 +19,7 @@ pub struct UncertaintyWords {
     /// The ± with its parts: `± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1`.
     pub text: Option<String>,
     /// 95 % half-width of the pull after `identify` from the suggested test, N; none where the muscle was measured, or where this helps little.
+    #[serde(skip)]
     pub bench_uncertainty_n: Option<f64>,
     /// That bench: `10 points on both branches at 0.1 MPa and 0.3 MPa would reduce the ± to about 30 N`.
     pub bench: Option<String>,

@@ -246,10 +246,6 @@ export function closestView(answer) {
         c.sleeve ? ` in ${c.sleeve}` : ""
       }: ${inWords(c.reason)}.`),
     warnings(answer.warnings),
-    answer.excluded_by_burst
-      ? el("p", {}, `Of ${answer.looked_at} muscles ${answer.excluded_by_burst} burst too early; `
-        + `${answer.excluded_by_burst_alone} of them meet every other limit.`)
-      : null,
     c.hint ? el("p", {}, capital(inWords(c.hint))) : null,
     boughtView(answer),
     el("ul", {}, ...c.relaxations.map((r) => el("li", {}, relaxation(r)))),

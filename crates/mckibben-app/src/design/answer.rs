@@ -134,9 +134,6 @@ pub struct CandidateAnswer {
     /// What the search found of it.
     #[serde(flatten)]
     pub candidate: Candidate,
-    /// Price of that tube, where one was seen.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub tube_price: Option<String>,
     /// Largest outer diameter over the points, mm.
     pub bulged_diameter_mm: Option<f64>,
     /// Stiffness k of one strand family, N/mm; none of strands that keep their length.
@@ -309,11 +306,6 @@ impl CandidateAnswer {
             },
             muscle: (&c.muscle).into(),
             candidate: c.clone(),
-            tube_price: spec
-                .tubes
-                .iter()
-                .find(|t| Some(&t.name) == c.tube.as_ref())
-                .and_then(|t| t.price.clone()),
             bulged_diameter_mm: c.bulged_diameter_mm(),
             family_stiffness_n_per_mm: c.muscle.family_stiffness_n_per_mm(),
             stiffness_n_per_mm: c.points.first().and_then(|q| q.response.stiffness_n_per_mm),

@@ -56,7 +56,7 @@ export const choices = () => [
   { key: "r", field: "radius_mm", label: "Pulley of a joint", kind: "length", list: true, hint: "20..40 mm" },
   { key: "liquid", field: "liquid", label: "Liquid in the place of air", hint: "water, oil or glycol" },
   { key: "most", field: "max_liquid_volume_mm3", label: "Largest liquid volume", kind: "volume", hint: "20 mL" },
-  { key: "burst", field: "min_burst_margin", label: "Burst over supply, at least", kind: "ratio", factor: true,
+  { key: "burst", field: "min_burst_margin", label: "Safety factor of strands and clamps", kind: "ratio", factor: true,
     hint: "4" },
 ];
 /** @type {Field[]} */
