@@ -34,7 +34,7 @@ impl Reason {
                 });
                 format!(
                     "{} at {} and {} %, {} required{below}",
-                    show(Dimension::Force, value.trunc()),
+                    show(Dimension::Force, if value * bound > 0.0 { value.trunc() } else { 0.0 }),
                     mpa(check.pressure_mpa),
                     round(100.0 * check.contraction),
                     show(Dimension::Force, bound)

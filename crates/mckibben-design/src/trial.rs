@@ -149,7 +149,8 @@ impl<'a> Trial<'a> {
             let pull_n = self.evaluation().force_n(p, point.contraction)?;
             Ok(1.0 - self.sure_n(p, point.contraction, pull_n) / point.force_n)
         };
-        Ok(find_root(missed, pull_mpa, max, SURE * max)?.unwrap_or(max))
+        let root = find_root(missed, pull_mpa, max, SURE * max)?;
+        Ok(root.map_or(max, |p| (p + SURE * max).min(max)))
     }
 
     fn pull_mpa(&mut self, point: &OperatingPoint) -> Result<f64> {

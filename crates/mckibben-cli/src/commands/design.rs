@@ -199,13 +199,9 @@ fn doubt(answer: &DesignAnswer, u: &Units) -> String {
         (q.force_at_max_pressure_n - q.response.force_n < half).then_some(half)
     });
     let Some(half) = tight else { return String::new() };
-    let sure = format!("To be sure (--guaranteed): {MEASURES} with {{max_pressure_mpa}}.");
+    let sure = format!("To be sure (--guaranteed): {MEASURES} at {{pressure_mpa}}.");
     let sure = match &answer.to_be_sure {
-        Some(muscle) => {
-            let mut row = value(muscle);
-            row["max_pressure_mpa"] = answer.max_pressure_mpa.into();
-            said(&row, &sure, u)
-        }
+        Some(muscle) => said(&value(muscle), &sure, u),
         None => "No muscle of this search meets the requirement with the lower end of its ± (--guaranteed)."
             .into(),
     };
