@@ -85,12 +85,12 @@ impl Probe {
 
 /// Holds a muscle against a specification.
 pub(super) fn probe(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<Probe, ModelError> {
-    probe_with(Trial::new(spec, build, muscle)?, true)
+    probe_with(&mut Trial::new(spec, build, muscle)?, true)
 }
 
 /// [`probe`]; without a score, which costs inverses, where it is not asked for.
-pub(super) fn probe_with(mut trial: Trial<'_>, scored: bool) -> Result<Probe, ModelError> {
-    let Trial { spec, muscle, .. } = trial;
+pub(super) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe, ModelError> {
+    let Trial { spec, muscle, .. } = *trial;
     let max = trial.highest_mpa;
     let mut checks = vec![];
     let points = spec.points(muscle);

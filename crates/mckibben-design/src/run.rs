@@ -1,7 +1,7 @@
 //! A design: searched with a fast model, settled with the one that is believed.
 
 use crate::candidate::candidate;
-use crate::limit::{Probe, Score, probe};
+use crate::limit::{Probe, Score, probe_with};
 use crate::line::STEPS;
 use crate::relax::relaxations;
 use crate::search::{Pick, Search, SearchResult};
@@ -104,9 +104,9 @@ fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Ve
         }
         let pick = if models.settle.is_some() { corrected(search, build, *pick)? } else { *pick };
         let muscle = search.muscle(pick).ok()?;
-        let probe = probe(spec, build, &muscle).ok().filter(Probe::fits)?;
+        let mut trial = Trial::new(spec, build, &muscle).ok()?;
+        let probe = probe_with(&mut trial, true).ok().filter(Probe::fits)?;
         let tube = search.tube(pick).map(|part| part.name.clone());
-        let trial = Trial::new(spec, build, &muscle).ok()?;
         candidate(trial, &probe).ok().map(|found| Candidate { tube, ..found })
     };
     let order = |a: &Score, b: &Score| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]));

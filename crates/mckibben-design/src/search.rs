@@ -8,7 +8,7 @@ use crate::limit::{Score, probe, probe_with};
 use crate::line::{self, Found, Merit, NO_SCORE, Sample};
 use crate::spec::THICK_WALL;
 use crate::trial::Trial;
-use crate::{BraidChoice, Build, Models, Objective, OperatingPoint, Reason, Spec, TubePart};
+use crate::{BraidChoice, Build, Models, Objective, Reason, Spec, TubePart};
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
 use mckibben::progress::Progress;
 use mckibben::threads;
@@ -25,8 +25,8 @@ const MOST: usize = 5000;
 const NEARLY: f64 = 0.05;
 const NEARLY_SHORT: f64 = 0.15;
 const SHORT: f64 = 3.0;
-/// Tubes are screened by the thick-wall model: with less than this share of a pull that is wanted a muscle is not computed by another one.
-const FAR_TOO_WEAK: f64 = 0.7;
+/// Tubes are screened by the thick-wall model: what misses its limits by more than this is not asked of another one.
+const FAR: f64 = 0.3;
 /// Least bore of a muscle in an interval of diameters, as a share of its outer diameter: half of that of the thickest tube that is sold.
 const LEAST_BORE: f64 = 0.25;
 /// Samples of an interval of walls, angles and lengths, and golden sections after them.
@@ -190,7 +190,7 @@ impl<'a> Search<'a> {
             }
         };
         let trial = Trial::new(self.spec, build, &muscle);
-        let Ok(probe) = trial.and_then(|trial| probe_with(trial, scored)) else { return none };
+        let Ok(probe) = trial.and_then(|mut trial| probe_with(&mut trial, scored)) else { return none };
         let excess = probe.checks.iter().map(super::limit::Check::excess).collect();
         let sample = Sample { x: pick.d0, excess, score: probe.score };
         result.fitted += usize::from(sample.fits());
@@ -236,24 +236,21 @@ impl<'a> Search<'a> {
                 s: part.wall_mm,
             };
             // A sleeve that does not go over a tube makes no muscle.
-            let Some(muscle) = self.muscle(pick).ok().filter(|_| !self.progress.cancelled()) else {
+            if self.muscle(pick).is_err() || self.progress.cancelled() {
                 return result;
-            };
-            let build = if self.is_far_too_weak(&muscle) { THICK_WALL } else { self.build };
-            self.try_one(pick, build, &mut result);
+            }
+            // The infinitely long muscle pulls harder than a short one: where even it is far from its limits, no better model is asked.
+            let mut screened = SearchResult::default();
+            let sample = self.sample(pick, THICK_WALL, &mut screened, true);
+            if sample.violation().is_finite() && sample.violation() > FAR {
+                self.keep_miss(&sample, pick, &mut screened);
+                return screened;
+            }
+            self.try_one(pick, self.build, &mut result);
             result
         };
         self.progress.report(self.done.fetch_add(1, Ordering::Relaxed), self.walls());
         self.gather(threads::map(&all, one).into_iter())
-    }
-
-    /// Whether even the infinitely long muscle, which pulls harder than a short one, is far from a pull that is wanted: nothing better need be asked.
-    fn is_far_too_weak(&self, muscle: &Muscle) -> bool {
-        let Ok(mut trial) = Trial::new(self.spec, THICK_WALL, muscle) else { return false };
-        let mut far_too_weak = |q: &OperatingPoint| {
-            trial.strongest_n(q.contraction).is_ok_and(|pull| pull / q.force_n < FAR_TOO_WEAK)
-        };
-        self.spec.points(muscle).iter().any(&mut far_too_weak)
     }
 
     /// Tries a muscle, and keeps it among those that fit or miss.
