@@ -231,7 +231,7 @@ inBrowser(({ name, open, blank, url }) => {
       return out;
     });
     assert.equal(found.length, 18, JSON.stringify(found));
-    assert.deepEqual([...new Set(found.map(({ limit }) => limit))].sort(), ["burst_margin", "force"]);
+    assert.deepEqual([...new Set(found.map(({ limit }) => limit))].sort(), ["force"]);
     const off = found.map(({ drawn, exact }) => Math.abs(drawn - exact)).sort((a, b) => a - b);
     assert.ok(off[16] < 0.15 / 40 && off[17] < 0.15 / 4, off.join(" "));
     assert.deepEqual(errors, []);

@@ -109,7 +109,7 @@ function doubt(answer, ask) {
   }
   const measures = `${show("length", sure.outer_diameter_mm, 4)}, wall ${show("length", sure.wall_mm)}`;
   return el("p", { class: "doubt row" },
-    el("span", {}, `${begin} To be sure: outer diameter ${measures}, with ${show("pressure", answer.max_pressure_mpa)}.`),
+    el("span", {}, `${begin} To be sure: outer diameter ${measures}, at ${show("pressure", sure.pressure_mpa)}.`),
     el("button", { type: "button", onclick: () => ask({ sure: "95 %" }) }, "Design for a guaranteed pull (95 %)"));
 }
 

@@ -13,11 +13,11 @@ import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
 import { onUnits, typed, unitName } from "../units.js";
 
 const OBJECTIVES = /** @type {[string, string][]} */ ([
-  ["diameter", "smallest diameter"],
+  ["diameter", "smallest diameter at rest"],
   ["pressure", "lowest pressure"],
   ["air", "least air or liquid"],
   ["margin", "largest margin of pull"],
-  ["bulged-diameter", "smallest bulged diameter"],
+  ["bulged-diameter", "smallest diameter in use"],
   ["length", "shortest"],
 ]);
 /** @typedef {import("../form.js").Field} Field */
@@ -37,7 +37,7 @@ export const WANTED = [
   { key: "pmax", field: "max_pressure_mpa", label: "Pressure of the supply", kind: "pressure", value: "2.5 bar" },
   { key: "bulge", field: "max_bulged_diameter_mm", label: "Largest bulged diameter", kind: "length", hint: "60 mm" },
   { key: "sure", field: "guaranteed", label: "Guaranteed share", kind: "ratio", hint: "95 %" },
-  { key: "for", field: "objective", label: "Rank by", options: OBJECTIVES, value: "diameter" },
+  { key: "for", field: "objective", label: "Rank by", options: OBJECTIVES, value: "bulged-diameter" },
 ];
 /** @type {() => Field[]} */
 export const choices = () => [
