@@ -10,13 +10,13 @@ import { inWords } from "./words.js";
 
 /** The least pull to spare at any of its points, and the ± there. @param {Candidate} c */
 function spare(c) {
-  const points = c.points.map((q) => ({ spare: q.force_at_max_pressure_n - q.force_n, half: q.uncertainty_n ?? NaN }));
+  const points = c.points.map((q) => ({ spare: q.force_at_max_pressure_n * q.margin / (1 + q.margin), half: q.uncertainty_n ?? NaN }));
   return points.reduce((a, b) => (b.spare - b.half < a.spare - a.half ? b : a), points[0] ?? { spare: NaN, half: NaN });
 }
 /** Whether what is to spare covers the ±; nothing where the ± is not known. @param {Candidate} c */
 function isSure(c) {
   const { spare: more, half } = spare(c);
-  return Number.isFinite(half) ? more >= half : undefined;
+  return Number.isFinite(half) ? more >= half * (1 - 1e-6) : undefined;
 }
 /** @param {Candidate} c @param {Prices} prices */
 const price = (c, prices) => [c.tube, c.sleeve].map((name) => prices.get(name ?? "")).filter(Boolean).join(" + ");

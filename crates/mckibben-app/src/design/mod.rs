@@ -64,7 +64,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         stiffer.or_else(|| request.braids.is_empty().then(by_parts).flatten())
     });
     let to_be_sure = match winner {
-        Some(winner) if winner.is_doubtful() => {
+        Some(winner) if spec.guaranteed.is_none() && winner.is_doubtful() => {
             let guaranteed = Spec { guaranteed: Some(0.95), top: 1, ..wanted };
             let (spec, sure) = search(&guaranteed, &CancelOnly(progress))?;
             sure.candidates.first().map(|c| CandidateAnswer::new(c, &spec))

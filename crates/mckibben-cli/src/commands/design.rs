@@ -196,9 +196,9 @@ fn doubt(answer: &DesignAnswer, u: &Units) -> String {
     let Some(first) = answer.candidates.first() else { return String::new() };
     let tight = first.candidate.points.iter().find_map(|q: &CandidatePoint| {
         let half = q.uncertainty_n?;
-        (q.force_at_max_pressure_n - q.response.force_n < half).then_some(half)
+        (q.force_at_max_pressure_n - q.wanted.force_n < half).then_some(half)
     });
-    let Some(half) = tight else { return String::new() };
+    let Some(half) = tight.filter(|_| answer.searched.guaranteed.is_none()) else { return String::new() };
     let sure = format!("To be sure (--guaranteed): {MEASURES} at {{pressure_mpa}}.");
     let sure = match &answer.to_be_sure {
         Some(muscle) => said(&value(muscle), &sure, u),
