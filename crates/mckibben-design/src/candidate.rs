@@ -3,7 +3,7 @@
 use crate::limit::{Probe, Score};
 use crate::trial::Trial;
 use crate::{Limit, OperatingPoint};
-use mckibben::analysis::{Burst, Evaluation};
+use mckibben::analysis::{Burst, Evaluation, burst};
 use mckibben::model::{ModelError, Response};
 use mckibben::muscle::Muscle;
 use serde::Serialize;
@@ -143,7 +143,8 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
         from_thick_wall.push("free contraction");
         Evaluation::new(&*trial.thick_wall, &mut trial.workspace, spec.options()).free_contraction(max).ok()
     });
-    if trial.burst.from_thick_wall {
+    let found = burst(&*trial.model).unwrap_or(trial.burst);
+    if found.from_thick_wall {
         from_thick_wall.push("burst pressure");
     }
     from_thick_wall.sort_unstable();
@@ -156,7 +157,7 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
         blocked_force_n,
         free_contraction: free,
         work_j: trial.evaluation().work_per_stroke_j(max, 0.0, furthest).ok(),
-        burst: trial.burst,
+        burst: Burst { safety: trial.burst.safety, ..found },
         highest_pressure_mpa: max,
         from_thick_wall,
         points,

@@ -1,5 +1,6 @@
 //! What a muscle is held against, each limit as a number that is at most zero where it is met.
 
+use crate::line::NO_SCORE;
 use crate::trial::{Below, Trial};
 use crate::{Build, Objective, OperatingPoint, Spec};
 use mckibben::model::{ModelError, ThickWall};
@@ -146,6 +147,7 @@ pub(super) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe, M
     }
     let margin = points.iter().zip(&checks).map(|(q, c)| c.value / q.force_n - 1.0);
     let score = match spec.objective {
+        _ if !scored => NO_SCORE,
         Objective::Diameter => [muscle.outer_diameter_mm(), highest],
         Objective::Pressure => [highest, 0.0],
         Objective::Air => [fluid, 0.0],

@@ -157,9 +157,7 @@ impl Miss<'_> {
                 let margin =
                     |(mode, at): &(FailureMode, FailurePressure)| Some(at.mpa()? / mode.share() / up);
                 let burst_margin = failures.iter().filter_map(margin).reduce(f64::min)?;
-                let fits = self.fits(|spec| {
-                    (spec.limits.burst_margin, spec.limits.tube_margin) = (Some(burst_margin), None);
-                });
+                let fits = self.fits(|spec| spec.limits.burst_margin = Some(burst_margin));
                 fits.then_some(Relaxation::MinBurstMargin { burst_margin })
             }
             Some(Below::Strained) => {

@@ -2,7 +2,7 @@
 
 use crate::{Build, OperatingPoint, Spec};
 use mckibben::analysis::{
-    AnalysisError, Burst, Evaluation, FailureMode, FailurePressure, NoBurst, burst, find_root,
+    AnalysisError, Burst, Evaluation, FailureMode, FailurePressure, NoBurst, burst_below, find_root,
 };
 use mckibben::cancel;
 use mckibben::load::LiquidStroke;
@@ -15,12 +15,14 @@ pub(super) struct Trial<'a> {
     pub(super) model: Box<dyn ForceModel>,
     pub(super) thick_wall: Box<dyn ForceModel>,
     pub(super) workspace: Workspace,
-    /// The pressures at which it fails, with the safety factors of the specification.
+    /// The pressures at which it fails, as far as they bound its use, with the safety factors of the specification.
     pub(super) burst: Burst,
     /// The pressure up to which it is used: the least of the supply, of the allowed one and of that which strains its strands to their limit.
     pub(super) highest_mpa: f64,
     /// What keeps it below the supply.
     pub(super) below: Option<Below>,
+    /// Half-widths of the pull that it must hold against, where that is guaranteed.
+    half_widths: Option<f64>,
 }
 
 /// Why a muscle is not used up to the pressure of the supply.
@@ -55,12 +57,13 @@ impl<'a> Trial<'a> {
         // Of what is to end, not even the model is made.
         cancel::check()?;
         let (model, thick_wall) = (build(muscle)?, ModelKind::ThickWall.build(muscle)?);
-        let found = match burst(&*model) {
-            Ok(found) => found,
-            Err(AnalysisError::Model(error @ ModelError::Cancelled(_))) => return Err(error),
-            Err(_) => Burst::unknown(NoBurst::NoAnswer),
-        };
         let safety = spec.limits.safety();
+        let found =
+            match burst_below(&*model, safety.strands.max(safety.tube).max(1.0) * spec.max_pressure_mpa) {
+                Ok(found) => found,
+                Err(AnalysisError::Model(error @ ModelError::Cancelled(_))) => return Err(error),
+                Err(_) => Burst::unknown(NoBurst::NoAnswer),
+            };
         let burst = Burst { safety, ..found };
         let allowed = burst.allowed().map(|(mpa, by)| match by {
             Some(by) => (mpa, Below::Failure(by, mpa * safety.of(by))),
@@ -76,8 +79,9 @@ impl<'a> Trial<'a> {
         let bounds = allowed.into_iter().chain(answered).map(|(mpa, below)| (mpa, Some(below)));
         let (highest_mpa, below) =
             bounds.fold((spec.max_pressure_mpa, None), |a, b| if b.0 < a.0 { b } else { a });
-        let workspace = Workspace::new();
-        let mut trial = Self { spec, muscle, model, thick_wall, workspace, burst, highest_mpa, below };
+        let (workspace, half_widths) = (Workspace::new(), spec.half_widths());
+        let mut trial =
+            Self { spec, muscle, model, thick_wall, workspace, burst, highest_mpa, below, half_widths };
         trial.strained()?;
         Ok(trial)
     }
@@ -127,7 +131,7 @@ impl<'a> Trial<'a> {
 
     /// The end of the ± of a pull that must meet the requirement, where that is guaranteed; else the pull.
     pub(super) fn sure_n(&mut self, p: f64, contraction: f64, force_n: f64) -> f64 {
-        let Some(widths) = self.spec.half_widths() else { return force_n };
+        let Some(widths) = self.half_widths else { return force_n };
         let half = self.uncertainty_n((p, contraction), force_n).unwrap_or(0.0);
         force_n - widths * half * if self.spec.wanted.extends() { -1.0 } else { 1.0 }
     }

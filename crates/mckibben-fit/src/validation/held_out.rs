@@ -51,12 +51,10 @@ pub fn judged(
         // It is of the branch that was fitted.
         let half_width_n = Some(UncertaintyParts { friction: None, ..parts }.total());
         let blocked_n = model.force_n(w, pressure_mpa, 0.0).ok()?;
-        let left_n = p.at.force_n - force_n.max(0.0);
-        let contraction_share = contraction / found.muscle.max_ideal_contraction();
         Some(Residual {
             contraction,
-            contraction_share,
-            left_n,
+            contraction_share: contraction / found.muscle.max_ideal_contraction(),
+            left_n: p.at.force_n - force_n.max(0.0),
             branch,
             pressure_mpa,
             blocked_n,

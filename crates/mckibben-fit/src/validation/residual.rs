@@ -97,16 +97,14 @@ impl Asked {
                 (point.volume_mm3? - here.volume_mm3?) * per_contraction / volume_per_contraction
             }
         };
-        let contraction_share = contraction / model.muscle().max_ideal_contraction();
-        let half_width_n = half_width_n(&mut evaluation, point, blocked_n);
         Some(Residual {
             contraction,
-            contraction_share,
+            contraction_share: contraction / model.muscle().max_ideal_contraction(),
             left_n,
             branch,
             pressure_mpa,
             blocked_n,
-            half_width_n,
+            half_width_n: half_width_n(&mut evaluation, point, blocked_n),
         })
     }
 }

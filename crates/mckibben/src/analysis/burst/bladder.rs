@@ -29,7 +29,7 @@ pub fn stretch_at_break(muscle: &Muscle) -> Option<f64> {
 }
 
 /// The pressure at which the rubber of the unloaded muscle tears, below one at which another part fails.
-pub fn tearing(muscle: &Muscle, below_mpa: Option<f64>) -> Result<FailurePressure> {
+pub fn tearing(muscle: &Muscle, below_mpa: f64) -> Result<FailurePressure> {
     let Some(breaks) = stretch_at_break(muscle) else {
         return Ok(FailurePressure::Unknown(NoBurst::NoElongation));
     };
@@ -42,7 +42,7 @@ pub fn tearing(muscle: &Muscle, below_mpa: Option<f64>) -> Result<FailurePressur
         let free = Evaluation::new(&*model, &mut workspace, Options::extrapolating()).free_contraction(p)?;
         Ok(model.response(&mut workspace, p, free)?.max_stretch.unwrap_or(1.0) - breaks)
     };
-    let highest = below_mpa.unwrap_or(HIGHEST_MPA).min(HIGHEST_MPA);
+    let highest = below_mpa.min(HIGHEST_MPA);
     let mut low = 0.0;
     let mut high = FIRST * muscle.rubber().law.shear_modulus_mpa();
     while low < highest {

@@ -8,20 +8,21 @@
 use super::failure::{FailurePressure, NoBurst};
 use super::strands::overloaded;
 use crate::analysis::error::Result;
-use crate::model::ForceModel;
+use crate::model::{ForceModel, Response};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
-/// The pressure at which the clamps of a model's muscle let go.
+/// The pressure at which the clamps of a model's muscle let go, where they do not bear a pressure in MPa.
 ///
 /// # Errors
 /// [`AnalysisError`](crate::analysis::AnalysisError) where the work is cancelled, or the model has no answer at all.
-pub fn pull_off(model: &dyn ForceModel) -> Result<FailurePressure> {
+pub fn pull_off(model: &dyn ForceModel, up_to_mpa: f64) -> Result<FailurePressure> {
     let muscle = model.muscle();
     let Some(bears) = muscle.terminals().pull_off_n else {
         return Ok(FailurePressure::Unknown(NoBurst::NoPullOff));
     };
-    Ok(overloaded(model, &|r| Some(clamp_load_n(muscle, r.force_n, r.pressure_mpa)), bears)?.0)
+    let load = |r: &Response| Some(clamp_load_n(muscle, r.force_n, r.pressure_mpa));
+    Ok(overloaded(model, &load, bears, up_to_mpa)?.0)
 }
 
 /// What each clamp carries at a pull in N and a pressure in MPa, in N.

@@ -76,7 +76,7 @@ impl Safety {
 pub enum FailurePressure {
     /// In MPa.
     At(f64),
-    /// At no pressure that the other parts bear.
+    /// At no pressure that the other parts bear, or that matters.
     None,
     /// A number is missing, or the model has no answer up to there.
     Unknown(NoBurst),

@@ -29,10 +29,19 @@ use crate::model::ForceModel;
 /// # Errors
 /// [`AnalysisError`](crate::analysis::AnalysisError) where the work is cancelled, or the model has no answer at all.
 pub fn burst(model: &dyn ForceModel) -> Result<Burst> {
+    burst_below(model, f64::INFINITY)
+}
+
+/// [`burst`], of which only failures below a pressure in MPa matter: one answer of the model says that strands or clamps bear it, and those that do are not solved
+/// for.
+///
+/// # Errors
+/// Those of [`burst`].
+pub fn burst_below(model: &dyn ForceModel, up_to_mpa: f64) -> Result<Burst> {
     let muscle = model.muscle();
-    let (strands, from_thick_wall) = strands::breaking(model)?;
-    let (mesh, ends) = (mesh::herniation(muscle), ends::pull_off(model)?);
-    let least = [strands, mesh, ends].into_iter().filter_map(FailurePressure::mpa).reduce(f64::min);
+    let (strands, from_thick_wall) = strands::breaking(model, up_to_mpa)?;
+    let (mesh, ends) = (mesh::herniation(muscle), ends::pull_off(model, up_to_mpa)?);
+    let least = [strands, mesh, ends].into_iter().filter_map(FailurePressure::mpa).fold(up_to_mpa, f64::min);
     let bladder = bladder::tearing(muscle, least)?;
     let rated_mpa = muscle.terminals().rated_pressure_mpa;
     Ok(Burst { strands, mesh, bladder, ends, rated_mpa, safety: Safety::default(), from_thick_wall })

@@ -23,13 +23,13 @@ const TOLERANCE: f64 = 1e-10;
 /// Pressures at which no equilibrium is found are closed in on to this share.
 const EDGE: f64 = 1e-6;
 
-/// The pressure at which the strands of a model's muscle break, and whether the thick-wall model gave it.
+/// The pressure at which the strands of a model's muscle break, where they do not bear a pressure in MPa, and whether the thick-wall model gave it.
 ///
 /// # Errors
 /// [`AnalysisError`] where the work is cancelled, or the model has no answer at all.
-pub fn breaking(model: &dyn ForceModel) -> Result<(FailurePressure, bool)> {
+pub fn breaking(model: &dyn ForceModel, up_to_mpa: f64) -> Result<(FailurePressure, bool)> {
     match (Burst::missing(model.muscle()), model.muscle().braid().strands.and_then(|s| s.strength_n)) {
-        (None, Some(strength)) => overloaded(model, &|r| r.strand_tension_n, strength),
+        (None, Some(strength)) => overloaded(model, &|r| r.strand_tension_n, strength, up_to_mpa),
         (missing, _) => Ok((FailurePressure::Unknown(missing.unwrap_or(NoBurst::NoStrength)), false)),
     }
 }
@@ -37,19 +37,24 @@ pub fn breaking(model: &dyn ForceModel) -> Result<(FailurePressure, bool)> {
 /// What a part carries in a state, in N; `None` of a model that does not give it.
 pub(super) type Load<'a> = dyn Fn(&Response) -> Option<f64> + 'a;
 
-/// The pressure at which a part of the blocked muscle carries what it bears, in N, and whether the thick-wall model gave it.
+/// The pressure at which a part of the blocked muscle carries what it bears, in N, where it does not bear a pressure in MPa, and whether the thick-wall model gave it.
 pub(super) fn overloaded(
     model: &dyn ForceModel,
     load: &Load<'_>,
     bears: f64,
+    up_to_mpa: f64,
 ) -> Result<(FailurePressure, bool)> {
+    let answers = model.extensions().companion.unwrap_or(model);
+    let blocked = || Blocked { model: answers, workspace: Workspace::new(), load, bears };
+    if up_to_mpa < HIGHEST_MPA && blocked().over(up_to_mpa).is_ok_and(|over| over < 0.0) {
+        return Ok((FailurePressure::None, false));
+    }
     let thick = ModelKind::ThickWall.build(model.muscle())?;
     // Of the infinitely long muscle: where the other begins to search.
     let mut of_thick = Blocked { model: &*thick, workspace: Workspace::new(), load, bears };
     let near = of_thick.fails_near(1.0);
-    let model = model.extensions().companion.unwrap_or(model);
-    let found = Blocked { model, workspace: Workspace::new(), load, bears }.fails_near(guess(&near));
-    match found {
+    let start = if let Ok(Found::Fails(p) | Found::Ends(p)) = near { p } else { 1.0 };
+    match blocked().fails_near(start) {
         Err(AnalysisError::Unknown { .. }) => Ok((closed(near?, &mut of_thick), true)),
         found => Ok((closed(found?, &mut of_thick), false)),
     }
@@ -59,13 +64,6 @@ pub(super) fn overloaded(
 enum Found {
     Fails(f64),
     Ends(f64),
-}
-
-fn guess(near: &Result<Found>) -> f64 {
-    match near {
-        Ok(Found::Fails(p) | Found::Ends(p)) => *p,
-        Err(_) => 1.0,
-    }
 }
 
 /// A muscle without an equilibrium has burst: where the infinitely long one has none beyond the same pressure, too.

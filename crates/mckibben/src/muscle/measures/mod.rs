@@ -224,7 +224,8 @@ pub const SECTIONS: [&str; 4] = ["tube", "braid", "terminals", "friction"];
 
 /// The measures of a table of the muscle file.
 pub fn of_section(section: &str) -> impl Iterator<Item = &'static Measure> {
-    MEASURES.iter().copied().filter(move |m| m.section() == section)
+    let is_in = move |m: &&Measure| m.key.strip_prefix(section).is_some_and(|rest| rest.starts_with('.'));
+    MEASURES.iter().copied().filter(is_in)
 }
 
 /// The measures that requests have a field for.
