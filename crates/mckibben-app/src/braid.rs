@@ -1,6 +1,6 @@
 //! Sleeves of the library, and what each is on a tube.
 
-use crate::problem::Problem;
+use crate::{Problem, TextFile};
 use mckibben::muscle::NEUTRAL_ANGLE_DEG;
 use mckibben::sleeve::{Sleeve, SleeveEntry, library};
 use schemars::JsonSchema;
@@ -85,7 +85,8 @@ fn unstated(sleeve: &Sleeve) -> Vec<&'static str> {
     sleeve.missing().into_iter().chain(estimated).collect()
 }
 
-pub(crate) fn sleeves() -> Result<Vec<BraidSummary>, Problem> {
+/// The sleeves of the library, or of a table of the user's own.
+pub(crate) fn sleeves(parts: Option<&TextFile>) -> Result<Vec<BraidSummary>, Problem> {
     let one = |entry: &SleeveEntry| {
         let (least_diameter_mm, largest_diameter_mm) = entry.sleeve.shape.tubes_mm();
         Ok(BraidSummary {
@@ -101,7 +102,14 @@ pub(crate) fn sleeves() -> Result<Vec<BraidSummary>, Problem> {
             source: entry.source.clone(),
         })
     };
-    library::entries()?.iter().map(one).collect()
+    match parts {
+        Some(file) => library::read(&file.text)
+            .map_err(|e| Problem::from(e).in_field("parts"))?
+            .iter()
+            .map(one)
+            .collect(),
+        None => library::entries()?.iter().map(one).collect(),
+    }
 }
 
 /// A sleeve; `None` where there is none of that name.

@@ -4,7 +4,7 @@ use super::request::DesignRequest;
 use crate::words::{number, percent};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle};
 use mckibben::progress::Progress;
-use mckibben::sleeve::{Helix, SleeveShape, library};
+use mckibben::sleeve::library;
 use mckibben_design::tubes::{LEAST_CAST_WALL_MM, rubbers};
 use mckibben_design::{Below, BraidChoice, Build, Closest, Demand, Models, Spec, design_with, fits};
 
@@ -74,22 +74,11 @@ pub(super) fn stiffer_sleeve(spec: &Spec, build: &Build<'_>, closest: &Closest) 
     Some(format!("{first} {stiffer} Give a sleeve (`braids`), a `stiffness`, or a muscle file with strands."))
 }
 
-/// The sleeve whose filaments, material and estimates the others have.
-const LIKE: &str = "flexo-overexpanded-0.75in";
-/// It expands to so many times its least diameter.
+/// An overexpanded sleeve expands to so many times its least diameter.
 const EXPANDS: f64 = 4.0;
 /// Least diameters in mm, and the ratio of one to the next.
 const SIZES: (f64, f64) = (2.0, 80.0);
 const RATIO: f64 = 1.15;
-
-/// The sleeve of a least diameter on a tube that it just fits.
-fn sized(least_mm: f64) -> Option<Braid> {
-    let mut sleeve = library::find(LIKE).ok()?;
-    let largest_mm = EXPANDS * least_mm;
-    let helix = Helix::jammed_at(least_mm, largest_mm)?;
-    sleeve.shape = SleeveShape { name: "another".into(), helix, least_mm, largest_mm };
-    sleeve.on(least_mm).ok()
-}
 
 /// Which sleeve would make a muscle that fits, in a sentence; none where no size does. Of a joint, whose search takes seconds, nothing is looked for.
 pub(super) fn that_fits(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> Option<String> {
@@ -97,6 +86,7 @@ pub(super) fn that_fits(spec: &Spec, models: Models<'_>, progress: &dyn Progress
         return None;
     }
     let sizes = std::iter::successors(Some(SIZES.0), |d| Some(d * RATIO)).take_while(|d| *d <= SIZES.1);
+    let sized = |least_mm| library::between("pet", least_mm, EXPANDS * least_mm).ok()?.on(least_mm).ok();
     let braid = BraidChoice::Sleeves(sizes.filter_map(sized).collect());
     let wider = Spec { braid, top: 1, ..spec.clone() };
     let found = design_with(&wider, Models { settle: None, ..models }, progress).ok()?;

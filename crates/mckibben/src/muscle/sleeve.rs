@@ -58,7 +58,7 @@ impl Muscle {
     /// Mass of the sleeve between the terminals in g: N A B ρ, with N strands of section A, B the length of one and ρ the density of their material; where all are known.
     pub fn sleeve_mass_g(&self) -> Option<f64> {
         let (strands, sleeve) = (self.braid().strands?, self.braid().sleeve.as_ref()?);
-        let density = library::entry(&sleeve.name).ok()?.modulus_of?.density_kg_per_m3?;
+        let density = library::material_of(&sleeve.name)?.density_kg_per_m3?;
         Some(1e-6 * density * f64::from(strands.count) * strands.section?.0 * self.strand_length_mm())
     }
 

@@ -121,6 +121,21 @@ impl SleeveShape {
 }
 
 impl Sleeve {
+    /// A sleeve of which nothing but its shape is known.
+    pub fn new(shape: SleeveShape) -> Self {
+        Self {
+            shape,
+            strands: None,
+            filaments: 1,
+            strand_diameter_mm: None,
+            strand_modulus_mpa: None,
+            strand_strength_n: None,
+            strands_per_carrier: None,
+            estimated: vec![],
+            factor: 1.0,
+        }
+    }
+
     /// Its name.
     pub fn name(&self) -> &str {
         &self.shape.name
