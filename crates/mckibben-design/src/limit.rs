@@ -78,6 +78,11 @@ impl Probe {
         self.checks.iter().max_by(|a, b| a.excess().total_cmp(&b.excess()))
     }
 
+    /// The shares by which limits are missed, summed.
+    pub(super) fn miss(&self) -> f64 {
+        self.checks.iter().map(|c| c.excess().max(0.0)).sum()
+    }
+
     /// Whether every limit is met.
     pub(super) fn fits(&self) -> bool {
         self.checks.iter().all(|c| c.excess() <= 0.0)

@@ -66,11 +66,6 @@ impl Reason {
     pub fn limit(&self) -> Option<Limit> {
         Some(self.check()?.limit)
     }
-
-    /// The share of the limit by which it is missed; `None` where there is no answer at all.
-    pub fn misses_by(&self) -> Option<f64> {
-        Some(self.check()?.excess())
-    }
 }
 
 fn round(v: f64) -> f64 {
@@ -93,13 +88,16 @@ pub struct Rejected {
     /// Name of the sleeve, where it has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sleeve: Option<String>,
+    /// The shares by which it misses its limits, summed; none where the model has no answer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub misses_by: Option<f64>,
     /// The bound it breaks by most.
     #[serde(skip)]
     pub reason: Reason,
 }
 
 impl Rejected {
-    pub(super) fn of(muscle: &Muscle, reason: Reason) -> Self {
+    pub(super) fn of(muscle: &Muscle, reason: Reason, misses_by: Option<f64>) -> Self {
         Self {
             outer_diameter_mm: muscle.outer_diameter_mm(),
             wall_mm: muscle.wall_mm(),
@@ -107,6 +105,7 @@ impl Rejected {
             angle_deg: muscle.braid().angle_deg,
             rubber: muscle.tube().rubber.name.clone(),
             sleeve: muscle.braid().sleeve.as_ref().map(|s| s.name.clone()),
+            misses_by,
             reason,
         }
     }

@@ -2,6 +2,7 @@
 
 use super::bought::BoughtAnswer;
 use super::bundle::BundleAnswer;
+use super::remedies::RelaxationAnswer;
 use super::request::{OperatingPoint, TorqueWanted};
 use crate::{
     MuscleSummary, PressureLimits, TextFile, UncertaintyWords, Units, number, percent, put_first, said_of,
@@ -11,7 +12,7 @@ use mckibben::analysis::Burst;
 use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::{liquid::Liquid, muscle::file::to_toml, warning::Warning};
 use mckibben_design::{
-    BraidChoice, Candidate, Demand, Lift, Limit, Outcome, Rejected, Relaxation, Spec, Spread, tubes::rubbers,
+    BraidChoice, Candidate, Demand, Lift, Limit, Outcome, Rejected, Spec, Spread, tubes::rubbers,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -186,9 +187,6 @@ pub struct RejectedAnswer {
     /// That limit; none where the model has no answer.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<Limit>,
-    /// By which share of it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub misses_by: Option<f64>,
 }
 
 /// The muscle that comes closest, and what would make it fit.
@@ -197,8 +195,8 @@ pub struct ClosestAnswer {
     /// The muscle and the bound it misses.
     #[serde(flatten)]
     pub rejected: RejectedAnswer,
-    /// Limits to relax, each alone.
-    pub relaxations: Vec<Relaxation>,
+    /// Changes with which a muscle of the search fits, the smallest of each kind; those that ask for least first.
+    pub relaxations: Vec<RelaxationAnswer>,
     /// Contractions beyond every braid of the search, and the angle that reaches them; a stiffer sleeve that fits.
     pub hint: Option<String>,
 }
@@ -328,7 +326,6 @@ impl From<&Rejected> for RejectedAnswer {
             muscle: r.clone(),
             reason: r.reason.describe(|kind, v| Units::default().show(kind, v)),
             limit: r.reason.limit(),
-            misses_by: r.reason.misses_by(),
         }
     }
 }

@@ -4,6 +4,7 @@ mod answer;
 mod assumed;
 mod bought;
 mod bundle;
+mod remedies;
 mod request;
 
 pub use answer::{
@@ -26,6 +27,7 @@ use mckibben_design::{
     fits, spread,
 };
 use mckibben_report::Figure;
+use remedies::RelaxationAnswer;
 use request::Search;
 
 /// Curves are drawn of so many candidates.
@@ -82,7 +84,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         let hints: Vec<String> = out_of_reach(&spec).into_iter().chain(hint).collect();
         ClosestAnswer {
             rejected: (&closest.rejected).into(),
-            relaxations: closest.relaxations.clone(),
+            relaxations: closest.relaxations.iter().map(|c| RelaxationAnswer::of(c, &spec.wanted)).collect(),
             hint: (!hints.is_empty()).then(|| hints.join(" ")),
         }
     });

@@ -61,8 +61,11 @@ fn as_text(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     }
     out.push_str(&bought(answer, &row, u));
     let skip = usize::from(answer.closest.is_some());
-    let others =
-        answer.rejected.iter().skip(skip).map(|r| format!("  {}\n", missed(r, "[ (misses by {by:%})]", u)));
+    let others = answer
+        .rejected
+        .iter()
+        .skip(skip)
+        .map(|r| format!("  {}\n", missed(r, "[ (misses by {by:%} in all)]", u)));
     let others: String = others.collect();
     if !others.is_empty() {
         out += if skip == 0 { "\nNear misses\n" } else { "\nNext closest\n" };
@@ -144,7 +147,8 @@ const MEASURES: &str = "D0 {outer_diameter_mm:4#}, s {wall_mm:3#}[ in {sleeve}]"
 fn missed(rejected: &RejectedAnswer, more: &str, u: &Units) -> String {
     let mut row = value(rejected);
     row["reason"] = u.sentence(&rejected.reason).into();
-    let thousandths = rejected.misses_by.filter(|share| *share < 1.0).map(|share| (1e3 * share).ceil());
+    let thousandths =
+        rejected.muscle.misses_by.filter(|share| *share < 1.0).map(|share| (1e3 * share).ceil());
     row["by"] = thousandths.map(|by| by / 1e3).into();
     said(&row, &format!("{MEASURES}: {{reason}}{more}"), u)
 }
@@ -235,56 +239,13 @@ fn spread_text(spreads: &[Spread], u: &Units) -> String {
     format!("\nTolerances of the first candidate\n{}{about}\n", tabled(spreads, keys, u))
 }
 
-/// What may be relaxed, and how that is said.
-const RELAXED: [(&str, &str); 10] = [
-    ("max_pressure", "raise the maximum pressure to {pressure_mpa}[ ({extrapolated})]"),
-    ("force", "reduce the pull to {pulls}"),
-    ("contraction", "reduce the contraction to {contractions}"),
-    ("outer_diameter", "take an outer diameter of {outer_diameter_mm:5}"),
-    ("max_bulged_diameter", "allow a bulged diameter of {bulged_diameter_mm:5}"),
-    ("max_stretch", "allow a stretch of {max_stretch:3}"),
-    ("max_strand_strain", "allow a strand strain of {strand_strain:%}"),
-    ("max_liquid_volume", "provide {millilitres} mL of liquid for each muscle"),
-    ("guided", "guide the muscle, so that it cannot buckle (--guided)"),
-    ("min_burst_margin", "reduce the safety factor to {burst_margin:3}"),
-];
-/// So many parts of one are shown of a limit that rises; minus as many of one that falls.
-const ROUNDED: [(&str, f64); 7] = [
-    ("bulged_diameter_mm", 10.0),
-    ("max_stretch", 100.0),
-    ("strand_strain", 1e4),
-    ("liquid_volume_mm3", 0.1),
-    ("burst_margin", -100.0),
-    ("force_n", -1.0),
-    ("contraction", -1e4),
-];
-
-/// A limit that is relaxed, to digits with which the muscle still fits.
-fn rounded(mut of: Value) -> Value {
-    for (key, parts) in ROUNDED {
-        if let Some(number) = of[key].as_f64() {
-            of[key] = ((number.abs() * parts).ceil() / parts * number.signum()).into();
-        }
-    }
-    of
-}
-
 fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
     let mut out = format!("Nothing fits. Closest: {}\n", missed(&closest.rejected, "", u));
-    if closest.relaxations.is_empty() {
-        return out + "None of the limits, relaxed alone, makes one of these muscles fit.\n";
-    }
-    out += "Relax one of these:\n";
-    for relaxation in &closest.relaxations {
-        let mut row = rounded(value(relaxation));
-        let points = row["points"].as_array().into_iter().flatten().cloned().map(rounded).collect();
-        row["pulls"] = each(&points, "{force_n:5} at {contraction:%}", u).join(" and ").into();
-        row["contractions"] = each(&points, "{contraction:%} for {force_n:5}", u).join(" and ").into();
-        let far = row["extrapolated"] == true;
-        row["extrapolated"] = far.then_some("extrapolated: outside of the model's range").into();
-        row["millilitres"] = row["liquid_volume_mm3"].as_f64().map(|volume| 1e-3 * volume).into();
-        let text = RELAXED.iter().find(|(name, _)| row["relax"] == *name).map_or("", |(_, text)| *text);
-        out += &format!("  - {}\n", said(&row, text, u));
-    }
-    out
+    out += match closest.relaxations.len() {
+        0 => "No change of what is required or limited makes a muscle of this search fit.\n",
+        1 => "A muscle fits with this change:\n",
+        _ => "A muscle fits with any of these changes, the smallest first:\n",
+    };
+    let changes = closest.relaxations.iter().map(|change| format!("  - {}\n", u.sentence(&change.text)));
+    out + &changes.collect::<String>()
 }
