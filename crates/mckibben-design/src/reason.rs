@@ -1,6 +1,6 @@
 //! Why a muscle does not fit.
 
-use crate::{Below, Check, Limit};
+use crate::{Check, Limit};
 use mckibben::model::ModelError;
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
@@ -26,12 +26,7 @@ impl Reason {
         match check.limit {
             Limit::Force => {
                 let mpa = |p| show(Dimension::Pressure, p);
-                let below = check.by.map_or_else(String::new, |below| match below {
-                    Below::Failure(by, at) => format!("; more is not allowed, because {by} at {}", mpa(at)),
-                    Below::Rated => "; its fittings are rated for no more".into(),
-                    Below::Strained => "; there its strands are stretched to their limit".into(),
-                    Below::Unanswered(up_to) => format!("; no model answers beyond {}", mpa(up_to)),
-                });
+                let below = check.by.map_or_else(String::new, |below| format!("; {}", below.describe(mpa)));
                 format!(
                     "{} at {} and {} %, {} required{below}",
                     show(Dimension::Force, if value * bound > 0.0 { value.trunc() } else { 0.0 }),

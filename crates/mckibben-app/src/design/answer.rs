@@ -22,6 +22,9 @@ use serde::Serialize;
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct DesignAnswer {
+    /// The decision in sentences: what to take, which pressure to set, what it pulls, what is sure, what limits it; none where nothing fits.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub decision: Vec<String>,
     /// The model that all numbers come from.
     pub model: String,
     /// The model that computed most muscles of the search.
@@ -57,7 +60,7 @@ pub struct DesignAnswer {
     /// Spread of the pull of the best muscle under the tolerances, point by point.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tolerance: Vec<Spread>,
-    /// If the margin of the best muscle is smaller than its ±: the best muscle whose lower end of the ± meets the requirement
+    /// If none of the candidates is sure at a pressure that it may have: the best muscle whose lower end of the ± meets the requirement
     /// (`guaranteed`); none where the same search finds none.
     pub to_be_sure: Option<CandidateAnswer>,
     /// If nothing fits: the muscle that comes closest.
@@ -117,7 +120,7 @@ pub struct SearchedAnswer {
     /// Safety factor of the tube.
     pub min_tube_margin: Option<f64>,
     /// Of a bundle: how many muscles share the requirement. What is wanted, and all numbers of the candidates, are those of one of them.
-    pub bundle: Option<u32>,
+    pub count: Option<u32>,
     /// Whether it was checked: the strength of the strands is known.
     pub burst_checked: bool,
     /// Largest strain of the strands, where there is one.
@@ -129,6 +132,8 @@ pub struct SearchedAnswer {
 /// A muscle that fits.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct CandidateAnswer {
+    /// So many of it side by side.
+    pub count: u32,
     /// The muscle.
     #[serde(flatten)]
     pub muscle: MuscleSummary,
@@ -245,7 +250,7 @@ impl DemandAnswer {
 }
 
 impl SearchedAnswer {
-    pub(super) fn of(spec: &Spec, bundle: Option<u32>) -> Self {
+    pub(super) fn of(spec: &Spec) -> Self {
         let has_strength = |braid: &Braid| braid.strands.is_some_and(|s| s.strength_n.is_some());
         Self {
             rubber: rubber_of(spec),
@@ -258,7 +263,7 @@ impl SearchedAnswer {
                 _ => has_strength(spec.base.braid()),
             },
             max_strand_strain: spec.limits.strand_strain,
-            bundle,
+            count: Some(spec.count).filter(|n| *n > 1),
             guaranteed: spec.guaranteed,
         }
     }
@@ -302,6 +307,7 @@ impl CandidateAnswer {
                 }),
                 _ => None,
             },
+            count: spec.count,
             muscle: (&c.muscle).into(),
             candidate: c.clone(),
             bulged_diameter_mm: c.bulged_diameter_mm(),

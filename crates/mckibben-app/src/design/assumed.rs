@@ -8,12 +8,24 @@ use mckibben::sleeve::library;
 use mckibben_design::tubes::{LEAST_CAST_WALL_MM, rubbers};
 use mckibben_design::{Below, BraidChoice, Build, Closest, Demand, Models, Spec, design_with, fits};
 
+/// Pressure of a supply in MPa where none is given: that of a usual workshop.
+pub(super) const SUPPLY_MPA: f64 = 0.6;
+
+/// Whether the length is an assumption.
+pub(super) fn length_is(request: &DesignRequest) -> bool {
+    let says = request.length_mm.is_some() || request.stroke_mm.is_some() && request.contraction.is_some();
+    !says && request.muscle.is_none()
+}
+
 /// What was assumed, in sentences.
 pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
     let mut out = vec![];
-    let says_length =
-        request.length_mm.is_some() || request.stroke_mm.is_some() && request.contraction.is_some();
-    if !says_length && request.muscle.is_none() {
+    if request.max_pressure_mpa.is_none() {
+        out.push(format!(
+            "the supply gives {SUPPLY_MPA} MPa, because no pressure is given (`max_pressure_mpa`)"
+        ));
+    }
+    if length_is(request) {
         let length_mm = number(spec.base.length_mm(), 5);
         let named = "(`length_mm`, or a muscle file)";
         out.push(format!("the length L0 is {length_mm} mm, because none is given {named}"));

@@ -1,5 +1,6 @@
 //! What is wanted, and what may be varied.
 
+use super::assumed::SUPPLY_MPA;
 use super::{ModelPolicy, SearchedMuscles, near_the_box};
 use crate::{
     LiquidFields, LoadFields, MeshFields, Model, ModelFields, MuscleFields, NamedFields, Problem,
@@ -36,7 +37,7 @@ pub struct DesignRequest {
     pub largest_angle_deg: Option<f64>,
     /// Radii of the pulley, mm; default: searched.
     pub radius_mm: Option<Choice>,
-    /// Pressure that the supply can give, MPa. Each muscle is used up to this pressure or its own allowed one, whichever is lower.
+    /// Pressure that the supply can give, MPa; default 0.6. Each muscle is used up to this pressure or its own allowed one, whichever is lower.
     pub max_pressure_mpa: Option<f64>,
     /// A liquid in the place of air.
     #[serde(flatten)]
@@ -49,7 +50,7 @@ pub struct DesignRequest {
     /// together. It needs `liquid`.
     pub max_liquid_volume_mm3: Option<f64>,
     /// Equal muscles side by side that share what is required, 1 to 1000; default 1.
-    pub bundle: Option<u32>,
+    pub count: Option<u32>,
     /// Largest diameter of the circle around all muscles at the operating points, mm.
     pub max_envelope_mm: Option<f64>,
     /// Distance between the axes of neighbours of a bundle, mm; default: that of the largest envelope, or the bulged diameter.
@@ -166,8 +167,7 @@ impl DesignRequest {
         let (base, wanted, radius_mm) = self.demand()?;
         let wanted = self.share(&wanted)?;
         let extends = wanted.extends();
-        let max_pressure_mpa =
-            given("max_pressure_mpa", self.max_pressure_mpa, "a pressure, such as 0.25 MPa")?;
+        let max_pressure_mpa = finite("max_pressure_mpa", self.max_pressure_mpa.unwrap_or(SUPPLY_MPA))?;
         let model = Model::choose(&self.model)?;
         let sections = model.sections();
         let (diameters, walls) = sections.unwrap_or(SECTIONS);
@@ -217,6 +217,7 @@ impl DesignRequest {
         }
         let spec = Spec {
             wanted,
+            count: self.count()?,
             max_pressure_mpa,
             liquid: self.liquid.named_supply()?,
             length_mm: match &self.length_mm {
