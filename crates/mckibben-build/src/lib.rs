@@ -33,7 +33,7 @@ const MARK: &str = "mckibben build";
 pub use material::BuildPart;
 pub use mesh::Mesh;
 pub use plan::{Plan, Wishes};
-pub use safety::{Operating, Safety, highest_mpa, proof_mpa};
+pub use safety::{Operating, Safety, highest_mpa, proof_mpa, relief_mpa};
 pub use test_points::TestPoint;
 
 pub use mckibben_io::files::{Content, File};

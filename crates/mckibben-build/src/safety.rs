@@ -83,6 +83,16 @@ pub fn highest_mpa(burst_mpa: f64) -> f64 {
     PROOF_TO_BURST * burst_mpa
 }
 
+/// A relief valve opens at this multiple of the pressure that is set.
+const RELIEF: f64 = 1.1;
+
+/// The pressure of a relief valve in MPa to three digits: above the one that is set, and not above the highest that the muscle may have.
+pub fn relief_mpa(pressure_mpa: f64, highest_mpa: f64) -> f64 {
+    let relief = highest_mpa.min(RELIEF * pressure_mpa);
+    let step = 10f64.powf(relief.log10().floor() - 2.0);
+    ((relief / step * (1.0 + 1e-9)).floor() * step).max(pressure_mpa.min(highest_mpa))
+}
+
 /// Pressure of the proof test in MPa.
 pub fn proof_mpa(pressure_mpa: f64, burst_mpa: Option<f64>) -> f64 {
     (PROOF_TO_WORKING * pressure_mpa).min(burst_mpa.map_or(f64::INFINITY, highest_mpa))

@@ -1,5 +1,6 @@
 //! Cut list, bill of materials and steps, in Markdown.
 
+use crate::safety::relief_mpa;
 use crate::text::{fixed, mm, percent, significant};
 use crate::{BuildPart, Clamps, Fitting, Plan, SleeveLength};
 use mckibben_io::clean;
@@ -145,6 +146,10 @@ fn tests(plan: &Plan) -> Values {
         ("working", found.pressure(safety.pressure_mpa)),
         ("burst", burst),
         ("allowed", found.allowed_mpa.map_or_else(|| "not known".into(), |mpa| found.pressure(mpa))),
+        (
+            "relief",
+            found.pressure(relief_mpa(safety.pressure_mpa, found.allowed_mpa.unwrap_or(f64::INFINITY))),
+        ),
         ("proof", found.pressure(safety.proof_pressure_mpa)),
         ("leak", found.pressure(safety.leak_pressure_mpa)),
         ("energy", significant(safety.air_energy_j, 2)),

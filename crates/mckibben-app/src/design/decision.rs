@@ -4,10 +4,8 @@ use super::CandidateAnswer;
 use crate::words::within;
 use crate::{Units, number, percent};
 use mckibben::units::Dimension;
+use mckibben_build::relief_mpa;
 use mckibben_design::{Candidate, Limit, Spec};
-
-/// A relief valve opens at this multiple of the pressure to set, or at the highest one where that is lower.
-const RELIEF: f64 = 1.1;
 
 /// What muscles are chosen among, for the lines of the decision.
 pub(super) struct Decision<'a> {
@@ -103,22 +101,16 @@ fn parts(c: &Candidate) -> String {
 fn set(first: &Candidate) -> String {
     let mpa = |p| show(Dimension::Pressure, p);
     let (set_mpa, highest_mpa) = (first.pressure_mpa, first.highest_pressure_mpa);
-    let relief = mpa(three_down(highest_mpa.min(RELIEF * set_mpa)));
+    let relief = mpa(relief_mpa(set_mpa, highest_mpa));
     match first.below {
         None => format!("Set {}, relief valve at {relief}", mpa(set_mpa)),
         Some(below) => format!(
             "Set {}, relief valve at {relief}; allowed up to {}: {}",
             mpa(set_mpa),
-            mpa(three_down(highest_mpa)),
+            mpa(highest_mpa),
             below.describe(mpa)
         ),
     }
-}
-
-/// Three digits, not above.
-fn three_down(mpa: f64) -> f64 {
-    let step = 10f64.powf(mpa.log10().floor() - 2.0);
-    (mpa / step * (1.0 + 1e-9)).floor() * step
 }
 
 /// What has least to spare, and what is next.

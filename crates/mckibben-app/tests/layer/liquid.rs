@@ -51,7 +51,7 @@ fn a_bundle_shares_the_liquid() {
         asked(
             "design",
             json!({ "force_n": force_n, "contraction": 0.1, "max_pressure_mpa": 0.25, "model": "thick-wall",
-                "outer_diameter_mm": 32, "wall_mm": 1.5, "verify": "none", "liquid": "water", "bundle": bundle,
+                "outer_diameter_mm": 32, "wall_mm": 1.5, "verify": "none", "liquid": "water", "count": bundle,
                 "max_liquid_volume_mm3": max }),
         )
     };

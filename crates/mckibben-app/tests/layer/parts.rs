@@ -136,7 +136,7 @@ fn a_bundle_shares_the_requirement() {
     let tube = json!({ "outer_diameter_mm": { "low": 5, "high": 30 }, "wall_mm": 1, "force_n": 100 });
     let mut all = tube.clone();
     all["force_n"] = 700.into();
-    all["bundle"] = 7.into();
+    all["count"] = 7.into();
     let (one, seven) = (designed(tube), designed(all.clone()));
     let (a, b, bundle) = (&one["candidates"][0], &seven["candidates"][0], &seven["bundle"]);
     assert!((number(a, "outer_diameter_mm") / number(b, "outer_diameter_mm") - 1.0).abs() < 1e-9);
