@@ -4,10 +4,11 @@ use crate::limit::{Probe, probe_with};
 use crate::search::{Pick, Search};
 use crate::spec::THICK_WALL;
 use crate::trial::{Below, Trial};
-use crate::{Build, Check, Limit, OperatingPoint, Spec, fits};
+use crate::{BraidChoice, Build, Check, Limit, OperatingPoint, Spec, fits, tubes};
 use mckibben::analysis::{Evaluation, Options, find_root};
 use mckibben::model::ModelError;
-use mckibben::muscle::Muscle;
+use mckibben::muscle::{Braid, BraidStiffness, Muscle, MuscleError};
+use mckibben::sleeve::library;
 use mckibben::threads;
 use mckibben::units::Values;
 use serde::Serialize;
@@ -64,6 +65,25 @@ pub enum Relaxation {
         /// mm³.
         liquid_volume_mm3: f64,
     },
+    /// Take another sleeve.
+    Sleeve {
+        /// Its name.
+        sleeve: String,
+        /// The tube that goes with it.
+        tube: Option<String>,
+    },
+    /// Cast a tube of another rubber.
+    Rubber {
+        /// Its name.
+        rubber: String,
+        /// The tube, by name.
+        tube: String,
+    },
+    /// Take strands that are stiffer.
+    Stiffness {
+        /// Stiffness k of one strand family, N/mm.
+        family_stiffness_n_per_mm: f64,
+    },
     /// All of these together.
     Together {
         /// Each of them.
@@ -93,6 +113,20 @@ impl Relaxation {
             Self::Guided {} => limits.buckling = false,
             Self::MaxLiquidVolume { liquid_volume_mm3 } => {
                 limits.liquid_volume_mm3 = Some(*liquid_volume_mm3)
+            }
+            Self::Sleeve { sleeve, .. } => {
+                let braid = library::find(sleeve).map_err(MuscleError::from);
+                let braid = braid.and_then(|sleeve| sleeve.on(sleeve.diameters().0));
+                spec.braid =
+                    braid.map_or_else(|_| spec.braid.clone(), |braid| BraidChoice::Sleeves(vec![braid]));
+            }
+            Self::Rubber { rubber, tube } => {
+                let of_rubber = tubes::cast_of(rubber).unwrap_or_default();
+                spec.tubes = of_rubber.into_iter().filter(|part| part.name == *tube).collect();
+            }
+            Self::Stiffness { family_stiffness_n_per_mm: k } => {
+                let braid = Braid { stiffness: BraidStiffness::NewtonPerMm(*k), ..spec.base.braid().clone() };
+                spec.base = spec.base.with_braid(braid).unwrap_or_else(|_| spec.base.clone());
             }
             Self::Together { changes } => changes.iter().for_each(|change| change.apply(spec)),
         }

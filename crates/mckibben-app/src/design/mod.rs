@@ -68,11 +68,6 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         Some(unit) if winner.is_some() => Some(draw(&spec, &decide, &outcome, unit)?),
         _ => None,
     };
-    let hint = outcome.closest.as_ref().and_then(|closest| {
-        let stiffer = assumed::stiffer_sleeve(&spec, &decide, closest);
-        let by_parts = || assumed::that_fits(&spec, models, &CancelOnly(progress));
-        stiffer.or_else(|| request.braids.is_empty().then(by_parts).flatten())
-    });
     let is_sure = outcome.candidates.iter().any(|c| c.sure_pressure_mpa.is_some());
     let to_be_sure = match winner {
         Some(_) if spec.guaranteed.is_none() && !is_sure => {
@@ -97,11 +92,13 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         warnings.extend(not_measured(&c.muscle, c.highest_pressure_mpa)?);
     }
     let closest = outcome.closest.as_ref().map(|closest| {
-        let hints: Vec<String> = out_of_reach(&spec).into_iter().chain(hint).collect();
+        let parts = remedies::of_parts(request, &spec, models, closest, &CancelOnly(progress));
+        let changes = closest.relaxations.iter().cloned().chain(parts);
+        let has_stroke = request.stroke_mm.is_some() && request.contraction.is_none();
         ClosestAnswer {
             rejected: (&closest.rejected).into(),
-            relaxations: closest.relaxations.iter().map(|c| RelaxationAnswer::of(c, &spec.wanted)).collect(),
-            hint: (!hints.is_empty()).then(|| hints.join(" ")),
+            relaxations: changes.map(|change| RelaxationAnswer::of(change, &spec, has_stroke)).collect(),
+            hint: out_of_reach(&spec),
         }
     });
     Ok(DesignAnswer {
