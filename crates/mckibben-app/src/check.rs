@@ -2,8 +2,9 @@
 //! not known, how far it is from measured muscles, and what to measure first.
 
 use crate::{
-    MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question, QuestionFields, Result,
-    UncertaintyWords, Units, finite, muscle_fields::Stated, number, rows::said, said_of, usual_mpa,
+    MeasureValues, MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question, QuestionFields,
+    Result, UncertaintyWords, Units, finite, muscle_fields::stated, muscle_fields::stated_schema, number,
+    rows::said, said_of, usual_mpa,
 };
 use mckibben::analysis::{Burst, FailurePressure};
 use mckibben::muscle::{BuildSheet, Bulk, Muscle, MuscleKind};
@@ -51,7 +52,8 @@ pub struct CheckAnswer {
     pub stiffness_n_per_mm: Option<f64>,
     /// Measures that need not be stated.
     #[serde(flatten)]
-    pub stated: Stated,
+    #[schemars(schema_with = "stated_schema")]
+    pub stated: MeasureValues,
     /// Derived quantities.
     pub derived: Derived,
     /// Build sheet.
@@ -172,7 +174,7 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
             Bulk::Modulus(k) => Some(k),
         },
         stiffness_n_per_mm: muscle.family_stiffness_n_per_mm(),
-        stated: (&muscle).into(),
+        stated: stated(&muscle),
         derived: Derived {
             kind: muscle.kind(),
             inner_diameter_mm: muscle.inner_diameter_mm(),

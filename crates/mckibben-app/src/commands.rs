@@ -143,7 +143,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!(long "joint", JointRequest => JointAnswer, |r, progress| joint(&r, progress)),
         command!(long "motion", MotionRequest => MotionAnswer, |r, progress| motion(&r, progress)),
         command!(long "study", StudyRequest => StudyAnswer, |r, progress| study(&r, progress)),
-        command!(long "simulate", SimulateRequest => SimulateAnswer, |r, progress| with_files(&r, progress)),
+        command!(long "simulate", SimulateRequest => SimulateAnswer, |r, progress| simulate(&r, progress)),
         command!(long "validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
         command!(long "measured", MeasuredRequest => MeasuredAnswer, |r, progress| measured(&r, progress)),
         command!(long "sweep", SweepRequest => SweepAnswer, |r, progress| sweep(&r, progress)),
@@ -192,12 +192,12 @@ pub fn schema(command: &str) -> Result<Value, Problem> {
 /// # Ok::<(), mckibben_app::Problem>(())
 /// ```
 pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<String, Problem> {
-    within(&Cancel::current(), || Ok(of_text(command, request, progress)?.to_string()))
+    Ok(ask_value(command, parsed(request)?, progress)?.to_string())
 }
 
 /// The same for front ends whose language has lists and maps of its own: no text on the way.
 pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Result<Value, Problem> {
-    within(&Cancel::current(), || of_value(command, request, progress))
+    within(&Cancel::current(), || (find(command)?.read(request)?.0)(progress))
 }
 
 /// The same for front ends that draw: numbers of the answer's `arrays` (those of `shape`) as bytes.
@@ -206,7 +206,7 @@ pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Resu
 /// `arrays` is the count of its numbers in place of the numbers, then all numbers (32 bits each), array after array. All of it
 /// little-endian.
 pub fn ask_packed(command: &str, request: &str, progress: &dyn Progress) -> Result<Vec<u8>, Problem> {
-    within(&Cancel::current(), || Ok(packed(of_text(command, request, progress)?)))
+    Ok(packed(ask_value(command, parsed(request)?, progress)?))
 }
 
 /// An answer as [`ask_packed`] gives it.
@@ -228,13 +228,8 @@ pub fn packed(mut answer: Value) -> Vec<u8> {
     packed
 }
 
-fn of_text(command: &str, request: &str, progress: &dyn Progress) -> Result<Value, Problem> {
-    let request = serde_json::from_str(request).map_err(|e| not_understood(&e, None))?;
-    of_value(command, request, progress)
-}
-
-fn of_value(command: &str, value: Value, progress: &dyn Progress) -> Result<Value, Problem> {
-    (find(command)?.read(value)?.0)(progress)
+fn parsed(request: &str) -> Result<Value, Problem> {
+    serde_json::from_str(request).map_err(|e| not_understood(&e, None))
 }
 
 /// A request by its type, or a group of fields of one. To blame is the field without which something else is wrong, or nothing.

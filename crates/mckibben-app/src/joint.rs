@@ -6,9 +6,7 @@ use crate::{
 };
 use mckibben::joint::{Joint, JointError, JointMap, JointModel, JointPoint, Rest, Turning, parse_joint};
 use mckibben::warning::Warning;
-use mckibben::{
-    cancel, model::Workspace, muscle::Muscle, progress::Progress, size, threads, units::short_numbers,
-};
+use mckibben::{cancel, model::Workspace, muscle::Muscle, progress::Progress, size, threads};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -326,35 +324,6 @@ fn word(rest: &Rest) -> RestWord {
         Rest::Balance { stable: false, .. } => RestWord::Unstable,
         Rest::Limit { .. } => RestWord::Limit,
         Rest::Loose { .. } => RestWord::Loose,
-    }
-}
-
-impl From<JointError> for Problem {
-    fn from(error: JointError) -> Self {
-        let message = error.to_string();
-        match error {
-            JointError::Cancelled(cancelled) => cancelled.into(),
-            JointError::Muscle { error, .. } => {
-                let inner = Self::from(error);
-                Self { message: short_numbers(&message).into_owned(), ..inner }
-            }
-            JointError::OutOfReach { .. } => Self::new(
-                ProblemKind::NoAnswer,
-                message,
-                "a higher `max_pressure_mpa`, or a larger pulley or muscle",
-            ),
-            JointError::Angle { .. } => {
-                Self::new(ProblemKind::OutOfRange, message, "").in_field("angles_deg")
-            }
-            JointError::Pressures { muscles, .. } => {
-                let example = if muscles == 2 { "such as 2 bar and 1 bar" } else { "such as 2 bar" };
-                Self::new(ProblemKind::Usage, message, example).in_field("pressures_mpa")
-            }
-            JointError::OneMuscle => {
-                Self::new(ProblemKind::Usage, message, "").in_field("stiffness_nm_per_rad")
-            }
-            _ => Self::new(ProblemKind::File, message, ""),
-        }
     }
 }
 

@@ -5,7 +5,7 @@ use mckibben::{muscle::Muscle, progress::Progress, size};
 use mckibben_fit::validation::case::{self, CaseError, Measurement, MuscleCase};
 pub use mckibben_fit::validation::case::{CaseFiles as MeasuredFolder, Facts as MeasuredFacts};
 pub use mckibben_fit::validation::report::{FitResult as MeasuredFit, MeasuredBranch};
-use mckibben_fit::validation::report::{Group, ReportError, report};
+use mckibben_fit::validation::report::{Group, report};
 pub use mckibben_fit::validation::rubber::RubberFitResult as MeasuredRubberFit;
 use mckibben_fit::validation::rubber::{self, RubberCase, RubberGroup};
 use mckibben_report::Figure;
@@ -168,17 +168,5 @@ impl From<&CaseError> for Problem {
             _ => ProblemKind::File,
         };
         Self::new(kind, error.to_string(), "")
-    }
-}
-
-impl From<ReportError> for Problem {
-    fn from(error: ReportError) -> Self {
-        let message = error.to_string();
-        let problem = match error {
-            ReportError::Cancelled(cancelled) => return cancelled.into(),
-            ReportError::Fit(_, error) => Self::from(error),
-            ReportError::Rubber(_, error) => Self::from(error),
-        };
-        Self { message: mckibben::units::short_numbers(&message).into_owned(), ..problem }
     }
 }

@@ -1,6 +1,7 @@
 //! Why a request has no answer: one type for every front end.
 
 use mckibben::cancel::Cancel;
+use mckibben::joint::JointError;
 use mckibben::{
     analysis::AnalysisError, cancel::Cancelled, formula::FormulaError, load::LoadError, model::ModelError,
     muscle::file::FileError, rubber::library::LibraryError, size::TooLarge, study::StudyError,
@@ -11,10 +12,12 @@ use mckibben_design::{SpecError, SpreadError, ToleranceError};
 use mckibben_export::ExportError;
 use mckibben_fem::FemError;
 use mckibben_fit::identify::{IdentifyError, ParameterError};
+use mckibben_fit::validation::report::ReportError;
 use mckibben_fit::{
     least_squares::EstimateError, rubber::TensionFitError, rubber_over_time::OverTimeFitError,
 };
 use mckibben_io::table::TableError;
+use mckibben_report::FigureError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
@@ -199,22 +202,24 @@ impl std::error::Error for Problem {}
 /// What comes of a request.
 pub type Result<T, E = Problem> = std::result::Result<T, E>;
 
-/// Errors of the layers below in their own words: the kind of problem that each is, what to do about it and the field to blame; errors that are told
-/// as what they hold; and what is of another kind.
+/// Errors of the layers below in their words: the kind of problem that each is, what to do about it and the field to blame; errors that are told
+/// as what they hold (`of`), those with their sentence around it (`around`), and what is of another kind.
 macro_rules! problems {
-    ($($error:ident: $kind:ident $($hint:literal)? $(in $field:literal)? $(of $($inner:ident)+)? $({
-        $($of:pat => $own:ident $($advice:literal)? $(in $blamed:literal)?;)+
+    ($($error:ident: $kind:ident $($hint:literal)? $(in $field:literal)? $(of $($inner:ident)+)? $(, around $held:ident in ($outer:pat))* $({
+        $($variant:pat => $other:ident $($advice:literal)? $(in $blamed:literal)?;)+
     })?;)+) => {$(
         impl From<$error> for Problem {
             #[allow(unreachable_patterns, clippy::match_single_binding, reason = "some errors are all of one kind")]
             fn from(error: $error) -> Self {
+                let message = error.to_string();
                 let (kind, hint, field) = match error {
                     $($($error::$inner(inner) => return inner.into(),)+)?
-                    $($($of => (ProblemKind::$own, concat!("", $($advice)?), concat!("", $($blamed)?)),)+)?
+                    $($outer => return Self { message: short_numbers(&message).into_owned(), ..$held.into() },)*
+                    $($($variant => (ProblemKind::$other, concat!("", $($advice)?), concat!("", $($blamed)?)),)+)?
                     _ => (ProblemKind::$kind, concat!("", $($hint)?), concat!("", $($field)?)),
                 };
                 let field = (!field.is_empty()).then(|| field.to_owned());
-                Self { field, ..Self::new(kind, error.to_string(), hint) }
+                Self { field, ..Self::new(kind, message, hint) }
             }
         }
     )+};
@@ -229,6 +234,7 @@ problems! {
     ParameterError: Parameter;
     SpreadError: Tolerance "take smaller tolerances";
     ToleranceError: Quantity in "tolerance";
+    FigureError: Output;
     StudyError: NoAnswer of Model Analysis Muscle;
     FitError: Fit of Cancelled;
     SpecError: Specification of Cancelled {
@@ -257,6 +263,14 @@ problems! {
         TensionFitError::NoBetter { .. } => NoAnswer "take `terms` with a smaller number";
         TensionFitError::TooFew { .. } => Fit "take a law with fewer constants, or leave `up_to_stretch` out";
     };
+    JointError: File of Cancelled, around error in (JointError::Muscle { error, .. }) {
+        JointError::OutOfReach { .. } => NoAnswer "a higher `max_pressure_mpa`, or a larger pulley or muscle";
+        JointError::Angle { .. } => OutOfRange in "angles_deg";
+        JointError::Pressures { muscles: 2, .. } => Usage "such as 2 bar and 1 bar" in "pressures_mpa";
+        JointError::Pressures { .. } => Usage "such as 2 bar" in "pressures_mpa";
+        JointError::OneMuscle => Usage in "stiffness_nm_per_rad";
+    };
+    ReportError: Fit of Cancelled, around error in (ReportError::Fit(_, error)), around error in (ReportError::Rubber(_, error));
     OverTimeFitError: Fit of Law {
         OverTimeFitError::NotConverged { .. } => NotConverged "take `laws` with fewer constants";
     };

@@ -1,9 +1,9 @@
 //! Progress on a terminal, and the wish to stop by Ctrl-C.
 
-use crate::{Failure, number};
+use crate::{Problem, number};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mckibben::{cancel::Cancel, progress::Progress};
-use mckibben_app::Problem;
+use mckibben_app::ProblemKind;
 use signal_hook::{consts, flag};
 use std::fmt::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -31,14 +31,14 @@ pub fn cancel() -> Cancel {
 }
 
 /// Whether the work came to its own end: what came out of cancelled work is no answer, and is not written.
-pub fn ended() -> Result<(), Failure> {
-    Ok(cancel().check().map_err(Problem::from)?)
+pub fn ended() -> Result<(), Problem> {
+    Ok(cancel().check()?)
 }
 
 /// How a command ended: what it says that failed in cancelled work is no reason.
-pub fn last_word(done: Result<u8, Failure>) -> Result<u8, Failure> {
+pub fn last_word(done: Result<u8, Problem>) -> Result<u8, Problem> {
     match done {
-        Err(failure) if !failure.is_internal() => ended().and(Err(failure)),
+        Err(problem) if problem.kind != ProblemKind::Internal => ended().and(Err(problem)),
         done => done,
     }
 }

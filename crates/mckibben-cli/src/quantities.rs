@@ -1,17 +1,17 @@
 //! From the texts of flags to numbers.
 
-use crate::Failure;
+use crate::{Problem, bad_flag};
 use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_values, short_numbers};
 use mckibben_app::ProblemKind;
 use std::sync::OnceLock;
 
-pub fn quantity(flag: &str, text: &str, dimension: Dimension) -> Result<f64, Failure> {
-    let found = parse_quantity(text, dimension).map_err(|e| Failure::flag(flag, ProblemKind::Quantity, e))?;
+pub fn quantity(flag: &str, text: &str, dimension: Dimension) -> Result<f64, Problem> {
+    let found = parse_quantity(text, dimension).map_err(|e| bad_flag(flag, ProblemKind::Quantity, e))?;
     let text = text.trim();
     if dimension == Dimension::Volume && found != 0.0 && text.parse::<f64>().is_ok() {
         // Volumes are read in mL, and the unit inside is a thousandth of it.
         let message = format!("{flag}: \"{text}\" has no unit, and a bare number is mm³");
-        return Err(Failure::input(ProblemKind::Quantity, message, format!("write {text}mL or {text}mm3")));
+        return Err(Problem::new(ProblemKind::Quantity, message, format!("write {text}mL or {text}mm3")));
     }
     mind_the_unit(flag, text, dimension);
     Ok(found)
@@ -39,7 +39,7 @@ fn mind_the_unit(flag: &str, text: &str, dimension: Dimension) {
 }
 
 /// Refuses what is no contraction ratio. No muscle shortens by its whole length, so that `15` was meant as 15 %.
-pub fn check_contractions(flag: &str, text: &str, list: &[f64]) -> Result<(), Failure> {
+pub fn check_contractions(flag: &str, text: &str, list: &[f64]) -> Result<(), Problem> {
     let Some(&e) = list.iter().find(|e| e.abs() >= 1.0) else { return Ok(()) };
     let text = text.trim();
     let message = format!("{flag}: \"{text}\" is not a valid contraction ratio ΔL/L0, which lies below 1");
@@ -48,14 +48,14 @@ pub fn check_contractions(flag: &str, text: &str, list: &[f64]) -> Result<(), Fa
     } else {
         "write 15% or 0.15".to_owned()
     };
-    Err(Failure::input(ProblemKind::Quantity, message, hint))
+    Err(Problem::new(ProblemKind::Quantity, message, hint))
 }
 
 /// A list or range from a flag.
-pub fn values(flag: &str, text: &str, dimension: Dimension) -> Result<Values, Failure> {
+pub fn values(flag: &str, text: &str, dimension: Dimension) -> Result<Values, Problem> {
     let wrong = |e: RangeError| {
         let quantity = matches!(e, RangeError::Quantity(_));
-        Failure::flag(flag, if quantity { ProblemKind::Quantity } else { ProblemKind::Range }, e)
+        bad_flag(flag, if quantity { ProblemKind::Quantity } else { ProblemKind::Range }, e)
     };
     let found = parse_values(text, dimension).map_err(wrong)?;
     mind_the_unit(flag, text, dimension);

@@ -1,7 +1,7 @@
 //! The units in which this run shows quantities to people: those of `--units`; else those of the first pressure, force and length on the
 //! command line; else those of the file that asks; else MPa, N and mm. JSON and CSV have units of their own.
 
-use crate::{Asked, Flag};
+use crate::{Args, Flag};
 use mckibben_app::units::Units;
 use std::{borrow::Cow, sync::OnceLock};
 
@@ -24,12 +24,12 @@ static ASKED: OnceLock<Units> = OnceLock::new();
 static OF_FILE: OnceLock<Units> = OnceLock::new();
 
 /// Looks at a command line that was understood: at `--units`, else at the flags in the order in which they were typed.
-pub fn take(asked: &Asked) {
-    let named = asked.matches.try_get_one::<Box<Units>>("units").ok().flatten();
+pub fn take(args: &Args) {
+    let named = args.matches.try_get_one::<Box<Units>>("units").ok().flatten();
     let typed = || {
-        let flags = asked.flags.iter().filter(|flag| FLAGS.contains(&&*flag.long));
+        let flags = args.flags.iter().filter(|flag| FLAGS.contains(&&*flag.long));
         let one = |flag: &Flag| {
-            asked.matches.indices_of(&flag.id).into_iter().flatten().zip(asked.texts(&flag.id)).collect()
+            args.matches.indices_of(&flag.id).into_iter().flatten().zip(args.texts(&flag.id)).collect()
         };
         let mut texts: Vec<(usize, String)> = flags.flat_map(|flag| -> Vec<_> { one(flag) }).collect();
         texts.sort();

@@ -50,7 +50,7 @@ pub struct Flag {
     /// The field of the request that it fills.
     pub field: String,
     /// Whether the request has that field.
-    pub is_asked: bool,
+    pub is_in_request: bool,
     pub long: String,
     pub kind: Kind,
     aliases: Vec<String>,
@@ -234,7 +234,7 @@ impl Flag {
         Self {
             id: id.to_owned(),
             field: field.to_owned(),
-            is_asked: node.is_some(),
+            is_in_request: node.is_some(),
             value: value.unwrap_or_else(usual),
             long,
             aliases: names.collect(),

@@ -1,4 +1,4 @@
-//! A model bound to its muscle, asked for arrays.
+//! A model bound to its muscle, evaluated for arrays.
 
 use crate::{error::Wrong, run, value};
 use mckibben::progress::Progress;

@@ -1,18 +1,16 @@
 //! `simulate`: one finite-element test with everything it knows.
 
 mod answer;
-#[cfg(feature = "whole")]
-mod vtu;
+mod files;
 
 pub use answer::*;
-#[cfg(feature = "whole")]
-pub(crate) use vtu::with_files;
 
 use crate::{
     AskedPoint, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, Result,
     Units, burst_of, check_count, check_test, contractions, figure, forces, list, put_first, reach, said_of,
     steps, warnings,
 };
+use files::ShapeFiles;
 use mckibben::analysis::Evaluation;
 use mckibben::model::{ModelError, Response, Workspace, notes_of};
 use mckibben::muscle::{Ends, Muscle};
@@ -72,20 +70,11 @@ pub struct SimulateRequest {
     /// Add the deformed muscle of every point to the answer, as files that ParaView opens.
     #[serde(default)]
     pub vtu: bool,
+    /// In these files only the eighth of the muscle that `fe3d` computes; `fe` always gives the whole muscle.
+    #[serde(default)]
+    pub eighth: bool,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
-}
-
-/// Takes the shapes of a test, point by point: files for ParaView, a page.
-pub trait Shapes {
-    /// The muscle whose shapes come; nothing was wrong with the request.
-    fn begin(&mut self, muscle: &MuscleSummary) -> Result<()>;
-
-    /// The deformed muscle and what the model says about it.
-    fn add(&mut self, shape: Shape, response: &Response) -> Result<()>;
-
-    /// How much of the muscle of `fe3d` is wanted; `fe` always has all of it.
-    fn extent(&self) -> Extent;
 }
 
 /// The elements of a muscle between its ends.
@@ -134,12 +123,8 @@ impl Meshed {
 /// Most points of a test.
 const MOST_POINTS: usize = 100_000;
 
-/// One finite-element test. `shapes` takes the deformed muscle of every point that has an answer.
-pub fn simulate(
-    request: &SimulateRequest,
-    progress: &dyn Progress,
-    mut shapes: Option<&mut dyn Shapes>,
-) -> Result<SimulateAnswer> {
+/// One finite-element test.
+pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<SimulateAnswer> {
     check_test(request.test, request.contractions.is_some(), request.forces_n.is_some())?;
     if request.test == Test::Isotonic {
         let why = "`test` isotonic takes pulls (`forces_n`), and no contractions";
@@ -161,9 +146,8 @@ pub fn simulate(
     let deck =
         if request.deck { Some(written_deck(&meshed, &ends, request.test, &questions)?) } else { None };
     let summary = MuscleSummary::from(&muscle);
-    if let Some(shapes) = &mut shapes {
-        shapes.begin(&summary)?;
-    }
+    let extent = if request.eighth { Extent::Eighth } else { Extent::Whole };
+    let mut files = request.vtu.then(|| ShapeFiles::new(&summary));
     let mut simulated = Vec::with_capacity(questions.len());
     for (i, &asked) in questions.iter().enumerate() {
         progress.report(i, questions.len());
@@ -176,9 +160,9 @@ pub fn simulate(
         let solution = simulation.solve(workspace, given);
         cancel::check()?;
         let point = judged(&*simulation, workspace, asked, solution, request.two_sided);
-        if let (Ok(solution), Some(shapes)) = (&point.solution, &mut shapes) {
-            let shape = meshed.shape(workspace, &ends, &solution.response, shapes.extent())?;
-            shapes.add(shape, &solution.response)?;
+        if let (Ok(solution), Some(files)) = (&point.solution, &mut files) {
+            let shape = meshed.shape(workspace, &ends, &solution.response, extent)?;
+            files.add(shape, &solution.response)?;
         }
         simulated.push(point);
     }
@@ -200,7 +184,7 @@ pub fn simulate(
         limits: (&found).into(),
         figure,
         deck,
-        files: vec![],
+        files: files.map_or_else(Vec::new, ShapeFiles::all),
         problem,
         strands: muscle.braid().strands.is_some(),
         simulated,

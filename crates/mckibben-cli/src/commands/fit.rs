@@ -1,7 +1,7 @@
 //! `fit`: from a table of points to a formula.
 
 use crate::{
-    Asked, Bar, Failure, NO_ANSWER, Units, check_ending, files, listed, number, output::json, overwrite,
+    Args, Bar, NO_ANSWER, Problem, Units, check_ending, files, listed, number, output::json, overwrite,
     pairs, place, save, save_inside, tabled, value,
 };
 use mckibben::formula::Document;
@@ -14,12 +14,12 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 use std::path::Path;
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    let target = asked.path("output");
-    let Some(path) = asked.path("file") else { return report(asked) };
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let target = args.path("output");
+    let Some(path) = args.path("file") else { return report(args) };
     check_ending(target.as_deref(), &["json"])?;
-    let (tables, plots) = (asked.path("folder"), asked.path("plots"));
-    let mut request: FitRequest = asked.request()?;
+    let (tables, plots) = (args.path("folder"), args.path("plots"));
+    let mut request: FitRequest = args.request()?;
     if path.is_dir() || path.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet")) {
         request.campaign = Some(path);
     } else {
@@ -36,7 +36,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
         save_inside(folder, figures, overwrite())?;
     }
     save(target.as_deref(), answer.formula_file().as_bytes())?;
-    asked.print(&answer, "terms", || as_text(&answer, target.as_deref()))
+    args.print(&answer, "terms", |answer, _| as_text(answer, target.as_deref()))
 }
 
 /// All tables in one file.
@@ -46,7 +46,7 @@ struct Tables<'a> {
     tables: Map<String, Value>,
 }
 
-fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Failure> {
+fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Problem> {
     let (mut tables, mut files) = (Map::new(), vec![]);
     for table in std::mem::take(&mut answer.tables) {
         files.push((format!("{}.csv", table.name), table.to_csv()));
@@ -155,15 +155,16 @@ fn signs_text(m: &PaperMethod) -> String {
     out + &tabled(&rows, "outer_diameter_mm=D0 statement pairs holds", &Units::default())
 }
 
-fn report(asked: &Asked) -> Result<u8, Failure> {
+fn report(args: &Args) -> Result<u8, Problem> {
     let answer = fit_report(&FitReportRequest {}, &Bar::new("steps"))?;
-    asked.show(&answer, "findings", || report_text(&answer))?;
+    args.show(&answer, "findings", report_text)?;
     Ok(if answer.findings.iter().all(|f| f.ok) { 0 } else { NO_ANSWER })
 }
 
 const FINDINGS: &str = "at_most_of_blocked=at_most:3~% max_of_blocked=largest:3% rms_of_blocked=rms:3% max_of_isobar=(12):3% max_n=largest:3 points comparison outer_diameter_mm=worst_at_D0 wall_mm=s pressure_mpa=P contraction=ε";
 
-fn report_text(r: &Results) -> String {
+/// All is in the units of the formula.
+fn report_text(r: &Results, _: &Units) -> String {
     let u = Units::default();
     let mut out = String::from(
         "In % of the finite elements' blocked force of the same muscle at 0.25 MPa, over points where they pull\n\n",

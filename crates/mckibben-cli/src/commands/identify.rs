@@ -1,44 +1,41 @@
 //! `identify`: constants of a muscle from points.
 
 use crate::{
-    Asked, Bar, Failure, Units, check_ending, listed, pairs, percent, place, save, shown, table, tabled,
-    understood, value, values,
+    Args, Bar, Problem, Units, check_ending, listed, pairs, percent, place, save, table, tabled, understood,
+    value, values,
 };
 use mckibben::{muscle::Bench, units::Dimension};
 use mckibben_app::{IdentifyAnswer, IdentifyRequest, with_error_bar};
 use mckibben_fit::identify::Identification;
 use serde_json::json;
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    let target = asked.path("output");
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let target = args.path("output");
     check_ending(target.as_deref(), &["toml"])?;
-    let mut answer = mckibben_app::identify(&request(asked)?, &Bar::new("points"))?;
-    asked.draw(&mut answer.figure)?;
+    let mut answer = mckibben_app::identify(&request(args)?, &Bar::new("points"))?;
+    args.draw(&mut answer.figure)?;
     save(target.as_deref(), answer.muscle_file.as_bytes())?;
-    let text = || {
-        let written = target.as_ref().map(|path| format!("\nThe muscle is in {}.\n", place(path)));
-        as_text(&answer, &shown::units()) + &written.unwrap_or_default()
-    };
-    asked.print(&answer, "points", text)
+    let written = target.map(|path| format!("\nThe muscle is in {}.\n", place(&path)));
+    args.print(&answer, "points", |answer, u| as_text(answer, u) + &written.unwrap_or_default())
 }
 
-fn request(asked: &Asked) -> Result<IdentifyRequest, Failure> {
+fn request(args: &Args) -> Result<IdentifyRequest, Problem> {
     // -D and -s may be lists of a formula's muscles.
     let mut lists = vec![];
     for (field, flag, list) in
         [("outer_diameter_mm", "--outer-diameter", "outer_diameters_mm"), ("wall_mm", "--wall", "walls_mm")]
     {
-        let Some(text) = asked.text(field).filter(|_| asked.text("formula").is_some()) else { continue };
+        let Some(text) = args.text(field).filter(|_| args.text("formula").is_some()) else { continue };
         let several = values(flag, &text, Dimension::Length)?.sampled(4);
         lists.extend((several.len() > 1).then_some((field, list, several)));
     }
     let without: Vec<&str> = lists.iter().map(|l| l.0).collect();
-    let mut fields = asked.fields_without(&without)?;
+    let mut fields = args.fields_without(&without)?;
     fields.extend(lists.into_iter().map(|(_, list, several)| (list.to_owned(), json!(several))));
-    if asked.is("robust") {
+    if args.is("robust") {
         fields.insert("loss".into(), "huber".into());
     }
-    Ok(mckibben_app::understood(&fields.into())?)
+    mckibben_app::understood(&fields.into())
 }
 
 const PARAMETERS: &str =

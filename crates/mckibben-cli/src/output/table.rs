@@ -1,6 +1,6 @@
 //! The columns of a table: those of the rows' schema, so that they are the same whatever the values.
 
-use crate::failure::Failure;
+use crate::Problem;
 use mckibben_app::ProblemKind;
 use mckibben_io::clean::cell;
 use serde_json::{Map, Value};
@@ -158,9 +158,9 @@ pub fn text(value: Option<&Value>) -> Option<String> {
     }
 }
 
-pub fn csv(table: &Table) -> Result<Vec<u8>, Failure> {
+pub fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
     let broken =
-        |e: &dyn std::fmt::Display| Failure::input(ProblemKind::Output, format!("cannot make CSV: {e}"), "");
+        |e: &dyn std::fmt::Display| Problem::new(ProblemKind::Output, format!("cannot make CSV: {e}"), "");
     let mut writer = ::csv::Writer::from_writer(vec![]);
     writer.write_record(table.columns.iter().map(|c| cell(&c.0).into_owned())).map_err(|e| broken(&e))?;
     for object in table.rows.iter().filter_map(Value::as_object) {

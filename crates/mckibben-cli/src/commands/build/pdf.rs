@@ -1,6 +1,6 @@
 //! The report as PDF, printed by a browser.
 
-use crate::{Failure, progress};
+use crate::{Problem, progress};
 use mckibben_app::ProblemKind;
 use std::process::{Command, Stdio};
 use std::{fs::File, io, time::Duration};
@@ -16,7 +16,7 @@ const TICK: Duration = Duration::from_millis(20);
 const SWEEPS: usize = 20;
 
 /// A browser that prints.
-pub(super) fn browser() -> Result<&'static str, Failure> {
+pub(super) fn browser() -> Result<&'static str, Problem> {
     let names = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "msedge"];
     let runs = |name: &&&str| {
         let quiet = Command::new(name).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
@@ -25,15 +25,15 @@ pub(super) fn browser() -> Result<&'static str, Failure> {
     names.iter().find(runs).copied().ok_or_else(|| {
         let message = "a PDF needs Chromium or Chrome, which is not installed";
         let hint = "install chromium, or write FILE.html and print that from any browser";
-        Failure::input(ProblemKind::Output, message, hint)
+        Problem::new(ProblemKind::Output, message, hint)
     })
 }
 
 /// The page as PDF.
-pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Failure> {
+pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Problem> {
     let wrong = |why: io::Error| {
         let message = format!("{browser} could not print the page: {why}");
-        Failure::input(ProblemKind::Output, message, "print the HTML page")
+        Problem::new(ProblemKind::Output, message, "print the HTML page")
     };
     let (folder, _lock) = folder().map_err(&wrong)?;
     let (page, pdf) = (folder.path().join("report.html"), folder.path().join("report.pdf"));
