@@ -53,7 +53,7 @@ pub struct BraidDetails {
     pub strands: Option<u32>,
     /// Whether that number is stated; otherwise it and the stiffness are upper bounds.
     pub strands_stated: bool,
-    /// Where that comes from, where not from the sleeve's own source.
+    /// Where that comes from, where not from the source of the sleeve.
     pub modulus_source: Option<String>,
     /// What its source does not state and its stiffness needs: keys of a muscle file.
     pub missing: Vec<String>,

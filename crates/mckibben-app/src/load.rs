@@ -86,14 +86,14 @@ pub(crate) fn loaded(
     let mut stable: Vec<(f64, Option<Balance>)> = vec![];
     let mut at = vec![];
     for &pressure_mpa in pressures_mpa {
-        let found = evaluation.balances(&load, pressure_mpa);
+        let balances = evaluation.balances(&load, pressure_mpa);
         cancel::check()?;
-        let (found, error) = match found {
-            Ok(found) => (found, None),
+        let (equilibria, error) = match balances {
+            Ok(equilibria) => (equilibria, None),
             Err(error) => (vec![], Some(error)),
         };
-        stable.push((pressure_mpa, found.iter().find(|b| b.stable).cloned()));
-        at.push(LoadedAt { pressure_mpa, equilibria: found, error });
+        stable.push((pressure_mpa, equilibria.iter().find(|b| b.stable).cloned()));
+        at.push(LoadedAt { pressure_mpa, equilibria, error });
     }
     let least = stable.iter().min_by(|a, b| a.0.total_cmp(&b.0));
     let most = stable.iter().max_by(|a, b| a.0.total_cmp(&b.0));

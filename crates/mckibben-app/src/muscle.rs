@@ -19,7 +19,7 @@ impl MuscleFields {
         })
     }
 
-    /// A muscle with the fields' values in place of its own.
+    /// A muscle with the fields' values in place of those of the base.
     pub fn over(&self, base: &Muscle) -> Result<Muscle, Problem> {
         Ok(Muscle::from_parts(self.stated()?.over(base)?)?.with_bench_of(base))
     }
@@ -50,7 +50,7 @@ impl MuscleFields {
     }
 
     /// What the fields are of a muscle, each as it may be given; none where it has none of a name or a number.
-    pub fn of(muscle: &Muscle) -> Self {
+    pub fn from_muscle(muscle: &Muscle) -> Self {
         let (tube, braid) = (muscle.tube(), muscle.braid());
         let section = braid.strands.and_then(|strands| strands.section);
         let diameter_mm = |(area, _): (f64, f64)| (4.0 * area / PI).sqrt();

@@ -60,7 +60,7 @@ impl<const N: usize> From<[(&'static Measure, f64); N]> for MuscleFields {
 
 impl MuscleFields {
     /// A muscle file alone.
-    pub fn of_file(file: TextFile) -> Self {
+    pub fn from_file(file: TextFile) -> Self {
         NamedFields { muscle: Some(file), ..NamedFields::default() }.into()
     }
 }

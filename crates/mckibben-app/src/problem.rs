@@ -135,7 +135,7 @@ pub struct Nearest {
 
 /// Why a request has no answer.
 ///
-/// Message and hint name fields of the request in backquotes (`` `pressure_mpa` ``), so that a front end can put its own
+/// Message and hint name fields of the request in backquotes (`` `pressure_mpa` ``), so that a front end can put its
 /// word for them in place.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -99,13 +99,13 @@ pub struct RubberFitAnswer {
     /// What receives the rubber.
     #[serde(skip)]
     receiver: Receiver,
-    /// Relaxation, where it was asked for.
+    /// Relaxation, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub relaxation: Option<PronyFit>,
-    /// Softening, where it was asked for.
+    /// Softening, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub softening: Option<SofteningFit>,
-    /// The figure, where it was asked for.
+    /// The figure, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
 }
@@ -272,7 +272,7 @@ impl RubberFitRequest {
         })
     }
 
-    /// The laws that are asked for; none means all that the points determine.
+    /// The requested laws; none means all that the points determine.
     fn forms(&self) -> Result<Vec<Form>> {
         let mut forms: Vec<Form> = vec![];
         if self.laws.is_empty() && self.terms.is_none() {
@@ -285,14 +285,14 @@ impl RubberFitRequest {
         Problem::refuse_unused(&[("terms", alone)], "none of these `laws` has a selectable number of terms")?;
         let all = ["all".to_owned()];
         for word in if self.laws.is_empty() { &all[..] } else { &self.laws } {
-            let found = if word.trim() == "all" { Form::all() } else { Form::parse(word) };
-            if found.is_empty() {
+            let named = if word.trim() == "all" { Form::all() } else { Form::parse(word) };
+            if named.is_empty() {
                 let short: String = word.trim().chars().take(60).collect();
                 let hint = format!("known: {}, all", Form::words().join(", "));
                 let message = format!("there is no law \"{short}\"");
                 return Err(Problem::new(ProblemKind::Rubber, message, hint).in_field("laws"));
             }
-            for form in found {
+            for form in named {
                 let wanted = form.terms().is_none_or(|n| self.terms.is_none_or(|wanted| n == wanted));
                 if wanted && !forms.contains(&form) {
                     forms.push(form);

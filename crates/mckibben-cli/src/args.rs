@@ -103,7 +103,7 @@ impl Args {
         Ok(out)
     }
 
-    /// L0 of the muscle that is asked about.
+    /// L0 of the muscle of the request.
     fn rest_length_mm(&self, fields: &Map<String, Value>, flag: &Flag) -> Result<f64, Problem> {
         let of_one = ["muscle", "outer_diameter_mm", "length_mm"];
         let is_one = |field: &&str| self.request["properties"][*field]["x-quantity"] == "length";
@@ -190,12 +190,12 @@ impl Flag {
             _ => Ok(()),
         };
         let numbers = |text: &str, dimension| -> Result<Value, Problem> {
-            let found = values(&flag, text, dimension)?;
-            if self.field == "strand_length_per_turn_mm" && matches!(found, Values::Interval(..)) {
+            let range = values(&flag, text, dimension)?;
+            if self.field == "strand_length_per_turn_mm" && matches!(range, Values::Interval(..)) {
                 let message = format!("{flag}: give the sleeves that are sold as a list");
                 return Err(Problem::new(ProblemKind::Range, message, "such as 90,110,130mm"));
             }
-            let list = found.sampled(DIVISIONS);
+            let list = range.sampled(DIVISIONS);
             of_contraction(text, &list)?;
             Ok(json!(list))
         };

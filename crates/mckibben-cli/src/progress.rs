@@ -30,7 +30,7 @@ pub fn cancel() -> Cancel {
     Arc::clone(&STOPPED).into()
 }
 
-/// Whether the work came to its own end: what came out of cancelled work is no answer, and is not written.
+/// Refuses the result of cancelled work: what came out of cancelled work is no answer, and is not written.
 pub fn ended() -> Result<(), Problem> {
     Ok(cancel().check()?)
 }
@@ -50,7 +50,7 @@ pub fn no_signal_for_long_files() {
     let _ = flag::register(consts::SIGXFSZ, Arc::default());
 }
 
-/// Whether a signal asked for the end. From the first call on the first signal no longer ends the program by itself; the
+/// Whether a signal came that ends a process. From the first call on the first signal no longer ends the program by itself; the
 /// second one does.
 pub fn stopped() -> bool {
     static TAKEN: Once = Once::new();

@@ -6,15 +6,15 @@ use mckibben_app::ProblemKind;
 use std::sync::OnceLock;
 
 pub fn quantity(flag: &str, text: &str, dimension: Dimension) -> Result<f64, Problem> {
-    let found = parse_quantity(text, dimension).map_err(|e| bad_flag(flag, ProblemKind::Quantity, e))?;
+    let value = parse_quantity(text, dimension).map_err(|e| bad_flag(flag, ProblemKind::Quantity, e))?;
     let text = text.trim();
-    if dimension == Dimension::Volume && found != 0.0 && text.parse::<f64>().is_ok() {
+    if dimension == Dimension::Volume && value != 0.0 && text.parse::<f64>().is_ok() {
         // Volumes are read in mL, and the unit inside is a thousandth of it.
         let message = format!("{flag}: \"{text}\" has no unit, and a bare number is mm³");
         return Err(Problem::new(ProblemKind::Quantity, message, format!("write {text}mL or {text}mm3")));
     }
     mind_the_unit(flag, text, dimension);
-    Ok(found)
+    Ok(value)
 }
 
 /// What to mind about the unit of a pressure that was typed.
@@ -57,9 +57,9 @@ pub fn values(flag: &str, text: &str, dimension: Dimension) -> Result<Values, Pr
         let quantity = matches!(e, RangeError::Quantity(_));
         bad_flag(flag, if quantity { ProblemKind::Quantity } else { ProblemKind::Range }, e)
     };
-    let found = parse_values(text, dimension).map_err(wrong)?;
+    let values = parse_values(text, dimension).map_err(wrong)?;
     mind_the_unit(flag, text, dimension);
-    Ok(found)
+    Ok(values)
 }
 
 /// What a bare pressure as high as no muscle bears may have been meant to be.

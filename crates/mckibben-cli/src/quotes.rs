@@ -5,7 +5,7 @@ use mckibben::units::{Dimension, parse_values};
 use mckibben_app::ProblemKind;
 use std::path::Path;
 
-/// A quantity whose unit is an argument of its own, because a quote is missing: `-p 2 bar`. Only where that argument is no file, so that
+/// A quantity whose unit is a separate argument, because a quote is missing: `-p 2 bar`. Only where that argument is no file, so that
 /// the command line would be refused anyway, with a stranger reason.
 pub fn check_quotes(args: &[String]) -> Result<(), Problem> {
     let bare = |text: &str| text.parse::<f64>().is_ok() || parse_values(text, Dimension::Ratio).is_ok();

@@ -1,4 +1,4 @@
-//! A model bound to its muscle and asked for many points, for front ends that hold arrays of numbers.
+//! A model bound to its muscle and evaluated at many points, for front ends that hold arrays of numbers.
 //!
 //! A request in JSON is one question; here the same question is put to lists of numbers, without text on the way: F(P, ε), or its
 //! inverses P(F, ε) and ε(F, P), with the derivatives that the model has ([`slopes`]). What a point answers is what
@@ -15,7 +15,7 @@ use mckibben_fit::identify::Target;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// What is asked of each pair of numbers.
+/// The quantity that follows from each pair of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PointQuantity {
     /// F in N, of P in MPa and ε.
@@ -35,7 +35,7 @@ pub enum Unanswered {
     NotANumber,
 }
 
-/// How many points are asked.
+/// How many points are answered.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Many {
     pub wanted: PointQuantity,
@@ -106,7 +106,7 @@ impl BoundModel {
         &self.model.info().name
     }
 
-    /// How it is asked.
+    /// How it is evaluated.
     pub fn options(&self) -> Options {
         self.options
     }
@@ -141,7 +141,7 @@ impl BoundModel {
     }
 
     /// Answers every pair, each into its [`Many::width`] places of `out`, on the threads of the process; returns how many have no
-    /// answer. What is found does not depend on the number of threads.
+    /// answer. The numbers do not depend on the number of threads.
     pub fn fill(
         &self,
         pairs: [&[f64]; 2],
@@ -178,7 +178,7 @@ impl BoundModel {
             let mut workspace = Workspace::new();
             for (i, places) in part.chunks_mut(BLOCK * width).enumerate() {
                 let (from, length) = (place / width + i * BLOCK, places.len() / width);
-                // What is behind a point without an answer is not asked for.
+                // Points behind one without an answer are left out.
                 if from > first.load(Ordering::Relaxed) || progress.cancelled() {
                     return;
                 }

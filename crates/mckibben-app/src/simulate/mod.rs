@@ -6,7 +6,7 @@ mod files;
 pub use answer::*;
 
 use crate::{
-    AskedPoint, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, Result,
+    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, RequestedPoint, Result,
     Units, burst_of, check_count, check_test, contractions, figure, forces, list, put_first, reach, said_of,
     steps, warnings,
 };
@@ -26,10 +26,10 @@ use mckibben_fem::{
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// One point of the test: what was asked, and what came out.
+/// One point of the test: the request and the solution.
 #[derive(Debug, Clone)]
 pub struct Simulated {
-    pub asked: AskedPoint,
+    pub requested: RequestedPoint,
     pub solution: Result<Solution, FemError>,
     /// Whether the muscle would have to push, and lies slack instead.
     pub slack: bool,
@@ -84,7 +84,7 @@ enum Meshed {
 }
 
 impl Meshed {
-    fn of(elements: &Elements, muscle: &Muscle) -> Result<Self, FemError> {
+    fn new(elements: &Elements, muscle: &Muscle) -> Result<Self, FemError> {
         Ok(match elements {
             Elements::Axisymmetric(spec) => {
                 Self::Axisymmetric(Box::new(Axisymmetric::with_mesh(muscle, spec)?))
@@ -140,7 +140,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     model.admit(&muscle)?;
     let (ends, inner) = (muscle.ends(), muscle.between_ends());
     let meshed =
-        Meshed::of(elements, &inner).map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
+        Meshed::new(elements, &inner).map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
     let (simulation, workspace) = (meshed.simulation(&muscle), &mut Workspace::new());
     let questions = request.questions(&*simulation, workspace)?;
     let deck =
@@ -149,17 +149,17 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     let extent = if request.eighth { Extent::Eighth } else { Extent::Whole };
     let mut files = request.vtu.then(|| ShapeFiles::new(&summary));
     let mut simulated = Vec::with_capacity(questions.len());
-    for (i, &asked) in questions.iter().enumerate() {
+    for (i, &requested) in questions.iter().enumerate() {
         progress.report(i, questions.len());
         progress.check()?;
-        let pressure_mpa = asked.pressure_mpa;
-        let given = match (asked.contraction, asked.force_n) {
+        let pressure_mpa = requested.pressure_mpa;
+        let given = match (requested.contraction, requested.force_n) {
             (None, Some(force_n)) => Given::PressureAndPull { pressure_mpa, force_n },
             (contraction, _) => Given::at(pressure_mpa, contraction.unwrap_or(0.0)),
         };
         let solution = simulation.solve(workspace, given);
         cancel::check()?;
-        let point = judged(&*simulation, workspace, asked, solution, request.two_sided);
+        let point = judged(&*simulation, workspace, requested, solution, request.two_sided);
         if let (Ok(solution), Some(files)) = (&point.solution, &mut files) {
             let shape = meshed.shape(workspace, &ends, &solution.response, extent)?;
             files.add(shape, &solution.response)?;
@@ -172,16 +172,16 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     let figure = figure.map(|unit| figure::simulate(&summary, request.test, &simulated, unit));
     let pulling = simulated.iter().filter(|s| !s.slack).filter_map(|s| s.solution.as_ref().ok());
     let mut warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
-    let found = burst_of(&model, &*simulation)?;
+    let burst = burst_of(&model, &*simulation)?;
     let highest_mpa = questions.iter().map(|q| q.pressure_mpa).fold(0.0, f64::max);
-    put_first(&mut warnings, said_of(&found, highest_mpa, QUIET_MPA));
+    put_first(&mut warnings, said_of(&burst, highest_mpa, QUIET_MPA));
     Ok(SimulateAnswer {
         model: name.into(),
         test: request.test,
         muscle: summary,
         notes: notes_of(&*simulation, workspace),
         warnings,
-        limits: (&found).into(),
+        limits: (&burst).into(),
         figure,
         deck,
         files: files.map_or_else(Vec::new, ShapeFiles::all),
@@ -192,8 +192,8 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
 }
 
 impl SimulateRequest {
-    /// What is asked of each point, curve by curve.
-    fn questions(&self, model: &dyn Simulation, workspace: &mut Workspace) -> Result<Vec<AskedPoint>> {
+    /// The requested points, curve by curve.
+    fn questions(&self, model: &dyn Simulation, workspace: &mut Workspace) -> Result<Vec<RequestedPoint>> {
         let pressures = list("pressures_mpa", &self.pressures_mpa, || steps(5, 0.05, 0.25))?;
         let mut contractions = contractions(&self.contractions, || {
             if self.test == Test::Isobaric && !self.of_largest {
@@ -202,8 +202,8 @@ impl SimulateRequest {
                 steps(3, 0.0, 0.2)
             }
         })?;
-        let asked = Options { two_sided: true, ..Options::default() };
-        let forces = forces(&self.forces_n, model.muscle(), asked)?;
+        let options = Options { two_sided: true, ..Options::default() };
+        let forces = forces(&self.forces_n, model.muscle(), options)?;
         if self.of_largest {
             let highest = pressures.iter().copied().fold(0.0, f64::max);
             let largest = free_contraction(model, workspace, highest).map_err(Problem::from)?;
@@ -218,7 +218,7 @@ impl SimulateRequest {
             let message = format!("{low} MPa is below zero");
             return Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressures_mpa"));
         }
-        let at = |pressure_mpa, (contraction, force_n)| AskedPoint { pressure_mpa, contraction, force_n };
+        let at = |pressure_mpa, (contraction, force_n)| RequestedPoint { pressure_mpa, contraction, force_n };
         Ok(match self.test {
             Test::Isobaric => pressures.iter().flat_map(|&p| held.iter().map(move |&h| at(p, h))).collect(),
             _ => held.iter().flat_map(|&h| pressures.iter().map(move |&p| at(p, h))).collect(),
@@ -230,12 +230,13 @@ impl SimulateRequest {
 fn judged(
     model: &dyn Simulation,
     workspace: &mut Workspace,
-    asked: AskedPoint,
+    requested: RequestedPoint,
     solution: Result<Solution, FemError>,
     two_sided: bool,
 ) -> Simulated {
-    let pressure_mpa = asked.pressure_mpa;
-    let shortened = asked.contraction.filter(|e| *e > 0.0 && !two_sided && !model.muscle().is_extensile());
+    let pressure_mpa = requested.pressure_mpa;
+    let shortened =
+        requested.contraction.filter(|e| *e > 0.0 && !two_sided && !model.muscle().is_extensile());
     let (free_contraction, slack) = match (shortened, &solution) {
         (Some(_), Ok(s)) if s.response.force_n < 0.0 => {
             (free_contraction(model, workspace, pressure_mpa).ok(), true)
@@ -261,7 +262,7 @@ fn judged(
         }
         s
     });
-    Simulated { asked, solution, slack, free_contraction, status }
+    Simulated { requested, solution, slack, free_contraction, status }
 }
 
 /// Where every point fails: the first reason.
@@ -274,7 +275,7 @@ fn all_failed(points: &[Simulated]) -> Option<Problem> {
 }
 
 /// The input deck of an isometric test with three-dimensional elements.
-fn written_deck(meshed: &Meshed, ends: &Ends, test: Test, questions: &[AskedPoint]) -> Result<String> {
+fn written_deck(meshed: &Meshed, ends: &Ends, test: Test, questions: &[RequestedPoint]) -> Result<String> {
     let wrong = |message: String| {
         let hint =
             "an example: an isometric test of fe3d at one contraction, with pressures from 0.01 to 0.25 MPa";

@@ -61,7 +61,7 @@ fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Problem> {
 const FORMULA: &str = "name kind form equation range made_for.length_mm=L0 made_for.angle_deg=θ0 made_for.rubber.name=rubber made_for.rubber.law=law made_for.rubber.constants=constants made_for.braid=braid provenance.method=method provenance.points=points provenance.table=table provenance.data_hash=data provenance.plan_hash=plan provenance.version=mckibben";
 const ERRORS: &str = "name=points_that_pull points=number muscles rms_of_blocked=rms:3% p95_of_blocked=95_%_of_them:3% p99_of_blocked=99_%:3% max_of_blocked=largest:3% max_of_isobar=(12):3% max_n=largest:3~";
 
-/// A formula with its errors, and with its terms where they are asked for. All is in the units of the formula.
+/// A formula with its errors, and with its terms if `terms` is true. All is in the units of the formula.
 pub fn formula_text(formula: &Document, terms: bool) -> String {
     let (f, u) = (value(formula), Units::default());
     let mut out = pairs(&listed(&f, FORMULA, &u));
@@ -101,15 +101,15 @@ fn error_rows(errors: &Value) -> Vec<Value> {
 /// A fitted formula, and where it was written.
 fn as_text(answer: &FitAnswer, output: Option<&Path>) -> String {
     let mut out = formula_text(&answer.formula, answer.fitted.is_none());
-    out.extend(answer.fitted.as_ref().map(|fitted| way(fitted, answer.failed)));
+    out.extend(answer.fitted.as_ref().map(|fitted| intermediate(fitted, answer.failed)));
     if let Some(path) = output {
         out.push_str(&format!("\nThe formula is in {0}: --model {0}\n", place(path)));
     }
     out
 }
 
-/// What was found on the way to a formula for muscles of one make.
-fn way(f: &FittedFormula, failed: usize) -> String {
+/// Intermediate results of a formula for muscles of one make.
+fn intermediate(f: &FittedFormula, failed: usize) -> String {
     let mut out = format!("\n{} points were not used, {failed} had no answer\n", f.unused);
     if let Some(g) = &f.global {
         out += &format!("{} of {} candidate terms", g.terms.terms.len(), g.candidates);

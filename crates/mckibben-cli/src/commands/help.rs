@@ -9,11 +9,11 @@ use mckibben_app::ProblemKind;
 /// Prints the help of a command.
 pub fn run(args: &Args) -> Result<u8, Problem> {
     let (mut root, words) = (built(), args.texts("command"));
-    let mut found = &mut root;
+    let mut command = &mut root;
     for word in &words {
-        found = found.find_subcommand_mut(word).ok_or_else(|| unknown(&words))?;
+        command = command.find_subcommand_mut(word).ok_or_else(|| unknown(&words))?;
     }
-    found.print_long_help().map_err(|e| unprinted(&e))?;
+    command.print_long_help().map_err(|e| unprinted(&e))?;
     Ok(0)
 }
 
@@ -21,8 +21,8 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
 pub fn man(args: &Args) -> Result<u8, Problem> {
     let (root, words) = (built(), args.texts("command"));
     let Some(folder) = args.path("output") else {
-        let found = words.iter().try_fold(&root, |found, word| found.find_subcommand(word));
-        emit(page(found.ok_or_else(|| unknown(&words))?)?, None)?;
+        let command = words.iter().try_fold(&root, |command, word| command.find_subcommand(word));
+        emit(page(command.ok_or_else(|| unknown(&words))?)?, None)?;
         return Ok(0);
     };
     let (mut left, mut pages) = (vec![&root], vec![]);

@@ -43,11 +43,11 @@ const PARAMETERS: &str =
 const RESIDUALS: &str = "rms_n=rms_of_the_residuals:3 rms_before_n=at_the_start:3 max_n=largest:3 largest_n=largest_force:5 bench=this_bench";
 
 fn as_text(answer: &IdentifyAnswer, u: &Units) -> String {
-    let (found, mut all) = (&answer.found, value(answer));
+    let (identified, mut all) = (&answer.identified, value(answer));
     let (points, muscle) = (answer.points.len(), answer.muscle.line(u));
     let mut out = understood(&answer.understood);
     out += &format!("model {}, {points} points of {}\n{muscle}\n\n", answer.model, answer.data);
-    let rows = found.parameters.iter().map(|p| {
+    let rows = identified.parameters.iter().map(|p| {
         let mut row = value(p);
         let (value, bar) = with_error_bar(p);
         (row["shown"], row["bar"]) = (value.into(), bar.into());
@@ -62,15 +62,15 @@ fn as_text(answer: &IdentifyAnswer, u: &Units) -> String {
         row
     });
     out += &tabled(&rows.collect::<Vec<_>>(), PARAMETERS, u);
-    if found.parameters.len() > 1 {
-        out += &correlation(found);
+    if identified.parameters.len() > 1 {
+        out += &correlation(identified);
     }
     let largest = answer.points.iter().map(|p| p.point.at.force_n).fold(0.0, f64::max);
     all["largest_n"] = Some(largest).filter(|n| *n > 0.0).into();
-    let bench = found.bench.as_ref().filter(|_| answer.muscle_file.contains("\n[identified]"));
+    let bench = identified.bench.as_ref().filter(|_| answer.muscle_file.contains("\n[identified]"));
     all["bench"] = bench.map(|bench| bench_text(bench, u)).into();
     out += &format!("\n{}", pairs(&listed(&all, RESIDUALS, u)));
-    out += &tabled(&found.spreads, "of=_ points rms_n:3 max_n=largest:3 mean_n:3", u);
+    out += &tabled(&identified.spreads, "of=_ points rms_n:3 max_n=largest:3 mean_n:3", u);
     if !answer.laws.is_empty() {
         out += &laws(answer, u);
     }
@@ -115,12 +115,13 @@ fn laws(answer: &IdentifyAnswer, u: &Units) -> String {
     out
 }
 
-fn correlation(found: &Identification) -> String {
-    let names: Vec<&str> = found.parameters.iter().map(|p| p.name.as_str()).collect();
+fn correlation(identified: &Identification) -> String {
+    let names: Vec<&str> = identified.parameters.iter().map(|p| p.name.as_str()).collect();
     let header: Vec<&str> =
         std::iter::once("correlation").chain(names.iter().copied().take(names.len() - 1)).collect();
     let rows = (1..names.len()).map(|i| {
-        let cell = |j: usize| if j < i { format!("{:.2}", found.correlation[i][j]) } else { String::new() };
+        let cell =
+            |j: usize| if j < i { format!("{:.2}", identified.correlation[i][j]) } else { String::new() };
         std::iter::once(names[i].to_owned()).chain((0..names.len() - 1).map(cell)).collect()
     });
     format!("\n{}", table(&header, rows.collect()))

@@ -32,7 +32,7 @@ pub fn json<T: Serialize>(answer: &T) -> Result<Value, Problem> {
 /// The file that a result goes to; else standard output.
 pub type Target<'a> = Option<&'a Path>;
 
-/// Prints an answer in the form that was asked for: as text for people, as JSON, or as a table with a row for each element of
+/// Prints an answer in the requested form: as text for people, as JSON, or as a table with a row for each element of
 /// the list named `rows` (for the answer itself where the name is empty or [`FLAT`]).
 pub fn show<T: Serialize + JsonSchema>(
     answer: &T,

@@ -13,7 +13,7 @@ pub enum Kind {
     Text,
 }
 
-/// The name of rows for an answer that is one row, with the values of its objects among its own.
+/// The name of rows for an answer that is one row, with the values of its objects beside the others.
 pub const FLAT: &str = "*";
 
 /// A column: the key of the rows in JSON.
@@ -95,7 +95,7 @@ fn scalars(root: &Value, node: &Value, are_lists: bool, out: &mut Vec<Column>) {
 
 /// What a value is; `None` where it is a list, an object, or unknown.
 fn kind(root: &Value, node: &Value) -> Option<Kind> {
-    let mut found = None;
+    let mut common = None;
     for node in variants(root, node) {
         let words = node.get("const").is_some() || node.get("enum").is_some();
         let types: Vec<&str> = match node.get("type") {
@@ -112,10 +112,10 @@ fn kind(root: &Value, node: &Value) -> Option<Kind> {
                 "null" => continue,
                 _ => return None,
             };
-            found = Some(if found.is_none_or(|f| f == kind) { kind } else { Kind::Text });
+            common = Some(if common.is_none_or(|f| f == kind) { kind } else { Kind::Text });
         }
     }
-    found
+    common
 }
 
 #[derive(Debug)]
@@ -125,7 +125,7 @@ pub struct Table {
     pub rows: Vec<Value>,
 }
 
-/// An object with the values of its objects among its own.
+/// An object with the values of its objects beside the others.
 pub fn flat(value: Value) -> Value {
     let mut out = Map::new();
     let Value::Object(object) = value else { return value };

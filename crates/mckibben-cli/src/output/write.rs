@@ -20,7 +20,7 @@ pub fn overwrite() -> bool {
     OVERWRITE.load(Ordering::Relaxed)
 }
 
-/// Refuses a command line that names an existing file for a result, before any work is done for it. A campaign goes on with its own file.
+/// Refuses a command line that names an existing file for a result, before any work is done for it. A campaign continues its file.
 pub fn check_named(args: &Args, command: &str, overwrite: bool) -> Result<(), Problem> {
     OVERWRITE.store(overwrite, Ordering::Relaxed);
     let written = WRITTEN.iter().filter(|flag| **flag != "output" || command != "campaign");
@@ -128,7 +128,7 @@ pub fn burst_first(warnings: &[impl std::fmt::Display]) -> String {
     shown::sentence(&first.join("\n")).into_owned() + "\n\n"
 }
 
-/// What went wrong, in colour where the terminal shows it and nobody asked for none (`NO_COLOR`).
+/// What went wrong, in colour where the terminal shows it and `NO_COLOR` is not set.
 pub fn complain(text: &str) {
     let styled =
         |text: String, word: &str, style: Style| text.replacen(word, &format!("{style}{word}{style:#}"), 1);

@@ -42,7 +42,7 @@ pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Problem> {
     flags.push(format!("--user-data-dir={}", folder.path().join("profile").display()));
     flags.push(format!("--print-to-pdf={}", pdf.display()));
     if is_root() {
-        // Its sandbox refuses to work for root; the page is our own and has no script.
+        // Its sandbox refuses to work for root; the page is made here and has no script.
         flags.push("--no-sandbox".into());
     }
     let said = File::create(folder.path().join("said")).map_err(&wrong)?;
