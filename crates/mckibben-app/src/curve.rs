@@ -26,7 +26,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 
 /// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct CurveRequest {
     /// Which test.
     pub test: Test,

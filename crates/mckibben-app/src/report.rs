@@ -171,11 +171,8 @@ fn curves(
         test,
         question: request.muscle.clone().into(),
         pressures_mpa: Some(shares(if test == Test::Isobaric { 5 } else { 20 })),
-        contractions: None,
-        forces_n: None,
-        load: Default::default(),
-        both: false,
         figure: Some(request.units.clone()),
+        ..CurveRequest::default()
     };
     Ok(curve(&wanted, progress)?.figure)
 }
