@@ -143,10 +143,7 @@ fn section(request: &FitRequest) -> Result<FitAnswer> {
     Ok(FitAnswer {
         formula: Document::Section(fitted.formula.clone()),
         tables: fitted.paper.as_ref().filter(|_| request.tables).map_or_else(Vec::new, tables),
-        figures: figures
-            .into_iter()
-            .map(|(name, figure)| NamedFigure { name: name.into(), figure })
-            .collect(),
+        figures,
         failed,
         fitted: Some(fitted),
     })

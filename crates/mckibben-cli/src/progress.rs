@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock, Mutex, Once, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Set by Ctrl-C and the signals that end a process, which are taken over when the first bar is made.
+/// Set by Ctrl-C and the signals that end a process, which are taken over when a command begins.
 static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 /// The signals that end a process.
 #[cfg(unix)]
@@ -93,16 +93,6 @@ pub struct Bar {
 impl Bar {
     /// A bar that counts things of this name.
     pub fn new(things: &str) -> Self {
-        Self::drawn(things, Some(Instant::now() + SOON))
-    }
-
-    /// One that nobody sees.
-    pub fn hidden() -> Self {
-        Self::drawn("", None)
-    }
-
-    fn drawn(things: &str, from: Option<Instant>) -> Self {
-        watched();
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         let template = format!("{{bar:32}} {{pos}}/{{len}} {things}, {{rate}}, {{eta}} left{{msg}}");
         if let Ok(style) = ProgressStyle::with_template(&template) {
@@ -112,7 +102,7 @@ impl Bar {
             };
             bar.set_style(style.with_key("rate", rate));
         }
-        Self { bar, from: Mutex::new(from) }
+        Self { bar, from: Mutex::new(Some(Instant::now() + SOON)) }
     }
 
     /// Draws it from its time on.

@@ -26,15 +26,6 @@ pub enum PointQuantity {
     Contraction,
 }
 
-/// What becomes of a point without an answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unanswered {
-    /// The first one ends the work with its reason.
-    Refused,
-    /// Its numbers are NaN.
-    NotANumber,
-}
-
 /// How many points are answered.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Many {
@@ -43,8 +34,8 @@ pub struct Many {
     pub slopes: bool,
     /// Also the derivatives by these constants and measures of the muscle, all others held.
     pub parameters: Vec<Target>,
-    /// Points without an answer.
-    pub unanswered: Unanswered,
+    /// The numbers of a point without an answer are NaN; else the first one ends the work with its reason.
+    pub nan: bool,
 }
 
 impl Many {

@@ -9,7 +9,7 @@
 //! F in N, P in MPa, ε = ΔL/L0, θ a constant or measure of the muscle in its unit (MPa, N/mm, mm, degrees). F_θ holds all other
 //! constants and measures: by the diameter, say, the strands' k in N/mm stays what it is, also where the braid's k follows the diameter.
 
-use super::{BoundModel, Many, PointQuantity, Unanswered};
+use super::{BoundModel, Many, PointQuantity};
 use crate::{Problem, ProblemKind, Result, finite, ratio};
 use mckibben::analysis::Evaluation;
 use mckibben::model::{Bounds, ModelError, Workspace, pulls_within};
@@ -42,7 +42,7 @@ impl BoundModel {
             match self.one((a, b), many, workspace, &mut free, places) {
                 Ok(()) => {}
                 // Work that is to end says so of every point.
-                Err(problem) if many.unanswered == Unanswered::Refused || cancel::check().is_err() => {
+                Err(problem) if !many.nan || cancel::check().is_err() => {
                     return Err((index, problem));
                 }
                 Err(_) => {

@@ -5,7 +5,7 @@ use mckibben::muscle::measures::{OUTER_DIAMETER, WALL};
 use mckibben::progress::Silent;
 use mckibben_app::{
     ArrayError, AskFields, BoundModel, ForceRequest, Many, ModelFields, MuscleFields, PointQuantity,
-    ProblemKind, QuestionFields, Unanswered, force, with_parameters,
+    ProblemKind, QuestionFields, force, with_parameters,
 };
 use mckibben_fit::identify::Target;
 
@@ -22,7 +22,7 @@ fn bound(model: &str) -> BoundModel {
 }
 
 fn many(slopes: bool, parameters: Vec<Target>) -> Many {
-    Many { wanted: PointQuantity::Force, slopes, parameters, unanswered: Unanswered::Refused }
+    Many { wanted: PointQuantity::Force, slopes, parameters, nan: false }
 }
 
 fn filled(model: &BoundModel, many: &Many, p: &[f64], e: &[f64]) -> Result<Vec<f64>, ArrayError> {
@@ -96,7 +96,7 @@ fn the_first_point_without_an_answer_ends_the_work() {
     let refused = filled(&model, &many(false, vec![]), &p, &e).unwrap_err();
     assert_eq!((refused.index, refused.problem.kind), (Some(20_001), ProblemKind::OutOfRange));
     let mut out = vec![0.0; p.len()];
-    let all = Many { unanswered: Unanswered::NotANumber, ..many(false, vec![]) };
+    let all = Many { nan: true, ..many(false, vec![]) };
     assert_eq!(model.fill([&p, &e], &all, &mut out, &Silent), Ok(3));
     assert!(out[20_001].is_nan() && out.iter().filter(|f| f.is_nan()).count() == 3);
     let wrong = model.fill([&p, &e[1..]], &all, &mut out, &Silent).unwrap_err();

@@ -4,7 +4,7 @@ use crate::{
     Args, Bar, Format, NO_ANSWER, NOT_CONVERGED, Problem, Units, clean, emit, listed, output::json,
     overwrite, pairs, place, progress::INTERRUPTED, said, shown, tabled, value, warn,
 };
-use mckibben::progress::Progress;
+use mckibben::progress::{Progress, Silent};
 use mckibben_app::{
     CampaignMergeRequest, CampaignRequest, CampaignStatusRequest, ProblemKind, campaign_merge, campaign_show,
     campaign_status,
@@ -23,11 +23,12 @@ fn no_csv(format: Format) -> Result<(), Problem> {
 pub fn run(args: &Args) -> Result<u8, Problem> {
     no_csv(args.format)?;
     let quiet = args.is("quiet");
-    let bar = if quiet { Bar::hidden() } else { Bar::new("muscles") };
+    let bar = Bar::new("muscles");
+    let progress: &dyn Progress = if quiet { &Silent } else { &bar };
     let from = Instant::now();
     let mut request: CampaignRequest = args.request()?;
     request.overwrite = overwrite();
-    let outcome = mckibben_app::campaign(&request, &bar)?;
+    let outcome = mckibben_app::campaign(&request, progress)?;
     let interrupted = bar.cancelled() && !outcome.complete;
     drop(bar);
     for file in &outcome.recomputed {

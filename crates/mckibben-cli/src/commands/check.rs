@@ -1,9 +1,9 @@
 //! `check`: what is known of a muscle, whether it is plausible, what is not known, and what to measure first; or a formula's file.
 
 use crate::{
-    Args, Bar, FLAT, Format, Problem, Units, burst_first, commands::fit::formula_text, emit, files, pairs,
-    shown,
+    Args, FLAT, Format, Problem, Units, burst_first, commands::fit::formula_text, emit, files, pairs, shown,
 };
+use mckibben::progress::Silent;
 use mckibben::warning::is_of_burst;
 use mckibben_app::rows::{characteristic_rows, muscle_sheets};
 use mckibben_app::{CheckAnswer, CheckFormulaRequest, FindingKind, Model, ProblemKind, check, check_formula};
@@ -24,7 +24,7 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
         let message = "--latex is of a formula, not of a muscle";
         return Err(Problem::new(ProblemKind::Usage, message, "`mckibben check formula.json --latex`"));
     }
-    let answer = check(&args.request()?, &Bar::hidden())?;
+    let answer = check(&args.request()?, &Silent)?;
     args.show(&answer, FLAT, text)
 }
 

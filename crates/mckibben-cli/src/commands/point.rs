@@ -1,21 +1,22 @@
 //! `force`, `pressure`, `contraction`: one point.
 
-use crate::{Args, Bar, Problem, burst_first, output::loaded::loaded, pairs};
+use crate::{Args, Problem, burst_first, output::loaded::loaded, pairs};
+use mckibben::progress::Silent;
 use mckibben_app::{PointAnswer, PointQuantity, rows::point_rows};
 
 /// F(P, ε).
 pub fn force(args: &Args) -> Result<u8, Problem> {
-    show(args, mckibben_app::force(&args.request()?, &Bar::hidden())?, PointQuantity::Force)
+    show(args, mckibben_app::force(&args.request()?, &Silent)?, PointQuantity::Force)
 }
 
 /// P(F, ε).
 pub fn pressure(args: &Args) -> Result<u8, Problem> {
-    show(args, mckibben_app::pressure(&args.request()?, &Bar::hidden())?, PointQuantity::Pressure)
+    show(args, mckibben_app::pressure(&args.request()?, &Silent)?, PointQuantity::Pressure)
 }
 
 /// ε(F, P).
 pub fn contraction(args: &Args) -> Result<u8, Problem> {
-    show(args, mckibben_app::contraction(&args.request()?, &Bar::hidden())?, PointQuantity::Contraction)
+    show(args, mckibben_app::contraction(&args.request()?, &Silent)?, PointQuantity::Contraction)
 }
 
 fn show(args: &Args, answer: PointAnswer, of: PointQuantity) -> Result<u8, Problem> {

@@ -1,9 +1,10 @@
 //! `rubber`: laws from tension tests.
 
 use crate::{
-    Args, Bar, Format, Problem, Units, check_ending, emit, listed, number, pairs, place, save, tabled,
-    understood, value, warn,
+    Args, Format, Problem, Units, check_ending, emit, listed, number, pairs, place, save, tabled, understood,
+    value, warn,
 };
+use mckibben::progress::Silent;
 use mckibben_app::{ConstantRow, ProblemKind, RubberFitAnswer, rubber_fit};
 use mckibben_fit::rubber::FittedLaw;
 use schemars::JsonSchema;
@@ -19,7 +20,7 @@ struct Constants {
 pub fn run(args: &Args) -> Result<u8, Problem> {
     let target = args.path("output");
     check_ending(target.as_deref(), &["toml"])?;
-    let mut answer = rubber_fit(&args.request()?, &Bar::hidden())?;
+    let mut answer = rubber_fit(&args.request()?, &Silent)?;
     let written = target.as_deref().zip(answer.muscle_file.as_deref());
     written.map_or(Ok(()), |(path, text)| save(Some(path), text.as_bytes()))?;
     if target.is_some() && written.is_none() {
