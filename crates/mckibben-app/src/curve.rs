@@ -199,7 +199,7 @@ pub(crate) fn steps(count: usize, low: f64, high: f64) -> Vec<f64> {
     Values::Interval(low, high).sampled(count - 1)
 }
 
-/// Finite values, or what stands for them where none are given.
+/// Finite values, or the default where none are given.
 pub(crate) fn list(
     field: &str,
     values: &Option<Vec<f64>>,

@@ -35,7 +35,7 @@ pub struct FillAnswer {
     pub fill: Fill,
     /// The liquid.
     pub liquid: Liquid,
-    /// What stands behind it.
+    /// The muscle, the model, limits and ±.
     #[serde(flatten)]
     pub background: Background,
 }

@@ -4,7 +4,9 @@ use crate::{
     Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result, Scale,
     TextFile, Units, above_zero, breakdown, burst_of, figure, finite, number, put_first, said_of, warnings,
 };
-use mckibben::joint::{Joint, JointError, JointMap, JointModel, JointPoint, Rest, Turning, parse_joint};
+use mckibben::joint::{
+    Joint, JointError, JointMap, JointModel, JointPoint, JointTarget, Rest, Turning, parse_joint,
+};
 use mckibben::warning::Warning;
 use mckibben::{cancel, model::Workspace, muscle::Muscle, progress::Progress, size, threads};
 use mckibben_report::Figure;
@@ -179,6 +181,8 @@ impl Solver<'_> {
         for &angle in angles.unwrap_or_default() {
             finite("angles_deg", angle)?;
         }
+        let torque_nm = finite("torque_nm", request.torque_nm.unwrap_or(0.0))?;
+        request.stiffness_nm_per_rad.map(|k| finite("stiffness_nm_per_rad", k)).transpose()?;
         let all = families.len().max(1) * angles.map_or(1, <[f64]>::len);
         size::points("angles_deg", all as f64)?;
         let mut rows = vec![];
@@ -195,11 +199,8 @@ impl Solver<'_> {
                 }
                 let max = supply(request)?;
                 for &angle_deg in angles {
-                    let torque_nm = finite("torque_nm", request.torque_nm.unwrap_or(0.0))?;
                     let stiffness_nm_per_rad = request.stiffness_nm_per_rad;
-                    let stiffness_nm_per_rad =
-                        stiffness_nm_per_rad.map(|k| finite("stiffness_nm_per_rad", k)).transpose()?;
-                    let wanted = mckibben::joint::JointTarget { angle_deg, torque_nm, stiffness_nm_per_rad };
+                    let wanted = JointTarget { angle_deg, torque_nm, stiffness_nm_per_rad };
                     let point = self.model.pressures(&mut self.workspaces, wanted, max)?;
                     let halves = self.model.pressure_uncertainties_mpa(&mut self.workspaces, &point);
                     let half = |i: usize| halves.get(i).copied().flatten();
@@ -232,9 +233,8 @@ impl Solver<'_> {
                 }
             }
             (false, None) => {
-                let outside = finite("torque_nm", request.torque_nm.unwrap_or(0.0))?;
                 for pressures in families {
-                    for rest in self.model.rests(&mut self.workspaces, pressures, outside)? {
+                    for rest in self.model.rests(&mut self.workspaces, pressures, torque_nm)? {
                         let angle = rest.angle_deg();
                         let point = self.model.at(&mut self.workspaces, pressures, angle, Turning::Mean)?;
                         let balance = matches!(rest, Rest::Balance { .. });

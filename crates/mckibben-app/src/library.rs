@@ -12,7 +12,7 @@ use serde::Serialize;
 /// A muscle of the library.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct LibraryMuscle {
-    /// Its name, which may stand where a muscle file may (`lib:dmsp-20-300`), and what is known of it.
+    /// Its name, which replaces a muscle file (`lib:dmsp-20-300`), and what is known of it.
     #[serde(flatten)]
     pub facts: Facts,
     /// The muscle.

@@ -101,7 +101,7 @@ pub(crate) fn loaded(
         (Some((low, from)), Some((high, Some(to)))) if low < high => {
             let (contraction, volume) = match from {
                 Some(from) => (from.answer.response.contraction, from.answer.response.volume_mm3),
-                // It stands on its stop.
+                // The load rests on its stop.
                 None => (0.0, evaluation.cavity_mm3(*low, 0.0).ok()),
             };
             Some(cycle(&load, length, (*low, contraction, volume), to))

@@ -63,7 +63,7 @@ pub struct MeasuredResult {
     pub fit: String,
     /// The points it was fitted to.
     pub fitted_to: String,
-    /// What is left of its points.
+    /// Residuals of its points.
     #[serde(flatten)]
     pub group: Group,
 }
@@ -87,7 +87,7 @@ pub struct MeasuredStress {
     pub case: String,
     /// Name of the fit.
     pub fit: String,
-    /// What is left of its points.
+    /// Residuals of its points.
     #[serde(flatten)]
     pub group: RubberGroup,
 }

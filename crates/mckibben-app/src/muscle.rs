@@ -29,7 +29,7 @@ impl MuscleFields {
         Ok(self.stated()?.braid_on(outer_diameter_mm, base)?)
     }
 
-    /// What the fields state of a muscle, with the parts that their names stand for.
+    /// What the fields state of a muscle, with the parts that they name.
     fn stated(&self) -> Result<Stated, Problem> {
         let rubber = match (&self.named.rubber, &self.named.rubber_file) {
             (Some(_), Some(_)) => {
@@ -98,7 +98,7 @@ pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
     muscles::file(name).map(Cow::Owned).map_err(|error| Problem::new(ProblemKind::File, error, hint))
 }
 
-/// The muscle of a muscle file, or that of the library whose name stands in the place of one: `lib:dmsp-20-300`.
+/// The muscle of a muscle file, or that of the library whose name replaces one: `lib:dmsp-20-300`.
 pub fn muscle_of(file: &TextFile) -> Result<Muscle, Problem> {
     Ok(parse_muscle(&text_of(file)?).map_err(|e| e.of(Path::new(&file.name)))?)
 }

@@ -74,12 +74,12 @@ pub struct PointAnswer {
     /// All equilibria with the load, if any; the point is the first stable one, or the first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loaded: Option<LoadAnswer>,
-    /// What stands behind it.
+    /// The muscle, the model, limits and ±.
     #[serde(flatten)]
     pub background: Background,
 }
 
-/// What stands behind a point: its ±, what the muscle bears, the muscle, and the model.
+/// Data behind a point: its ±, what the muscle bears, the muscle, and the model.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Background {
     /// The ± of the pull in words.
@@ -276,7 +276,7 @@ impl Question {
         burst_of(&self.choice, &*self.model)
     }
 
-    /// What stands behind an answer, which warns of the highest pressure first.
+    /// Data behind an answer, which warns of the highest pressure first.
     pub(crate) fn background(&mut self, of: &mut Answer, highest_mpa: f64) -> Result<Background> {
         let burst = self.burst()?;
         put_first(&mut of.warnings, said_of(&burst, highest_mpa, QUIET_MPA));

@@ -171,6 +171,11 @@ impl Problem {
         self
     }
 
+    /// A table that cannot be read.
+    pub fn of_table(name: &str, error: &TableError) -> Self {
+        Self::new(ProblemKind::Data, format!("{name}: {error}"), "")
+    }
+
     /// A field that must be there and is not.
     pub fn missing(field: &str, expected: &str) -> Self {
         Self::new(ProblemKind::Usage, format!("`{field}` is missing; expected {expected}"), "")
@@ -326,7 +331,7 @@ impl From<AnalysisError> for Problem {
                 nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa: None, contraction });
             }
             AnalysisError::StrandsBreak { .. } => {
-                hint = "ask less of it, or take stronger strands".to_owned()
+                hint = "reduce pressure or pull, or take stronger strands".to_owned()
             }
             AnalysisError::Unknown { .. } => {}
         }
@@ -337,13 +342,6 @@ impl From<AnalysisError> for Problem {
 impl From<FemError> for Problem {
     fn from(error: FemError) -> Self {
         ModelError::from(error).into()
-    }
-}
-
-impl Problem {
-    /// A table that cannot be read.
-    pub fn of_table(name: &str, error: &TableError) -> Self {
-        Self::new(ProblemKind::Data, format!("{name}: {error}"), "")
     }
 }
 
@@ -378,7 +376,7 @@ static PLACE: Mutex<Option<String>> = Mutex::new(None);
 ///
 /// A stack that overflows and memory that runs out are no panics: they end the process.
 pub fn guarded<T, E: From<Problem>>(work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
-    // What the work had in its hands is dropped with it: nobody sees a half-made value.
+    // Values of the work are dropped with it: no half-made value remains.
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|cause| Err(internal(&*cause).into()))
 }
 
@@ -393,7 +391,7 @@ pub fn within<T, E: From<Problem>>(cancel: &Cancel, work: impl FnOnce() -> Resul
     })
 }
 
-/// For a front end that owns its process, once at its start: panics are written to nobody, and [`guarded`] says where they
+/// For a front end that owns its process, once at its start: panics are not written, and [`guarded`] says where they
 /// happened. With `RUST_BACKTRACE` set they are written to standard error as ever.
 pub fn panics_are_problems() {
     let usual = take_hook();

@@ -1,6 +1,6 @@
 //! Answers as labelled rows, which the terminal and the report print. They follow from the keys of an answer: how a key ends says the unit of its numbers.
 //!
-//! Keys stand with blanks between them, each as `key+half=label:4%~`, all but the key optional: `half` is the key of its ±, `_` in a label is a
+//! Keys have blanks between them, each as `key+half=label:4%~`, all but the key optional: `half` is the key of its ±, `_` in a label is a
 //! blank, and behind `:` are the digits. Of a column all numbers have as many decimals; with `~` behind the digits each has as many as it needs. `%` shows a
 //! ratio in per cent, and `#` a number without its unit. A dot leads into an object; lists in an object are ranges.
 //!
@@ -95,7 +95,7 @@ impl<'a> Key<'a> {
 
     pub fn number(&self, of: &Value, path: &str) -> Option<f64> {
         let number = at(of, path)?.as_f64()?;
-        // What is left of rounding is nothing.
+        // A rounding error about zero is zero.
         Some(if number.abs() < 1e-9 { 0.0 } else { self.factor * number })
     }
 

@@ -54,7 +54,7 @@ pub struct LibraryFit {
     /// theirs, beyond the last reach those of the last.
     pub by_reach: bool,
     /// Largest stretch that a muscle may reach for this range of data to cover it; none for published constants that
-    /// stand for comparison.
+    /// are given for comparison.
     pub reach_up_to: Option<f64>,
     /// Its constants; those in MPa end in `_mpa`.
     #[serde(flatten, serialize_with = "columns")]

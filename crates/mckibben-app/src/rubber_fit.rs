@@ -173,7 +173,7 @@ impl RubberFitAnswer {
         let mut tube = muscle.tube().clone();
         tube.rubber = Rubber {
             name: rubber_name.clone().or_else(stem),
-            // 1 + strain has digits that nobody measured.
+            // 1 + strain has more digits than the measurement.
             fitted_to_stretch: Some((self.fitted_to_stretch * 1e4).round() / 1e4),
             softening: softening.map(|s| OgdenRoxburgh { r: s.r, m_mpa: s.m_mpa, beta: s.beta }),
             prony: relaxation.map(PronyFit::prony),

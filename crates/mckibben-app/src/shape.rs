@@ -93,7 +93,7 @@ fn at(
     pressure_mpa: f64,
     request: &ShapeRequest,
 ) -> Result<(Answer, f64, Section), Problem> {
-    // The same equilibria, of the whole muscle, whose ends may give way.
+    // The same equilibria, of the whole muscle, whose ends may be displaced.
     let whole = with_ends(muscle, Box::new(fe.clone()));
     let mut evaluation = Evaluation::new(&*whole, workspace, Options::default());
     let contraction = match request.force_n {

@@ -49,7 +49,7 @@ impl UncertaintyWords {
     }
 }
 
-/// What the suggested test would leave of a ± in N; `None` where the muscle was measured, or where it helps little.
+/// The ± in N after the suggested test; `None` where the muscle was measured, or where it helps little.
 fn bench_n(parts: &UncertaintyParts, model: &mut Evaluation<'_>, pressure_mpa: f64) -> Option<f64> {
     let left =
         model.identified_n(pressure_mpa).filter(|_| parts.fit.is_none() || parts.transfer.is_some())?;

@@ -6,7 +6,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::{borrow::Cow, fmt, str::FromStr};
 
-/// Values inside (MPa, N, mm, and quotients of these) below which nobody measures anything: what rounding leaves of zero.
+/// Values inside (MPa, N, mm, and quotients of these) below every measurement: zero but for rounding.
 const NOTHING: f64 = 1e-9;
 
 /// Sentences with these words have moduli, stresses and energies, which stay in MPa.
@@ -56,7 +56,7 @@ impl Scale {
         self.to(inside, self.digits)
     }
 
-    /// `2.5`, to so many digits; what is left of rounding is nothing.
+    /// `2.5`, to so many digits; rounding errors about zero are zero.
     pub fn to(&self, inside: f64, digits: usize) -> String {
         number(if inside.abs() < NOTHING { 0.0 } else { self.value(inside) }, digits)
     }

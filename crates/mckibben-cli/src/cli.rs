@@ -100,7 +100,7 @@ fn request(name: &str) -> Value {
     command.map_or(Value::Null, |command| command.schema()["request"].take())
 }
 
-/// Adds the flags and examples of a command, whose name stands where its examples come.
+/// Adds the flags and examples of a command, whose name is in the place of its examples.
 fn with_flags(command: Command) -> Command {
     let name = command.get_after_help().map(ToString::to_string).unwrap_or_default();
     let text = text_of(&name).1;

@@ -34,7 +34,6 @@ use problem::{NO_ANSWER, NOT_CONVERGED, bad_flag, exit_code, in_flags, unprinted
 use progress::Bar;
 use quantities::{quantity, values};
 use spec::Flag;
-use std::ffi::{OsStr, OsString};
 use std::{borrow::Cow, io::Write, process::ExitCode};
 
 fn main() -> ExitCode {
@@ -45,7 +44,7 @@ fn main() -> ExitCode {
     }
     progress::no_signal_for_long_files();
     let parsed = cli::command()
-        .try_get_matches_from(joined(std::env::args_os()))
+        .try_get_matches()
         .and_then(|matches| cli::Cli::from_arg_matches(&matches).map(|cli| (cli, matches)));
     let (cli, matches) = match parsed {
         Ok(parsed) => parsed,
@@ -82,20 +81,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// The command line with a share joined to the flag before it, which could also be without one: `--guaranteed 99%`.
-fn joined(args: impl Iterator<Item = OsString>) -> Vec<OsString> {
-    let mut out: Vec<OsString> = vec![];
-    for arg in args {
-        let is_share = arg.to_str().is_some_and(|text| text.trim_end_matches('%').parse::<f64>().is_ok());
-        match out.last_mut().filter(|last| is_share && *last == "--guaranteed") {
-            Some(last) => last.extend([OsStr::new("="), &arg]),
-            None => out.push(arg),
-        }
-    }
-    out
-}
-
-/// Whether `--format json` stands on a command line that could not be parsed: the error is then JSON as well.
+/// Whether `--format json` is on a command line that could not be parsed: the error is then JSON as well.
 fn json_wanted() -> bool {
     let args: Vec<_> = std::env::args_os().skip(1).collect();
     args.iter().any(|a| a == "--format=json") || args.windows(2).any(|w| w[0] == "--format" && w[1] == "json")

@@ -13,20 +13,20 @@ pub fn quantity(flag: &str, text: &str, dimension: Dimension) -> Result<f64, Pro
         let message = format!("{flag}: \"{text}\" has no unit, and a bare number is mm³");
         return Err(Problem::new(ProblemKind::Quantity, message, format!("write {text}mL or {text}mm3")));
     }
-    mind_the_unit(flag, text, dimension);
+    check_unit(flag, text, dimension);
     Ok(value)
 }
 
-/// What to mind about the unit of a pressure that was typed.
-static MIND: OnceLock<String> = OnceLock::new();
+/// The note on the unit of a pressure that was typed.
+static UNIT_NOTE: OnceLock<String> = OnceLock::new();
 
-/// What the user should mind about a pressure that was typed as a bare number; to be said beside an answer, and where there is none.
+/// The note on a pressure that was typed as a bare number, beside an answer or a problem.
 pub fn unit_hint() -> Option<&'static str> {
-    MIND.get().map(String::as_str)
+    UNIT_NOTE.get().map(String::as_str)
 }
 
 /// A bare number is a pressure in MPa; where that is high, bar was probably meant.
-fn mind_the_unit(flag: &str, text: &str, dimension: Dimension) {
+fn check_unit(flag: &str, text: &str, dimension: Dimension) {
     const HIGH_MPA: f64 = 1.0;
     if dimension != Dimension::Pressure || !(flag.ends_with("pressure") || flag == "--supply") {
         return;
@@ -34,7 +34,7 @@ fn mind_the_unit(flag: &str, text: &str, dimension: Dimension) {
     let parts = text.split([',', ':']).flat_map(|part| part.split(".."));
     let numbers: Result<Vec<f64>, _> = parts.map(|part| part.trim().parse::<f64>()).collect();
     if let Some(high) = numbers.ok().and_then(|list| list.into_iter().find(|p| *p >= HIGH_MPA)) {
-        MIND.get_or_init(|| format!("{flag} {text}: {}", meant(high)));
+        UNIT_NOTE.get_or_init(|| format!("{flag} {text}: {}", meant(high)));
     }
 }
 
@@ -58,7 +58,7 @@ pub fn values(flag: &str, text: &str, dimension: Dimension) -> Result<Values, Pr
         bad_flag(flag, if quantity { ProblemKind::Quantity } else { ProblemKind::Range }, e)
     };
     let values = parse_values(text, dimension).map_err(wrong)?;
-    mind_the_unit(flag, text, dimension);
+    check_unit(flag, text, dimension);
     Ok(values)
 }
 

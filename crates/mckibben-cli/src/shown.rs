@@ -5,7 +5,7 @@ use crate::{Args, Flag};
 use mckibben_app::units::Units;
 use std::{borrow::Cow, sync::OnceLock};
 
-/// Flags whose unit a user wants to read, too. A modulus is not among them: nobody reads pressures in GPa.
+/// Flags whose unit a user wants to read, too. A modulus is not among them: pressures are not read in GPa.
 const FLAGS: [&str; 11] = [
     "pressure",
     "max-pressure",

@@ -8,7 +8,7 @@ use mckibben::{muscle::Measure, units::Dimension};
 use mckibben_app::{rows::without_unit, units::Units};
 use serde_json::Value;
 
-/// What a command or a group of flags is called, behind which its text stands.
+/// What a command or a group of flags is called, before its text.
 const TEXTS: &str = include_str!("commands.txt");
 
 /// The text of a command, or of flags that commands share: its first line, and the others.
@@ -315,10 +315,7 @@ impl Flag {
         let arg = arg.value_name(name.to_owned());
         let arg = if is_path { arg.value_hint(ValueHint::AnyPath) } else { arg };
         let arg = match missing {
-            Some(missing) => arg
-                .num_args(0..=1)
-                .default_missing_value(missing.to_owned())
-                .require_equals(!missing.is_empty()),
+            Some(missing) => arg.num_args(0..=1).default_missing_value(missing.to_owned()),
             None => arg,
         };
         if let Some(names) = names::for_flag(&self.id) {
@@ -342,6 +339,8 @@ impl Flag {
             Kind::Texts(_) => arg.value_delimiter(',').allow_hyphen_values(true),
             Kind::File | Kind::Files => arg,
             Kind::Text if is_path || self.is_argument || name == "NAME" => arg,
+            // What begins with a hyphen is the next flag.
+            _ if missing.is_some() => arg,
             _ => arg.allow_hyphen_values(true),
         }
     }

@@ -1,4 +1,4 @@
-//! What was identified: the model over the points, and what is left of them.
+//! What was identified: the model over the points, and the residuals.
 
 use super::curves::{MOST_BANDS, pull};
 use super::{BAND, caption, has_band, some_of};

@@ -116,7 +116,7 @@ impl BoundModel {
         matches!(self.choice, Model::Formula(_) | Model::ClosedForm(ModelKind::Paper))
     }
 
-    /// Whether so many numbers take some hundredths of a second at most: nobody needs to hear of progress.
+    /// Whether so many numbers take some hundredths of a second at most: no progress is reported.
     pub fn is_moment(&self, numbers: usize) -> bool {
         let most = match self.choice {
             Model::Elements(_) => 0,
@@ -181,7 +181,7 @@ impl BoundModel {
                 progress.report(done.fetch_add(length, Ordering::Relaxed) + length, count);
             }
         };
-        // To ask whether the process has threads takes as long as some hundred points.
+        // A look at the threads of the process takes as long as some hundred points.
         if out.len() <= share * width {
             work(0, out)
         } else {

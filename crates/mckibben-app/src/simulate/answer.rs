@@ -51,27 +51,8 @@ pub struct SimulateAnswer {
 pub enum SimulatedRow {
     /// There is an equilibrium.
     Answered(Box<SimulatedPoint>),
-    /// The muscle hangs slack, and pushing it to this contraction has no equilibrium.
-    Slack(SlackPoint),
     /// There is none.
     Failed(FailedPoint),
-}
-
-/// A slack muscle of which nothing more is known.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-pub struct SlackPoint {
-    /// Pressure, MPa.
-    pub pressure_mpa: f64,
-    /// Requested contraction.
-    pub contraction: f64,
-    /// Its pull, 0 N.
-    pub force_n: f64,
-    /// `true`.
-    pub slack: bool,
-    /// The free contraction at this pressure.
-    pub free_contraction: f64,
-    /// `ok`.
-    pub status: Status,
 }
 
 /// An equilibrium.
@@ -122,19 +103,9 @@ fn points<S: Serializer>(simulated: &[Simulated], serializer: S) -> Result<S::Ok
 
 impl From<&Simulated> for SimulatedRow {
     fn from(q: &Simulated) -> Self {
-        let s = match (&q.solution, q.requested.contraction, q.free_contraction) {
-            (Ok(s), ..) => s,
-            (Err(_), Some(contraction), Some(free_contraction)) => {
-                return Self::Slack(SlackPoint {
-                    pressure_mpa: q.requested.pressure_mpa,
-                    contraction,
-                    force_n: 0.0,
-                    slack: true,
-                    free_contraction,
-                    status: q.status,
-                });
-            }
-            (Err(error), ..) => {
+        let s = match &q.solution {
+            Ok(s) => s,
+            Err(error) => {
                 let (status, cause) = (q.status, error.to_string());
                 return Self::Failed(FailedPoint { requested: q.requested, status, cause });
             }

@@ -95,7 +95,7 @@ impl Meshed {
         })
     }
 
-    /// The whole muscle, whose ends may give way; it shares its equilibria with these elements.
+    /// The whole muscle, whose ends may be displaced; it shares its equilibria with these elements.
     fn simulation(&self, whole: &Muscle) -> Box<dyn Simulation> {
         let model: Box<dyn Simulation> = match self {
             Self::Axisymmetric(model) => model.clone(),
@@ -237,24 +237,13 @@ fn judged(
     let pressure_mpa = requested.pressure_mpa;
     let shortened =
         requested.contraction.filter(|e| *e > 0.0 && !two_sided && !model.muscle().is_extensile());
-    let (free_contraction, slack) = match (shortened, &solution) {
-        (Some(_), Ok(s)) if s.response.force_n < 0.0 => {
-            (free_contraction(model, workspace, pressure_mpa).ok(), true)
-        }
+    let pushes = solution.as_ref().is_ok_and(|s| s.response.force_n < 0.0);
+    let past_free = shortened.filter(|_| pushes || solution.is_err()).and_then(|e| {
         // Where pushing has no equilibrium a muscle shortened past its free contraction hangs slack all the same.
-        (Some(e), Err(_)) => {
-            let free = free_contraction(model, workspace, pressure_mpa).ok().filter(|free| e >= *free);
-            (free, free.is_some())
-        }
-        _ => (None, false),
-    };
-    let status = match &solution {
-        Ok(_) => Status::Ok,
-        Err(_) if slack => Status::Ok,
-        Err(error) => Status::from(&ModelError::from(error.clone())),
-    };
-    let hangs = free_contraction.filter(|_| slack);
-    let hanging = hangs.and_then(|free| model.solve(workspace, Given::at(pressure_mpa, free)).ok());
+        let free = free_contraction(model, workspace, pressure_mpa).ok();
+        free.filter(|free| pushes || e >= *free)
+    });
+    let hanging = past_free.and_then(|free| model.solve(workspace, Given::at(pressure_mpa, free)).ok());
     let hangs = hanging.is_some();
     let solution = hanging.map_or(solution, Ok).map(|mut s| {
         if hangs || overloaded(model.muscle(), &s.response).is_some() {
@@ -262,7 +251,10 @@ fn judged(
         }
         s
     });
-    Simulated { requested, solution, slack, free_contraction, status }
+    let status =
+        solution.as_ref().map_or_else(|e| Status::from(&ModelError::from(e.clone())), |_| Status::Ok);
+    let slack = hangs || pushes && shortened.is_some();
+    Simulated { requested, solution, slack, free_contraction: past_free, status }
 }
 
 /// Where every point fails: the first reason.

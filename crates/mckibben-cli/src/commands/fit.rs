@@ -1,8 +1,8 @@
 //! `fit`: from a table of points to a formula.
 
 use crate::{
-    Args, Bar, NO_ANSWER, Problem, Units, check_ending, files, listed, number, output::json, overwrite,
-    pairs, place, save, save_inside, tabled, value,
+    Args, Bar, NO_ANSWER, Problem, Units, check_ending, files, listed, number, overwrite, pairs, place, save,
+    save_inside, tabled, value,
 };
 use mckibben::formula::Document;
 use mckibben_app::{FitAnswer, FitReportRequest, FitRequest, NamedFigure, fit_report};
@@ -10,7 +10,6 @@ use mckibben_campaign::fit::results::Results;
 use mckibben_campaign::fit::{FittedFormula, PaperMethod};
 use mckibben_campaign::{fit::constants::Constants, fit::signs::signs};
 use mckibben_report::FigureError;
-use serde::Serialize;
 use serde_json::{Map, Value, json};
 use std::path::Path;
 
@@ -39,13 +38,6 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
     args.print(&answer, "terms", |answer, _| as_text(answer, target.as_deref()))
 }
 
-/// All tables in one file.
-#[derive(Serialize)]
-struct Tables<'a> {
-    method: &'a str,
-    tables: Map<String, Value>,
-}
-
 fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Problem> {
     let (mut tables, mut files) = (Map::new(), vec![]);
     for table in std::mem::take(&mut answer.tables) {
@@ -53,7 +45,7 @@ fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Problem> {
         tables.insert(table.name.into(), table.to_value());
     }
     let method = answer.fitted.as_ref().map_or("", |f| &f.formula.provenance.method);
-    files.push(("tables.json".into(), format!("{:#}\n", json(&Tables { method, tables })?)));
+    files.push(("tables.json".into(), format!("{:#}\n", json!({ "method": method, "tables": tables }))));
     save_inside(folder, files, overwrite())
 }
 

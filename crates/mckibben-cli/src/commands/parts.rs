@@ -20,7 +20,7 @@ const LISTS: [(&str, &str, &str); 5] = [
     (
         "muscles",
         "name=muscle outer_diameter_mm=D0 length_mm=L0 pressure_mpa=P:3~ blocked_force_n+uncertainty_n=F_blocked free_contraction=ε_free:3% points product source",
-        "P: highest pressure of the bench. F blocked, its ± (95 %) and ε free: there, by fe.\nA name stands wherever a muscle file may: mckibben force lib:dmsp-20-300 -p 5bar -e 10%\n",
+        "P: highest pressure of the bench. F blocked, its ± (95 %) and ε free: there, by fe.\nA name replaces a muscle file: mckibben force lib:dmsp-20-300 -p 5bar -e 10%\n",
     ),
     ("models", "name=model description", ""),
 ];

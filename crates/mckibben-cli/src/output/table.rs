@@ -19,7 +19,7 @@ pub const FLAT: &str = "*";
 /// A column: the key of the rows in JSON.
 pub type Column = (String, Kind);
 
-/// The columns of an answer's rows by its schema, which stand in its list or object of lists `rows`, or are the answer itself where the name is empty.
+/// The columns of an answer's rows by its schema: those of its list or object of lists `rows`, or of the answer itself where the name is empty.
 pub fn columns(root: &Value, rows: &str) -> Vec<Column> {
     let mut out = vec![];
     if rows.is_empty() || rows == FLAT {

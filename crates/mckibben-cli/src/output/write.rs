@@ -63,7 +63,7 @@ pub fn check_ending(path: Option<&Path>, endings: &[&str]) -> Result<(), Problem
 
 /// Writes all files of an answer into a folder, or none if one of them exists.
 pub fn save_all(files: &[BuiltFile], folder: &Path) -> Result<(), Problem> {
-    // A file that is there already as it would be written is left.
+    // A file with the same content is not written again.
     let is_there = |file: &&BuiltFile| {
         let limit = file.content.len() as u64;
         mckibben_io::files::read(&folder.join(&file.name), limit).is_ok_and(|there| there == file.content)

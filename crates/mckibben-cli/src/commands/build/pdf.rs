@@ -73,7 +73,7 @@ pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Problem> {
     std::fs::read(&pdf).map_err(&wrong)
 }
 
-/// A folder that nobody else can write to, also for the browser's profile, with the lock that holds it. Those that killed programs left are removed.
+/// A folder of this user alone, also for the browser's profile, with the lock that holds it. Those that killed programs left are removed.
 fn folder() -> io::Result<(TempDir, File)> {
     for entry in std::fs::read_dir(std::env::temp_dir()).into_iter().flatten().flatten() {
         let left = |lock: File| lock.try_lock().is_ok();
