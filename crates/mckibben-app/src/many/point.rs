@@ -233,13 +233,13 @@ impl BoundModel {
                 _ => 1.0,
             };
             let h = STEP * if value == 0.0 { scale } else { value.abs() };
-            *place = slope(h, |h| self.force_with(&held, *target, value + h, (p, e)))?;
+            *place = slope(h, |h| self.force_with(&held, *target, value + h, p, e))?;
         }
         Ok(())
     }
 
     /// The pull with another value of a parameter.
-    fn force_with(&self, held: &Muscle, target: Target, value: f64, (p, e): (f64, f64)) -> Result<f64> {
+    fn force_with(&self, held: &Muscle, target: Target, value: f64, p: f64, e: f64) -> Result<f64> {
         let model = self.choice.build(Candidate::new(held, &[(target, value)])?.muscle())?;
         Ok(Evaluation::new(&*model, &mut Workspace::new(), self.options).force_n(p, e)?)
     }
