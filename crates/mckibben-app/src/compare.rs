@@ -45,7 +45,7 @@ pub struct CompareRequest {
     /// The muscle.
     #[serde(flatten)]
     pub muscle: MuscleFields,
-    /// How the models are asked.
+    /// How the models are evaluated.
     #[serde(flatten)]
     pub asking: AskFields,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
@@ -92,7 +92,7 @@ pub struct CompareAnswer {
     /// Warnings about the muscle and its rubber, in sentences.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// The figure, where it was asked for.
+    /// The figure, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
 }
@@ -141,7 +141,7 @@ fn is_zero(count: &usize) -> bool {
 }
 
 impl ComparedModel {
-    fn of(comparison: Comparison, volumes: Option<VolumeComparison>, fitted: &[(FitConstant, f64)]) -> Self {
+    fn new(comparison: Comparison, volumes: Option<VolumeComparison>, fitted: &[(FitConstant, f64)]) -> Self {
         // Without measured pulls there is no error of them.
         let pulls = comparison.points > 0;
         let value = |constant| fitted.iter().find(|f| f.0 == constant).map(|f| f.1);
@@ -232,7 +232,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
             if points.is_empty() && cavity.is_none() {
                 return Err(ModelError::NoVolume { model: bound.info().name.to_string() }.into());
             }
-            let row = ComparedModel::of(comparison, cavity, &fitted);
+            let row = ComparedModel::new(comparison, cavity, &fitted);
             Ok((Compared { row, model: bound, workspace }, points))
         };
         match one() {
@@ -251,9 +251,9 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         return Err(first.unwrap_or_else(|| Problem::missing("models", "at least one model")));
     }
     let points = reference.unwrap_or_default();
-    let asked: Vec<(f64, f64)> = points.iter().map(|p| (p.pressure_mpa, p.contraction)).collect();
+    let states: Vec<(f64, f64)> = points.iter().map(|p| (p.pressure_mpa, p.contraction)).collect();
     let beyond = compared.iter_mut().filter_map(|c| {
-        let stretch = warnings::largest_stretch(&mut c.evaluation(options), &asked)?;
+        let stretch = warnings::largest_stretch(&mut c.evaluation(options), &states)?;
         Warning::of_stretch(&c.model.muscle().tube().rubber, stretch)
     });
     let said = muscle.warnings().into_iter().chain(doubts).map(Warning::from);
@@ -282,8 +282,8 @@ impl CompareRequest {
     /// The models, each once.
     fn chosen(&self) -> Result<Vec<Model>> {
         const DEFAULT: [&str; 4] = ["fe", "paper", "thick-wall", "ideal"];
-        let own: Vec<&str> = self.models.iter().map(String::as_str).collect();
-        let names = if own.is_empty() { DEFAULT.to_vec() } else { own };
+        let named: Vec<&str> = self.models.iter().map(String::as_str).collect();
+        let names = if named.is_empty() { DEFAULT.to_vec() } else { named };
         let solid = names.iter().any(|n| n.trim() == "fe3d");
         let mut models: Vec<Model> = vec![];
         for name in names {
@@ -299,7 +299,7 @@ impl CompareRequest {
         Ok(models)
     }
 
-    /// The measured points of a file, on the branch that was asked for.
+    /// The measured points of a file, on the requested branch.
     fn on_branch(&self, file: &TextFile, muscle: &Muscle) -> Result<(Read, UnderstoodTable)> {
         let options =
             PointOptions { columns: self.columns.clone(), rest_length_mm: Some(muscle.tube().length_mm) };
@@ -341,7 +341,7 @@ fn grid(request: &CompareRequest, measured: Option<&[MeasuredPoint]>) -> Result<
     Ok((pressures, steps(101, low, high)))
 }
 
-/// A model's own answers, as if they had been measured.
+/// Answers of a model, as if they had been measured.
 fn answers(
     evaluation: &mut Evaluation<'_>,
     pressures: &[f64],
@@ -394,7 +394,7 @@ fn fitted(
     let parameter = |&c: &FitConstant| Parameter { start: start(c), ..Parameter::free(c.target()) };
     let free: Vec<Parameter> = known.iter().map(parameter).collect();
     let request = Request { two_sided: true, ..Request::new(muscle, &free, &points, &build) };
-    let found = identify(&request).map_err(|error| match error {
+    let identified = identify(&request).map_err(|error| match error {
         IdentifyError::Start(_, error) | IdentifyError::Model(error) => error.into(),
         IdentifyError::Estimate(_) => {
             Problem::new(ProblemKind::NotConverged, format!("the fit did not converge: {error}"), "")
@@ -402,5 +402,5 @@ fn fitted(
         error @ (IdentifyError::Flipped(_) | IdentifyError::NoRubber { .. }) => error.into(),
         other => Problem::new(ProblemKind::Fit, other.to_string(), ""),
     })?;
-    Ok((found.muscle, known.into_iter().zip(found.parameters.iter().map(|p| p.value)).collect()))
+    Ok((identified.muscle, known.into_iter().zip(identified.parameters.iter().map(|p| p.value)).collect()))
 }

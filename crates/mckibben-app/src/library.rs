@@ -12,7 +12,7 @@ use serde::Serialize;
 /// A muscle of the library.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct LibraryMuscle {
-    /// Its name, which may stand where a muscle file may (`lib:dmsp-20-300`), and what is known of it.
+    /// Its name, which replaces a muscle file (`lib:dmsp-20-300`), and what is known of it.
     #[serde(flatten)]
     pub facts: Facts,
     /// The muscle.
@@ -47,7 +47,7 @@ pub struct LibraryDetails {
 }
 
 impl LibraryMuscle {
-    fn of(facts: &Facts, muscle: &Muscle) -> Result<Self, Problem> {
+    fn new(facts: &Facts, muscle: &Muscle) -> Result<Self, Problem> {
         let (model, w) = (Model::FE.build(muscle)?, &mut Workspace::new());
         let (pressure_mpa, points) = muscle.bench().map_or((0.0, 0), |b| (b.pressure_mpa.1, b.points));
         let mut model = Evaluation::new(&*model, w, Direction::Mean);
@@ -67,7 +67,7 @@ impl LibraryMuscle {
 
 /// The muscles of the library.
 pub(crate) fn library_muscles() -> Result<Vec<LibraryMuscle>, Problem> {
-    threads::map(&library()?, |(case, muscle)| LibraryMuscle::of(&case.facts, muscle)).into_iter().collect()
+    threads::map(&library()?, |(case, muscle)| LibraryMuscle::new(&case.facts, muscle)).into_iter().collect()
 }
 
 /// A muscle of the library by its name, with or without `lib:`; `None` where there is none of that name.
@@ -78,7 +78,7 @@ pub(crate) fn library_details(name: &str) -> Result<Option<LibraryDetails>, Prob
     };
     let file = TextFile { name: format!("{}.toml", case.facts.name), text: to_toml(muscle) };
     Ok(Some(LibraryDetails {
-        muscle: LibraryMuscle::of(&case.facts, muscle)?,
+        muscle: LibraryMuscle::new(&case.facts, muscle)?,
         fit: case.fit_of_library().map(|fit| fit.name.clone()).unwrap_or_default(),
         identified: muscle.bench().map(|bench| bench.parameters.clone()).unwrap_or_default(),
         agreement: agreement(case, muscle, &|m: &Muscle| Model::FE.build(m)),

@@ -49,11 +49,11 @@ impl Model {
     pub fn named(name: &str, formulas: &[TextFile], mesh: &MeshFields) -> Result<Self> {
         let name = name.trim();
         if let Ok(elements) = name.parse::<Elements>() {
-            return Ok(Self::Elements(mesh.of(elements)?));
+            return Ok(Self::Elements(mesh.meshed(elements)?));
         }
         mesh.no_terminal()?;
         if let Some(file) = formulas.iter().find(|f| f.name == name) {
-            return Self::of_formula(file);
+            return Self::from_formula(file);
         }
         if let Ok(kind) = name.parse::<ModelKind>() {
             return Ok(Self::ClosedForm(kind));
@@ -64,7 +64,7 @@ impl Model {
     }
 
     /// The model of a formula's file.
-    pub fn of_formula(file: &TextFile) -> Result<Self> {
+    pub fn from_formula(file: &TextFile) -> Result<Self> {
         if !cfg!(feature = "whole") {
             let message = "formula files need the full engine; this is a reduced one";
             return Err(Problem::new(ProblemKind::Formula, message, ""));
@@ -136,7 +136,7 @@ impl fmt::Display for Model {
 
 impl MeshFields {
     /// Elements with this mesh.
-    fn of(&self, elements: Elements) -> Result<Elements> {
+    fn meshed(&self, elements: Elements) -> Result<Elements> {
         let elements = match elements {
             Elements::Axisymmetric(spec) => {
                 self.no_terminal()?;
@@ -180,7 +180,7 @@ impl MeshFields {
     }
 }
 
-/// Refuses both branches where one was asked for, or where the muscle does not state its friction.
+/// Refuses both branches where one is requested, or where the muscle does not state its friction.
 pub(crate) fn check_both(direction: Direction, muscle: &Muscle) -> Result<()> {
     if direction == Direction::Mean {
         return check_direction(Direction::Contraction, muscle);

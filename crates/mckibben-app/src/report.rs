@@ -60,12 +60,12 @@ pub(crate) fn report(
         progress.check()
     };
     let pressure_mpa = plan.operating.pressure_mpa;
-    let asked = CheckRequest {
+    let wanted = CheckRequest {
         question: request.muscle.clone().into(),
         pressure_mpa: Some(pressure_mpa),
         ..CheckRequest::default()
     };
-    let shown = check(&asked, progress)?;
+    let shown = check(&wanted, progress)?;
     step(1)?;
     // To a whole percent: a state that one can set.
     let usual = (50.0 * plan.operating.free_contraction).round() / 100.0;
@@ -83,13 +83,13 @@ pub(crate) fn report(
     let units = &request.units;
     let said = shown.warnings.iter().filter(|w| is_of_burst(w)).cloned().map(Part::Text);
     let mut parts: Vec<Part> = said.chain(state(&shown, &point, units)).collect();
-    let of = ShapeRequest {
+    let deformed = ShapeRequest {
         muscle: request.muscle.clone(),
         pressure_mpa: Some(pressure_mpa),
         contraction: Some(contraction),
         ..ShapeRequest::default()
     };
-    parts.push(body_of(&of, progress)?);
+    parts.push(body_part(&deformed, progress)?);
     step(3)?;
     parts.extend(front(plan, burst, units));
     parts.push(Part::Heading("Curves".into()));
@@ -146,11 +146,11 @@ fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
 
 /// The deformed muscle by itself.
 pub fn body(request: &ShapeRequest, progress: &dyn Progress) -> Result<Document> {
-    let parts = vec![body_of(request, progress)?];
+    let parts = vec![body_part(request, progress)?];
     Ok(Document { title: "The deformed muscle".into(), parts, ..Document::default() })
 }
 
-fn body_of(request: &ShapeRequest, progress: &dyn Progress) -> Result<Part> {
+fn body_part(request: &ShapeRequest, progress: &dyn Progress) -> Result<Part> {
     let mut answer = shape(request, progress)?;
     for list in answer.arrays.values_mut() {
         // A few micrometres are finer than a screen.
@@ -167,22 +167,19 @@ fn curves(
     progress: &dyn Progress,
 ) -> Result<Option<Figure>> {
     let shares = |n: usize| (1..=n).map(|i| pressure_mpa * i as f64 / n as f64).collect::<Vec<_>>();
-    let asked = CurveRequest {
+    let wanted = CurveRequest {
         test,
         question: request.muscle.clone().into(),
         pressures_mpa: Some(shares(if test == Test::Isobaric { 5 } else { 20 })),
-        contractions: None,
-        forces_n: None,
-        load: Default::default(),
-        both: false,
         figure: Some(request.units.clone()),
+        ..CurveRequest::default()
     };
-    Ok(curve(&asked, progress)?.figure)
+    Ok(curve(&wanted, progress)?.figure)
 }
 
 /// What other models say.
 fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) -> Result<Vec<Part>> {
-    let asked = CompareRequest {
+    let wanted = CompareRequest {
         models: MODELS.map(str::to_owned).to_vec(),
         muscle: request.muscle.clone(),
         pressures_mpa: Some(vec![0.5 * pressure_mpa, pressure_mpa]),
@@ -190,7 +187,7 @@ fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) ->
         figure: Some(request.units.clone()),
         ..CompareRequest::default()
     };
-    let answer = compare(&asked, progress)?;
+    let answer = compare(&wanted, progress)?;
     let force = &request.units.force;
     let shown =
         |v: Option<f64>| v.map_or_else(|| "–".to_owned(), |v| format!("{} {}", force.to(v, 2), force.name));

@@ -83,7 +83,7 @@ pub fn aligned(column: &[Option<f64>], digits: usize) -> Vec<String> {
     column.iter().map(one).collect()
 }
 
-/// A ratio as a percentage; what is left of rounding is nothing.
+/// A ratio as a percentage; rounding errors about zero are zero.
 pub fn percent(ratio: f64) -> String {
     format!("{} %", number(if ratio.abs() < 1e-9 { 0.0 } else { 100.0 * ratio }, 4))
 }

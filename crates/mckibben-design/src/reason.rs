@@ -18,37 +18,9 @@ pub enum Reason {
 impl Reason {
     /// The sentence, with pressures, forces and lengths written by `show` ("2.5 bar", "700 N", "30 mm").
     pub fn describe(&self, show: impl Fn(Dimension, f64) -> String) -> String {
-        let check = match self {
-            Self::Limit(check) => check,
-            Self::Model(error) => return error.to_string(),
-        };
-        let (value, bound) = (check.value, check.bound);
-        match check.limit {
-            Limit::Force => {
-                let mpa = |p| show(Dimension::Pressure, p);
-                let below = check.by.map_or_else(String::new, |below| format!("; {}", below.describe(mpa)));
-                format!(
-                    "{} at {} and {} %, {} required{below}",
-                    show(Dimension::Force, if value * bound > 0.0 { value.trunc() } else { 0.0 }),
-                    mpa(check.pressure_mpa),
-                    round(100.0 * check.contraction),
-                    show(Dimension::Force, bound)
-                )
-            }
-            Limit::BulgedDiameter => {
-                let bulged = (10.0 * value).round() / 10.0;
-                let [bulged, limit] = [bulged, bound].map(|v| show(Dimension::Length, v));
-                format!("bulged diameter {bulged}, at most {limit} allowed")
-            }
-            Limit::MaxStretch => format!("rubber stretched to {value:.2}, at most {bound} allowed"),
-            Limit::Buckling => {
-                let [push, limit] = [value.ceil(), bound.floor()].map(|v| show(Dimension::Force, v));
-                format!("buckles at {limit} between two joints, {push} required")
-            }
-            Limit::LiquidVolume => {
-                let (volume, limit) = ((0.1 * value).ceil() / 100.0, round(1e-3 * bound));
-                format!("takes {volume} mL of liquid, at most {limit} mL allowed")
-            }
+        match self {
+            Self::Limit(check) => check.describe(show),
+            Self::Model(error) => error.to_string(),
         }
     }
 
@@ -61,10 +33,6 @@ impl Reason {
     pub fn limit(&self) -> Option<Limit> {
         Some(self.check()?.limit)
     }
-}
-
-fn round(v: f64) -> f64 {
-    (v * 1e4).round() / 1e4
 }
 
 /// A muscle that does not fit, and why.

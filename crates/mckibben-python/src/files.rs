@@ -80,7 +80,7 @@ pub fn toml_text(tables: &Bound<'_, PyAny>) -> PyResult<String> {
 
 fn table_of(map: &Map<String, Value>, deeper: u8) -> Table {
     let mut out = Table::new();
-    // What holds nothing but tables needs no heading of its own.
+    // What holds nothing but tables needs no heading.
     out.set_implicit(!map.is_empty() && map.values().all(Value::is_object));
     for (key, value) in map {
         match (value, deeper.checked_sub(1)) {

@@ -48,7 +48,7 @@ pub fn parameters(text: String) -> PyResult<Vec<(String, f64, &'static str)>> {
 pub fn muscle_fields(py: Python<'_>, text: String) -> PyResult<Bound<'_, PyAny>> {
     let muscle = muscle_of(&TextFile { name: "muscle".into(), text }).map_err(Wrong::from)?;
     let wrong = |e: serde_json::Error| Wrong::from(Problem::new(ProblemKind::Internal, e.to_string(), ""));
-    value::answer(py, &serde_json::to_value(MuscleFields::of(&muscle)).map_err(wrong)?)
+    value::answer(py, &serde_json::to_value(MuscleFields::from_muscle(&muscle)).map_err(wrong)?)
 }
 
 /// Nominal stress in MPa of the rubber of a muscle at stretches: `uniaxial`, `planar` or `equibiaxial`, with plane stress and constant volume.

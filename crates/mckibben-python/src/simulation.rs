@@ -4,7 +4,7 @@ use crate::{error::Wrong, run, value};
 use mckibben_app::{MotionRequest, SimulatedDrive, understood};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use serde_json::json;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// A drive that is stepped.
@@ -82,17 +82,9 @@ impl Simulation {
 
     /// What happened: stops, slack, switching and reversals.
     #[pyo3(signature = () -> "list[dict[str, typing.Any]]")]
-    fn events<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let events = py.detach(|| self.drive().motion().events.clone());
-        let made = events.iter().map(|event| {
-            let out = PyDict::new(py);
-            out.set_item("time_s", event.time_s)?;
-            out.set_item("kind", event.kind.to_string())?;
-            out.set_item("muscle", event.muscle)?;
-            out.set_item("lost_j", event.lost_j)?;
-            Ok(out)
-        });
-        made.collect()
+    fn events<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let events = py.detach(|| json!(self.drive().motion().events));
+        value::answer(py, &events)
     }
 
     /// What is commanded (`pressure`, `opening` or `position`), how many commands there are, and whether a joint is moved.

@@ -11,7 +11,7 @@ use crate::model::ModelError;
 use serde::{Deserialize, Serialize};
 
 /// Which test.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Test {
     /// ε fixed, F over P.
@@ -19,6 +19,7 @@ pub enum Test {
     /// F fixed, ε over P.
     Isotonic,
     /// P fixed, F over ε.
+    #[default]
     Isobaric,
 }
 

@@ -169,7 +169,7 @@ fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<U
     let (model, workspace) = (build(&winner.muscle).ok()?, &mut Workspace::new());
     let mut model = Evaluation::new(&*model, workspace, spec.options().direction);
     let parts = model.uncertainty(response.pressure_mpa, response.contraction, response.force_n);
-    Some(UncertaintyWords::of(parts, &mut model, response.pressure_mpa))
+    Some(UncertaintyWords::at(parts, &mut model, response.pressure_mpa))
 }
 
 fn spreads(tolerances: Option<&Tolerances>, build: &Build<'_>, outcome: &Outcome) -> Result<Vec<Spread>> {

@@ -64,8 +64,8 @@ fn end_band(run: &MotionRun) -> Option<Series> {
             (motion.equilibrium_angle_deg.or(in_the_end(&angle))?, half)
         }
         (None, Some(half)) => {
-            let own = motion.series.muscles.first().and_then(|m| in_the_end(&m.contraction));
-            (motion.equilibrium_contraction.or(own)?, half)
+            let last = motion.series.muscles.first().and_then(|m| in_the_end(&m.contraction));
+            (motion.equilibrium_contraction.or(last)?, half)
         }
         (None, None) => return None,
     };

@@ -35,7 +35,7 @@ use std::path::Path;
 /// Most runs of a sweep.
 const MOST_RUNS: usize = 100;
 
-/// What a drive moves, ready to be asked.
+/// What a drive moves, with its models.
 struct Moved {
     choice: Model,
     joint: Option<Joint>,
@@ -58,7 +58,7 @@ impl MotionRequest {
             Subject::Muscle(_) => {
                 let missing = || Problem::missing("muscle", "the muscle file that the drive names");
                 let file = self.muscle.clone().ok_or_else(missing)?;
-                let models = vec![choice.bound(&MuscleFields::of_file(file).resolve()?)?];
+                let models = vec![choice.bound(&MuscleFields::from_file(file).resolve()?)?];
                 Ok(Moved { choice, joint: None, models })
             }
             Subject::Joint(_) => {
@@ -127,7 +127,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let mut warnings = Warning::gravest(&said);
     let bursts = moved.models.iter().map(|m| burst_of(&moved.choice, &**m));
     let bursts = bursts.collect::<Result<Vec<_>, _>>()?;
-    let burst = bursts.iter().zip(&highest_mpa).flat_map(|(found, highest)| said_of(found, *highest, 0.0));
+    let burst = bursts.iter().zip(&highest_mpa).flat_map(|(burst, highest)| said_of(burst, *highest, 0.0));
     put_first(&mut warnings, burst.collect::<Vec<_>>());
     let mut runs = runs.into_iter();
     let Some(motion) = runs.next() else { return Err(Problem::missing("drive", "a drive file")) };
@@ -233,8 +233,8 @@ impl Moved {
         let (mut motion, conductance) = match rise_time_s {
             None => (run_as_far(&drive, progress)?, None),
             Some(wanted) => {
-                let found = size(&drive, finite("rise_time_s", wanted)?, progress)?;
-                (found.motion, Some(found.conductance_l_per_s_bar))
+                let sized = size(&drive, finite("rise_time_s", wanted)?, progress)?;
+                (sized.motion, Some(sized.conductance_l_per_s_bar))
             }
         };
         motion.bandwidth_hz = bandwidth_hz;
@@ -313,7 +313,7 @@ pub struct MotionAnswer {
     /// The other motions of a sweep.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub others: Vec<MotionRun>,
-    /// Sonic conductance of the smallest valve with the rise time that was asked for, L/(s bar).
+    /// Sonic conductance of the smallest valve with the requested rise time, L/(s bar).
     pub sonic_conductance_l_per_s_bar: Option<f64>,
     /// The pressures that its weakest muscle bears.
     #[serde(flatten)]
@@ -321,7 +321,7 @@ pub struct MotionAnswer {
     /// Warnings.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// The figure, where it was asked for.
+    /// The figure, if requested.
     pub figure: Option<Figure>,
 }
 
@@ -411,12 +411,12 @@ impl Moved {
             _ if run.motion.at_rest() != Some(true) => None,
             _ => run.motion.series.muscles.iter().map(|m| m.pressure_mpa.last().copied()).collect(),
         };
-        let found = match (&self.joint, pressures) {
+        let end = match (&self.joint, pressures) {
             (_, None) => None,
             (Some(_), Some(pressures)) => self.end_of_joint(run, &pressures),
             (None, Some(pressures)) => self.end_of_muscle(run, file, &pressures),
         };
-        run.end = found.unwrap_or_default();
+        run.end = end.unwrap_or_default();
         run.end.uncertainty_text = run.uncertainty_in(&Units::default());
     }
 
@@ -453,9 +453,9 @@ impl Moved {
         let workspace = &mut Workspace::new();
         let options = Options { extrapolate: true, ..Options::default() };
         let mut model = Evaluation::new(&**model, workspace, options);
-        let found = model.balances(load, *pressures_mpa.first()?).ok()?;
+        let balances = model.balances(load, *pressures_mpa.first()?).ok()?;
         let far = |e: f64| (e - contraction).abs();
-        let nearest = found.into_iter().map(|b| b.answer);
+        let nearest = balances.into_iter().map(|b| b.answer);
         let nearest =
             nearest.min_by(|a, b| far(a.response.contraction).total_cmp(&far(b.response.contraction)))?;
         Some(EndUncertainty {

@@ -1,25 +1,22 @@
 //! `compare`: models, and measured points.
 
-use crate::{Asked, Bar, Failure, Units, place, shown, tabled, understood, value, warn};
+use crate::{Args, Bar, Problem, Units, place, tabled, understood, value, warn};
 use mckibben_app::{CompareAnswer, CompareRequest, ComparedModel, Direction};
 use serde_json::Value;
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    let request: CompareRequest = asked.request()?;
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let request: CompareRequest = args.request()?;
     let mut answer = mckibben_app::compare(&request, &Bar::new("models"))?;
-    asked.draw(&mut answer.figure)?;
-    let text = || {
-        answer.warnings.iter().for_each(warn);
-        as_text(asked, &request, &answer, &shown::units())
-    };
-    asked.show(&answer, "models", text)
+    args.draw(&mut answer.figure)?;
+    args.show(&answer, "models", |answer, u| as_text(args, &request, answer, u))
 }
 
 const ERRORS: &str = "model rms_n:3 share=of_the_largest_pull:3% max_n=largest:3 mean_n:3 points fitted";
 const VOLUMES: &str = "model rms_volume_mm3=rms:3 mean_volume_mm3=mean:3 volume_points=points";
 
-fn as_text(asked: &Asked, request: &CompareRequest, answer: &CompareAnswer, u: &Units) -> String {
-    let against = match asked.path("data") {
+fn as_text(args: &Args, request: &CompareRequest, answer: &CompareAnswer, u: &Units) -> String {
+    answer.warnings.iter().for_each(warn);
+    let against = match args.path("data") {
         Some(path) => {
             let mean = request.branch == Direction::Mean;
             let which = if mean { " (mean of the branches where both are given)" } else { "" };

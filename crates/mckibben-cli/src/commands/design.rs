@@ -1,15 +1,15 @@
 //! `design`: the main job.
 
 use crate::{
-    Asked, Bar, Failure, Format, NO_ANSWER, Units, burst_first, check_ending, each, emit, in_flags, listed,
-    number, pairs, place, said, save, shown, tabled, value,
+    Args, Bar, Format, NO_ANSWER, Problem, Units, burst_first, check_ending, each, emit, in_flags, listed,
+    number, pairs, place, said, save, tabled, value,
 };
 use mckibben_app::{CandidateAnswer, ClosestAnswer, DesignAnswer, RejectedAnswer};
 use mckibben_design::Spread;
 use serde_json::Value;
 use std::path::Path;
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
+pub fn run(asked: &Args) -> Result<u8, Problem> {
     let target = asked.path("output");
     check_ending(target.as_deref(), &["toml"])?;
     let mut answer = mckibben_app::design(&asked.request()?, &Bar::new("muscles"))?;
@@ -17,8 +17,8 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     if let Some(winner) = winner {
         save(target.as_deref(), winner.text.as_bytes())?;
     }
-    let text = || {
-        burst_first(&answer.warnings) + &as_text(&answer, target.as_deref(), asked.is("all"), &shown::units())
+    let text = |answer: &DesignAnswer, u: &Units| {
+        burst_first(&answer.warnings) + &as_text(answer, target.as_deref(), asked.is("all"), u)
     };
     asked.print(&answer, "candidates", text)?;
     if let (Some(path), Some(_), Format::Text) = (&target, winner, asked.format) {
