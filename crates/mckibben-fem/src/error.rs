@@ -8,6 +8,9 @@ use mckibben::size;
 use mckibben::status::Status;
 use thiserror::Error;
 
+/// An answer, or why there is none.
+pub type Result<T, E = FemError> = std::result::Result<T, E>;
+
 /// Why there is no answer.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]

@@ -55,6 +55,6 @@ pub mod solver;
 pub mod three_dimensional;
 pub mod verification;
 
-pub use error::FemError;
+pub use error::{FemError, Result};
 pub use seated::with_ends;
 pub use simulation::Simulation;

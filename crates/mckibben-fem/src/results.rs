@@ -1,6 +1,6 @@
 //! What an equilibrium tells, whichever elements found it.
 
-use crate::FemError;
+use crate::Result;
 use crate::solver::body::Body;
 use mckibben::model::Response;
 use mckibben::muscle::Muscle;
@@ -135,7 +135,7 @@ pub struct Sensitivity {
 /// A body that is a muscle: what its present equilibrium tells.
 pub trait MuscleBody: Body {
     /// Factorises the tangent; dF/dw for a displacement of one terminal in N/mm, ∂F/∂P in mm² and ∂V/∂P in mm³/MPa of the whole muscle.
-    fn derivatives(&mut self) -> Result<[f64; 3], FemError>;
+    fn derivatives(&mut self) -> Result<[f64; 3]>;
 
     /// Volume of the cavity at rest of the whole muscle, in mm³.
     fn rest_volume_mm3(&self, muscle: &Muscle) -> f64;
@@ -159,12 +159,12 @@ pub trait MuscleBody: Body {
     ///
     /// # Errors
     /// [`FemError`] where a neighbouring muscle cannot be assembled.
-    fn sensitivities(&mut self, _muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
+    fn sensitivities(&mut self, _muscle: &Muscle) -> Result<Vec<Sensitivity>> {
         Ok(vec![])
     }
 
     /// What every model answers; factorises the tangent.
-    fn response(&mut self, muscle: &Muscle) -> Result<Response, FemError> {
+    fn response(&mut self, muscle: &Muscle) -> Result<Response> {
         let [stiffness, force_per_pressure, volume_per_pressure] = self.derivatives()?;
         let (state, totals) = (self.state(), self.totals());
         let largest = self.strands(muscle).iter().map(|s| s.tension_n_per_mm).fold(0.0, f64::max);
@@ -189,7 +189,7 @@ pub trait MuscleBody: Body {
     }
 
     /// Everything; factorises the tangent.
-    fn solution(&mut self, muscle: &Muscle) -> Result<Solution, FemError> {
+    fn solution(&mut self, muscle: &Muscle) -> Result<Solution> {
         let response = self.response(muscle)?;
         let sensitivities = self.sensitivities(muscle)?;
         let (pressure, totals) = (self.state().pressure, self.totals());

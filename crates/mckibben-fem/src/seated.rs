@@ -1,9 +1,9 @@
 //! Finite elements of a muscle whose ends give way: equilibria and tests with contraction, pull and volume of the whole muscle.
 
-use crate::FemError;
 use crate::results::{Sensitivity, Solution};
 use crate::simulation::{Detail, Given, Simulation};
 use crate::solver::curve::{Curve, CurvePoint, Test};
+use crate::{FemError, Result};
 use mckibben::cancel::Cancelled;
 use mckibben::model::{Response, Seated, Workspace};
 use mckibben::muscle::{EndState, Ends, InnerPull, Muscle};
@@ -33,13 +33,13 @@ fn for_whole_muscle(of: &Whole, displacement_mm: f64, mut error: FemError) -> Fe
 }
 
 /// One equilibrium of the muscle between its ends.
-fn inner(of: &Whole, w: &mut Workspace, p: f64, x: f64, detail: Detail) -> Result<CurvePoint, FemError> {
+fn inner(of: &Whole, w: &mut Workspace, p: f64, x: f64, detail: Detail) -> Result<CurvePoint> {
     let points = of.inner().run(w, Test::Isometric(x), &[p], detail, &Silent);
     points.into_iter().next().unwrap_or(Err(FemError::Question { pressure_mpa: p, contraction: x }))
 }
 
 /// x of the ends at a pressure and a contraction of the whole.
-fn between(of: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<f64, FemError> {
+fn between(of: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<f64> {
     let ends = of.ends();
     if ends.slip_mm_per_n == 0.0 {
         return Ok(ends.between(e, ends.seating_mm));
@@ -59,7 +59,7 @@ fn between(of: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<f64, FemErro
 }
 
 /// x at which a pull is reached: the pressure and the load of the ends are found together, by secants.
-fn between_at_pull(of: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> Result<f64, FemError> {
+fn between_at_pull(of: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> Result<f64> {
     let ends = of.ends();
     let at = |p: f64| ends.between(e, ends.end_displacement_mm(p, force_n));
     if ends.slip_mm_per_n == 0.0 {
@@ -87,7 +87,7 @@ fn between_at_pull(of: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> Resul
 }
 
 /// What is given of the muscle between its ends, by how much in mm these give way, and the contraction of the whole where it is given.
-fn given_between(of: &Whole, w: &mut Workspace, given: Given) -> Result<(Given, f64, Option<f64>), FemError> {
+fn given_between(of: &Whole, w: &mut Workspace, given: Given) -> Result<(Given, f64, Option<f64>)> {
     let ends = of.ends();
     Ok(match given {
         Given::PressureAndContraction { pressure_mpa, contraction: e } => {
@@ -134,7 +134,7 @@ fn whole_point(of: &Whole, asked: Option<f64>, mut point: CurvePoint) -> CurvePo
 }
 
 impl Simulation for Whole {
-    fn solve(&self, workspace: &mut Workspace, given: Given) -> Result<Solution, FemError> {
+    fn solve(&self, workspace: &mut Workspace, given: Given) -> Result<Solution> {
         let (given, displacement, asked) = given_between(self, workspace, given)?;
         let found = self.inner().solve(workspace, given);
         let mut found = found.map_err(|error| for_whole_muscle(self, displacement, error))?;
@@ -147,7 +147,7 @@ impl Simulation for Whole {
         Ok(found)
     }
 
-    fn reach(&self, workspace: &mut Workspace, given: Given) -> Result<CurvePoint, FemError> {
+    fn reach(&self, workspace: &mut Workspace, given: Given) -> Result<CurvePoint> {
         let (given, displacement, asked) = given_between(self, workspace, given)?;
         let found = self.inner().reach(workspace, given);
         let found = found.map_err(|error| for_whole_muscle(self, displacement, error))?;
@@ -197,7 +197,7 @@ impl Simulation for Whole {
             Test::Isobaric(_) => values.get(i).copied(),
         };
         let points = self.inner().run(workspace, between, &at, detail, progress);
-        let one = |(i, found): (usize, Result<CurvePoint, FemError>)| {
+        let one = |(i, found): (usize, Result<CurvePoint>)| {
             let found = found.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
             Ok(whole_point(self, asked(i), found))
         };

@@ -6,8 +6,7 @@ use crate::solver::body::Body as _;
 use crate::solver::continuation::Continuation;
 use crate::solver::curve::{Curve, CurvePoint, Test, run};
 use mckibben::model::{
-    Accuracy, Extensions, ForceModel, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange, Response,
-    Workspace,
+    Accuracy, Extensions, ForceModel, ModelEntry, ModelId, ModelInfo, ModelRange, Response, Result, Workspace,
 };
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
@@ -132,21 +131,11 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
         &self.info
     }
 
-    fn response(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.body.response(self.muscle())?)
     }
 
-    fn force_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<f64, ModelError> {
+    fn force_n(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.pull())
     }
 

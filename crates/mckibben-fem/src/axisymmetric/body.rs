@@ -12,12 +12,12 @@
 use super::assembly::{Assembled, assemble};
 use super::discretisation::{Discretisation, Ends};
 use super::neighbour::Neighbours;
-use crate::FemError;
 use crate::element::q2::{MODES, NODES};
 use crate::element::strand::STRAND_POINTS;
 use crate::solver::body::{Control, State, Totals};
 use crate::solver::dense;
 use crate::solver::newton::{NewtonSystem, Stopped};
+use crate::{FemError, Result};
 use mckibben::model::ThickWall;
 use mckibben::muscle::Crimp;
 use std::sync::Arc;
@@ -160,7 +160,7 @@ impl Body {
     }
 
     /// The same of an equilibrium; nothing is done where the last tangent is that of the present state.
-    pub(super) fn tangent(&mut self) -> Result<(), FemError> {
+    pub(super) fn tangent(&mut self) -> Result<()> {
         if !self.linearised {
             self.factorise().map_err(|reason| FemError::at_force(self.totals.pull, reason))?;
         }

@@ -7,13 +7,13 @@
 use super::body::Body;
 use super::discretisation::{Discretisation, Memory};
 use super::results::elements;
-use crate::FemError;
 use crate::element::law;
 use crate::element::plane::AnyPlaneLaw;
 use crate::element::q2::{Geometry, POINTS};
 use crate::element::solid::gradient;
 use crate::solver::body::State;
 use crate::solver::continuation::Continuation;
+use crate::{FemError, Result};
 use mckibben::model::ThickWall;
 use mckibben::muscle::Muscle;
 use mckibben::rubber::over_time::OgdenRoxburgh;
@@ -29,11 +29,7 @@ impl Memory {
     ///
     /// # Errors
     /// [`FemError::Refused`] where the muscle has no such equilibria.
-    pub fn of(
-        muscle: &Muscle,
-        d: &Discretisation,
-        endless: &Arc<ThickWall>,
-    ) -> Result<Option<Self>, FemError> {
+    pub fn of(muscle: &Muscle, d: &Discretisation, endless: &Arc<ThickWall>) -> Result<Option<Self>> {
         let Some((softening, pressure_mpa)) = muscle.rubber().conditioned() else { return Ok(None) };
         let failed = |error| match error {
             FemError::Cancelled(_) => error,

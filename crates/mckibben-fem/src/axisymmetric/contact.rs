@@ -19,7 +19,7 @@ use super::Axisymmetric;
 use super::body::Body;
 use super::discretisation::Discretisation;
 use super::results::strand;
-use crate::FemError;
+use crate::Result;
 use crate::element::q2::{GAUSS2, along};
 use crate::simulation::Given;
 use mckibben::model::Workspace;
@@ -52,12 +52,7 @@ pub struct Contact {
 
 impl Axisymmetric {
     /// The contact of the strands at a pressure in MPa and a contraction.
-    pub fn contact(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Contact, FemError> {
+    pub fn contact(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Contact> {
         let c = self.led_to(workspace, Given::at(pressure_mpa, contraction))?;
         c.body.tangent()?;
         Ok(of(&mut c.body))

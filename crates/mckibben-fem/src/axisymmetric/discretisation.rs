@@ -3,11 +3,11 @@
 use super::body::Body;
 use super::layout::Layout;
 use super::mesh::Mesh;
-use crate::FemError;
 use crate::element::q2::{Geometry, NODES, POINTS, Point, point};
 use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
 use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
+use crate::{FemError, Result};
 use mckibben::muscle::{Bulk, Crimp, Muscle, Parts, StrandLay};
 use mckibben::rubber::over_time::OgdenRoxburgh;
 use mckibben::rubber::{Law, RubberLaw};
@@ -137,7 +137,7 @@ impl Discretisation {
     ///
     /// # Errors
     /// [`FemError::Refused`] where an element is turned inside out.
-    pub fn new(cylinder: Mesh, problem: Problem) -> Result<Self, FemError> {
+    pub fn new(cylinder: Mesh, problem: Problem) -> Result<Self> {
         let mesh = match problem.braid {
             Some(_) if problem.plug_mm2 != 0.0 => on_plugs(&cylinder, &problem)?,
             _ => cylinder.clone(),
@@ -152,7 +152,7 @@ impl Discretisation {
             geometry.points = geometry.points.map(|p| p.prestretched(problem.prestretch));
             Ok(geometry)
         };
-        let elements = (0..mesh.through * mesh.along).map(element).collect::<Result<_, FemError>>()?;
+        let elements = (0..mesh.through * mesh.along).map(element).collect::<Result<_>>()?;
         let outer = 2 * mesh.through;
         let strands = problem.braid.map_or(vec![], |braid| {
             let radius = cylinder.node(outer, 0)[0];
@@ -208,7 +208,7 @@ impl Discretisation {
 
 /// The tube on plugs that are not as wide as its bore, in equilibrium without a braid and as long as before. The wall on a plug keeps its section,
 /// r² = R² + rp² − Ri². What draws the tube back from its plugs is left out: the muscle begins without stress in this shape.
-fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh, FemError> {
+fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh> {
     let tube = Problem { braid: None, prestretch: 1.0, ..problem.clone() };
     let mut path = Continuation::new(Body::new(Discretisation::new(cylinder.clone(), tube)?));
     let (half, layer) = (path.body.discretisation.half_length(), LAYER * path.body.discretisation.radius);

@@ -1,7 +1,7 @@
 //! Meshes of the section (R, Z) of a tube.
 
 use super::layout::Layout;
-use crate::FemError;
+use crate::{FemError, Result};
 
 /// How a tube is divided; what is `None` the program chooses.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -38,7 +38,7 @@ impl MeshSpec {
     }
 
     /// Fills in what is not said, for a tube of outer radius, wall and half length in mm.
-    pub fn resolve(&self, outer: f64, wall: f64, half: f64) -> Result<(usize, usize, f64), FemError> {
+    pub fn resolve(&self, outer: f64, wall: f64, half: f64) -> Result<(usize, usize, f64)> {
         let chosen = default_mesh(outer, wall, half);
         let through = self.through.unwrap_or(chosen.0);
         let along = self.along.unwrap_or(chosen.1);

@@ -8,7 +8,8 @@ use crate::FemError;
 use crate::results::Sensitivity;
 use crate::simulation::{Divided, FiniteElements, Given};
 use mckibben::model::{
-    self, Accuracy, Extensions, ForceModel, ModelEntry, ModelError, Reference, Slopes, ThickWall, Workspace,
+    self, Accuracy, Extensions, ForceModel, ModelEntry, ModelError, Reference, Result, Slopes, ThickWall,
+    Workspace,
 };
 use mckibben::muscle::Muscle;
 use std::sync::Arc;
@@ -118,7 +119,7 @@ impl Slopes for Axisymmetric {
         pressure_mpa: f64,
         contraction: f64,
         names: &[String],
-    ) -> Option<Result<Vec<f64>, ModelError>> {
+    ) -> Option<Result<Vec<f64>>> {
         let mut known = || {
             let c = self.led_to(workspace, Given::at(pressure_mpa, contraction))?;
             c.body.tangent()?;
@@ -134,7 +135,7 @@ impl Slopes for Axisymmetric {
 }
 
 impl model::Mesh for Axisymmetric {
-    fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, ModelError> {
+    fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64> {
         self.force_n(workspace, pressure_mpa, 0.0)
     }
 
@@ -163,7 +164,7 @@ impl model::Contact for Axisymmetric {
         workspace: &mut Workspace,
         pressure_mpa: f64,
         contraction: f64,
-    ) -> Result<f64, ModelError> {
+    ) -> Result<f64> {
         Ok(self.contact(workspace, pressure_mpa, contraction)?.pivoting_n_per_mm)
     }
 }

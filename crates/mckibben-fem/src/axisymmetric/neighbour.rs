@@ -2,7 +2,7 @@
 
 use super::discretisation::{Discretisation, Problem};
 use super::mesh::Mesh;
-use crate::FemError;
+use crate::Result;
 use mckibben::differences::STENCIL;
 use mckibben::muscle::Parts;
 use std::collections::BTreeMap;
@@ -27,7 +27,7 @@ impl Neighbours {
         name: &str,
         (d, here): (&Discretisation, &Parts),
         make: impl Fn(f64) -> Parts,
-    ) -> Result<Arc<[Neighbour; STENCIL.len()]>, FemError> {
+    ) -> Result<Arc<[Neighbour; STENCIL.len()]>> {
         if let Some(known) = self.0.get(name) {
             return Ok(Arc::clone(known));
         }
@@ -39,7 +39,7 @@ impl Neighbours {
 }
 
 /// The body with other measures; the mesh keeps its proportions.
-fn rebuilt(d: &Discretisation, from: &Parts, to: &Parts) -> Result<Neighbour, FemError> {
+fn rebuilt(d: &Discretisation, from: &Parts, to: &Parts) -> Result<Neighbour> {
     let mut mesh: Mesh = d.cylinder.clone();
     let (outer, stretch) = (to.tube.outer_radius_mm(), to.tube.length_mm / from.tube.length_mm);
     let inner = outer - to.tube.wall_mm;

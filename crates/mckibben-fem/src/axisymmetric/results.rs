@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::discretisation::{Discretisation, nodes};
 use super::sensitivity;
-use crate::FemError;
+use crate::Result;
 use crate::element::q2::{NODES, Point};
 use crate::element::solid::{Unknowns, gradient};
 use crate::element::strand::{STRAND_POINTS, Stretch};
@@ -14,7 +14,7 @@ use crate::solver::body::State;
 use mckibben::muscle::Muscle;
 
 impl MuscleBody for Body {
-    fn derivatives(&mut self) -> Result<[f64; 3], FemError> {
+    fn derivatives(&mut self) -> Result<[f64; 3]> {
         self.tangent()?;
         let (half_volume_per_pressure, force_per_pressure) = self.by_pressure();
         Ok([self.end.stiffness(), force_per_pressure, 2.0 * half_volume_per_pressure])
@@ -75,7 +75,7 @@ impl MuscleBody for Body {
         first.flat_map(|e| [of(&e, -1.0), of(&e, 1.0)]).flatten().fold(1.0, f64::max)
     }
 
-    fn sensitivities(&mut self, muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
+    fn sensitivities(&mut self, muscle: &Muscle) -> Result<Vec<Sensitivity>> {
         if self.discretisation.has_slopes() { sensitivity::of(self, muscle, |_| true) } else { Ok(vec![]) }
     }
 }

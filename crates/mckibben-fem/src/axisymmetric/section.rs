@@ -8,7 +8,7 @@ use super::discretisation::{Discretisation, nodes};
 use super::layout::Layout;
 use super::model::Axisymmetric;
 use super::results::{elements, strands};
-use crate::FemError;
+use crate::Result;
 use crate::element::law;
 use crate::element::plane::{AnyPlaneLaw, Gradient};
 use crate::element::q2::{GAUSS2, GAUSS3, NODES, Point, quadratic};
@@ -100,7 +100,7 @@ impl Axisymmetric {
         workspace: &mut Workspace,
         pressure_mpa: f64,
         contraction: f64,
-    ) -> Result<Section, FemError> {
+    ) -> Result<Section> {
         let c = self.continuation(workspace)?;
         if c.kept_at(pressure_mpa, contraction).is_none() {
             c.reach(pressure_mpa, contraction)?;

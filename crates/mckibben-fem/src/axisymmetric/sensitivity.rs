@@ -8,9 +8,9 @@
 use super::assembly::{Assembled, assemble};
 use super::body::Body;
 use super::neighbour::Neighbour;
-use crate::FemError;
 use crate::results::Sensitivity;
 use crate::solver::body::State;
+use crate::{FemError, Result};
 use mckibben::differences::STENCIL;
 use mckibben::muscle::measures::{STIFFNESS, of_section};
 use mckibben::muscle::{Muscle, Parts};
@@ -23,11 +23,7 @@ const STEP: f64 = 1e-3;
 ///
 /// # Errors
 /// [`FemError`] where a neighbouring muscle cannot be assembled.
-pub fn of(
-    body: &mut Body,
-    muscle: &Muscle,
-    wanted: impl Fn(&str) -> bool,
-) -> Result<Vec<Sensitivity>, FemError> {
+pub fn of(body: &mut Body, muscle: &Muscle, wanted: impl Fn(&str) -> bool) -> Result<Vec<Sensitivity>> {
     let d = Arc::clone(&body.discretisation);
     let mut room = (body.state.clone(), Assembled::new(&d));
     let mut here = muscle.parts().clone();
@@ -81,7 +77,7 @@ fn residual<'a>(
     Neighbour { discretisation: other, stretch }: &Neighbour,
     at: &State,
     (state, work): &'a mut (State, Assembled),
-) -> Result<&'a [f64], FemError> {
+) -> Result<&'a [f64]> {
     state.u.copy_from_slice(&at.u);
     // At fixed ε the terminal moves with L0. All axial displacements go with it: what is added to free unknowns does
     // not change what arrives at the terminal, and the terminal's move alone would be too rough for differences.

@@ -1,7 +1,7 @@
 //! What an incremental solver must know of a body under pressure and pull.
 
 use super::newton::{NewtonOptions, NewtonSystem};
-use crate::error::FemError;
+use crate::Result;
 use std::f64::consts::PI;
 use std::slice::{from_mut, from_ref};
 
@@ -209,13 +209,13 @@ pub trait Body {
     ///
     /// # Errors
     /// [`FemError`] where nothing carries that pull.
-    fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64, FemError>;
+    fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64>;
 
     /// The pressure in MPa at which a pull in N is expected at a contraction.
     ///
     /// # Errors
     /// [`FemError`] where no pressure gives that pull.
-    fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64, FemError>;
+    fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64>;
 
     /// The pull in N that is expected at a pressure in MPa and a contraction.
     fn expected_pull(&self, pressure: f64, contraction: f64) -> Option<f64>;

@@ -16,7 +16,7 @@ use super::body::{Body, Control, State};
 use super::descent::Descent;
 use super::newton::{self, Effort, Interrupted, NewtonOptions, Stopped};
 use super::trail::Trail;
-use crate::error::FemError;
+use crate::{FemError, Result};
 use mckibben::cancel;
 use mckibben::status::Status;
 
@@ -166,7 +166,7 @@ impl<B: Body> Continuation<B> {
     /// Finds the equilibrium at a pressure in MPa and a contraction.
     ///
     /// First from the nearest one kept, then from the first guesses; where these leave open which equilibrium it is, from the taut muscle.
-    pub fn reach(&mut self, pressure: f64, contraction: f64) -> Result<(), FemError> {
+    pub fn reach(&mut self, pressure: f64, contraction: f64) -> Result<()> {
         self.question(pressure, contraction)?;
         let terminal = -contraction * self.body.half_length();
         // Along a descent that was begun its next stations are near.
@@ -211,7 +211,7 @@ impl<B: Body> Continuation<B> {
     }
 
     /// The same without a neighbour or a guess: from rest, step by step.
-    pub fn walk_from_rest(&mut self, pressure: f64, contraction: f64) -> Result<(), FemError> {
+    pub fn walk_from_rest(&mut self, pressure: f64, contraction: f64) -> Result<()> {
         self.question(pressure, contraction)?;
         let terminal = -contraction * self.body.half_length();
         self.within(pressure, contraction, |c| {
@@ -219,7 +219,7 @@ impl<B: Body> Continuation<B> {
         })
     }
 
-    fn question(&self, pressure_mpa: f64, contraction: f64) -> Result<(), FemError> {
+    fn question(&self, pressure_mpa: f64, contraction: f64) -> Result<()> {
         let known = -LARGEST_CONTRACTION < contraction && contraction < LARGEST_CONTRACTION;
         let question = FemError::Question { pressure_mpa, contraction };
         (pressure_mpa.is_finite() && known).then_some(()).ok_or(question)
@@ -231,7 +231,7 @@ impl<B: Body> Continuation<B> {
         pressure_mpa: f64,
         contraction: f64,
         seek: impl FnOnce(&mut Self) -> Result<(), (Interrupted, Option<f64>)>,
-    ) -> Result<(), FemError> {
+    ) -> Result<()> {
         let before = self.effort.iterations;
         self.allow(Some(B::SETTINGS.budget));
         let found = seek(self);

@@ -5,8 +5,8 @@ use super::body::{Body, Control};
 use super::continuation::Continuation;
 use super::newton::Effort;
 use super::trail::Along;
-use crate::error::FemError;
 use crate::results::Sensitivity;
+use crate::{FemError, Result};
 use mckibben::cancel::Cancelled;
 use mckibben::model::Response;
 use mckibben::progress::Progress;
@@ -57,7 +57,7 @@ impl CurvePoint {
 }
 
 /// Points of a curve in the order they were asked for.
-pub type Curve = Vec<Result<CurvePoint, FemError>>;
+pub type Curve = Vec<Result<CurvePoint>>;
 
 /// What is kept fixed along a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,7 +85,7 @@ impl Test {
         order
     }
 
-    fn afresh<B: Body>(self, c: &mut Continuation<B>, value: f64) -> Result<(), FemError> {
+    fn afresh<B: Body>(self, c: &mut Continuation<B>, value: f64) -> Result<()> {
         match self {
             Self::Isometric(contraction) => c.reach(value, contraction),
             Self::Isotonic(force) => c.reach_force(force, value),
@@ -112,7 +112,7 @@ pub(crate) fn run<B: Body>(
     values: &[f64],
     test: Test,
     progress: &dyn Progress,
-    complete: impl Fn(&mut Continuation<B>, &mut CurvePoint) -> Result<(), FemError>,
+    complete: impl Fn(&mut Continuation<B>, &mut CurvePoint) -> Result<()>,
 ) -> Curve {
     let order = test.order(values);
     let mut out: Curve = vec![Err(FemError::Cancelled(Cancelled)); values.len()];

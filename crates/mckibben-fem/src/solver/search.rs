@@ -5,7 +5,7 @@
 use super::body::{Body, Control};
 use super::continuation::{Continuation, LARGEST_CONTRACTION};
 use super::newton::{Interrupted, Stopped};
-use crate::error::FemError;
+use crate::{FemError, Result};
 use mckibben::cancel;
 
 /// Single equilibria on the way to a given pull.
@@ -24,7 +24,7 @@ impl<B: Body> Continuation<B> {
     ///
     /// # Errors
     /// [`FemError`]; [`FemError::OutOfReach`] where the muscle cannot carry that pull.
-    pub fn reach_force(&mut self, force: f64, pressure: f64) -> Result<(), FemError> {
+    pub fn reach_force(&mut self, force: f64, pressure: f64) -> Result<()> {
         let mut contraction = self.body.guess_contraction(force, pressure)?;
         let length = 2.0 * self.body.half_length();
         let mut refused = FemError::Force { force_n: force, reason: Stopped::Iterations };
@@ -56,18 +56,13 @@ impl<B: Body> Continuation<B> {
     }
 
     /// Finds the equilibrium with a pull in N at a contraction by Newton's method with both held; its pressure is sought.
-    pub fn reach_pressure(&mut self, force: f64, contraction: f64) -> Result<(), FemError> {
+    pub fn reach_pressure(&mut self, force: f64, contraction: f64) -> Result<()> {
         let guess = self.body.guess_pressure(force, contraction)?;
         self.reach_pressure_from(guess, force, contraction)
     }
 
     /// The same from a pressure in MPa near to it.
-    pub fn reach_pressure_from(
-        &mut self,
-        mut pressure: f64,
-        force: f64,
-        contraction: f64,
-    ) -> Result<(), FemError> {
+    pub fn reach_pressure_from(&mut self, mut pressure: f64, force: f64, contraction: f64) -> Result<()> {
         let terminal = -contraction * self.body.half_length();
         let scale = self.body.smallest_pressure();
         let mut refused = FemError::Force { force_n: force, reason: Stopped::Iterations };
@@ -103,7 +98,7 @@ impl<B: Body> Continuation<B> {
     }
 
     /// Whether the equilibrium that was found with a held pull is the answer at its own pressure and contraction.
-    fn is_that_of(&mut self, force: f64) -> Result<bool, FemError> {
+    fn is_that_of(&mut self, force: f64) -> Result<bool> {
         if B::SETTINGS.take_unstable || self.body.certain() {
             return Ok(true);
         }

@@ -7,10 +7,10 @@
 use super::assembly::{Assembled, assemble};
 use super::discretisation::{Discretisation, share};
 use super::saddle::{Constraints, constraint_residual, dot, gather};
-use crate::FemError;
 use crate::solver::body::{Control, State, Totals};
 use crate::solver::newton::{NewtonSystem, Stopped};
 use crate::solver::sparse::SparseCholesky;
+use crate::{FemError, Result};
 use mckibben::cancel;
 use std::sync::Arc;
 
@@ -61,7 +61,7 @@ impl Body {
     ///
     /// # Errors
     /// [`FemError::Refused`] where there is not enough memory.
-    pub fn new(discretisation: impl Into<Arc<Discretisation>>) -> Result<Self, FemError> {
+    pub fn new(discretisation: impl Into<Arc<Discretisation>>) -> Result<Self> {
         let discretisation = discretisation.into();
         let cholesky = SparseCholesky::new(discretisation.analysis.clone())
             .ok_or_else(|| FemError::too_large(discretisation.free))?;

@@ -2,7 +2,6 @@
 //! change while it deforms.
 
 use super::problem::{Freedom, Problem};
-use crate::FemError;
 use crate::element::brick::{Modes, modes};
 use crate::element::hexahedron::points;
 use crate::element::lanes::Width;
@@ -10,6 +9,7 @@ use crate::element::spatial::PAIRS;
 use crate::element::truss::{Pull, Truss};
 use crate::solver::body::State;
 use crate::solver::sparse::{Analysis, Pattern};
+use crate::{FemError, Result};
 use mckibben::cancel::{self, Cancelled};
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, RubberLaw};
@@ -112,7 +112,7 @@ impl Discretisation {
     /// # Errors
     /// [`FemError::Refused`] where an element is turned inside out at rest, [`FemError::Refused`] without enough memory,
     /// [`FemError::Cancelled`] where the work is cancelled.
-    pub fn new(problem: Problem) -> Result<Self, FemError> {
+    pub fn new(problem: Problem) -> Result<Self> {
         let rest = rest_modes(&problem)?;
         let (unknown, place, terminal) = number(&problem);
         let free = place.len();
@@ -263,7 +263,7 @@ fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
     stiff.iter().map(one).fold(0.0, f64::max)
 }
 
-fn rest_modes(problem: &Problem) -> Result<Vec<Modes>, FemError> {
+fn rest_modes(problem: &Problem) -> Result<Vec<Modes>> {
     let points = points(problem.brick.order());
     let element = |(e, nodes): (usize, &Vec<u32>)| {
         look(e)?;

@@ -5,7 +5,7 @@
 //! degree at 20°.
 
 use super::mesh::{Brick, BrickMesh, BrickSpec, Match, Quarter};
-use crate::FemError;
+use crate::{FemError, Result};
 use mckibben::muscle::Muscle;
 use mckibben::size::MAX_ELEMENTS;
 
@@ -22,7 +22,7 @@ fn stands_for(meshed: f64, angle: f64) -> bool {
 impl BrickMesh {
     /// Refuses divisions of a muscle whose strands would lie at another angle than those of its braid. A mesh that leaves the rows along to
     /// the program, or the length, has the braid's angle.
-    pub fn check_angle(muscle: &Muscle, spec: &BrickSpec) -> Result<(), FemError> {
+    pub fn check_angle(muscle: &Muscle, spec: &BrickSpec) -> Result<()> {
         let Some(along) = spec.along.filter(|_| spec.keep == Match::Length) else { return Ok(()) };
         let tube = Quarter::of(muscle);
         let angle = tube.angle_rad;

@@ -11,12 +11,12 @@ use super::mesh::{Brick, BrickMesh};
 use super::model::ThreeDimensional;
 use super::muscle::MuscleInBricks;
 use super::saddle::dot;
-use crate::FemError;
 use crate::element::brick::{ShapePoint, determinant};
 use crate::element::hexahedron::at;
 use crate::element::law::with;
 use crate::element::q2::GAUSS2;
 use crate::element::spatial::SpatialLaw;
+use crate::{FemError, Result};
 use mckibben::model::Workspace;
 use std::collections::HashMap;
 
@@ -78,12 +78,7 @@ impl ThreeDimensional {
     ///
     /// # Errors
     /// [`FemError`]; [`FemError::Force`] where the state has no stress.
-    pub fn field_at(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Field, FemError> {
+    pub fn field_at(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Field> {
         let c = self.continuation(workspace)?;
         match c.kept_at(pressure_mpa, contraction).cloned() {
             Some(state) => c.body.bricks.state = state,
@@ -93,7 +88,7 @@ impl ThreeDimensional {
     }
 }
 
-fn field(muscle: &mut MuscleInBricks) -> Result<Field, FemError> {
+fn field(muscle: &mut MuscleInBricks) -> Result<Field> {
     let (body, mesh) = (&mut muscle.bricks, &muscle.mesh);
     let force_n = body.totals.pull;
     body.evaluate().map_err(|reason| FemError::Force { force_n, reason })?;

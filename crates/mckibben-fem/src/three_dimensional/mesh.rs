@@ -5,7 +5,7 @@
 //! quads of the outer grid; a diagonal is at θ0 where tanθ0 = chord/Δz.
 
 use super::plug::{Plug, PlugGrid, profile};
-use crate::FemError;
+use crate::{FemError, Result};
 use mckibben::muscle::Muscle;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -228,7 +228,7 @@ impl BrickMesh {
     pub(super) const MOST_AROUND: usize = MOST[1] as usize;
 
     /// Whether numbers that are said make a mesh.
-    pub fn check(spec: &BrickSpec) -> Result<(), FemError> {
+    pub fn check(spec: &BrickSpec) -> Result<()> {
         let names = ["through", "around", "along"];
         for ((name, value), high) in names.into_iter().zip([spec.through, spec.around, spec.along]).zip(MOST)
         {
@@ -239,7 +239,7 @@ impl BrickMesh {
     }
 
     /// Bricks through the wall, around and along, and the last over the insertion, of a tube that is divided so.
-    pub fn count(tube: &Quarter, spec: &BrickSpec) -> Result<[usize; 4], FemError> {
+    pub fn count(tube: &Quarter, spec: &BrickSpec) -> Result<[usize; 4]> {
         let order = spec.brick.order();
         Self::check(spec)?;
         let measures = spec.plug.map(|p| p.measures(tube.inner_mm, tube.half_mm)).transpose()?;
@@ -267,7 +267,7 @@ impl BrickMesh {
     }
 
     /// Divides one eighth of a tube.
-    pub fn new(tube: &Quarter, spec: &BrickSpec) -> Result<Self, FemError> {
+    pub fn new(tube: &Quarter, spec: &BrickSpec) -> Result<Self> {
         let order = spec.brick.order();
         let Quarter { inner_mm: inner, outer_mm: outer, half_mm: half, .. } = *tube;
         let [through, around, along, bonded] = Self::count(tube, spec)?;

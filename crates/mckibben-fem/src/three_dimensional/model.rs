@@ -4,7 +4,7 @@ use super::mesh::{BrickMesh, BrickSpec};
 use super::muscle::MuscleMesh;
 use crate::FemError;
 use crate::simulation::FiniteElements;
-use mckibben::model::{Accuracy, Mesh, ModelEntry, ModelError, Reference, Workspace};
+use mckibben::model::{Accuracy, Mesh, ModelEntry, Reference, Result, Workspace};
 use mckibben::muscle::Muscle;
 
 pub(crate) const ENTRY: ModelEntry = ModelEntry {
@@ -79,7 +79,7 @@ fn notes(divided: &MuscleMesh, muscle: &Muscle) -> Vec<String> {
 }
 
 impl Mesh for ThreeDimensional {
-    fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, ModelError> {
+    fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64> {
         self.divided.limit.blocked_scale_n(workspace, pressure_mpa)
     }
 

@@ -6,12 +6,12 @@ use super::mesh::{BrickMesh, BrickSpec, Quarter};
 use super::model::{ENTRY, ThreeDimensional};
 use super::plug::Plug;
 use super::problem::Problem;
-use crate::FemError;
 use crate::axisymmetric::{self, Axisymmetric, Section};
 use crate::simulation::Divided;
 use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{NewtonOptions, NewtonSystem, Stopped};
+use crate::{FemError, Result};
 use mckibben::model::{Extensions, ForceModel, ModelEntry};
 use mckibben::muscle::{BraidStiffness, Muscle};
 use std::sync::Arc;
@@ -37,7 +37,7 @@ impl MuscleMesh {
     ///
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.
-    pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
+    pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self> {
         let (tube, braid) = (muscle.tube(), muscle.braid());
         let missing = [
             ("braid.thickness", braid.thickness_mm > 0.0),
@@ -73,7 +73,7 @@ impl Divided for MuscleMesh {
     const ENTRY: ModelEntry = ENTRY;
     type Body = MuscleInBricks;
 
-    fn at_rest(&self) -> Result<MuscleInBricks, FemError> {
+    fn at_rest(&self) -> Result<MuscleInBricks> {
         let section = self.axisymmetric.as_ref().map(|model| {
             let section = model.divided.at_rest().map(Continuation::new);
             section.map(|section| (model.muscle().clone(), section))
@@ -202,13 +202,13 @@ impl body::Body for MuscleInBricks {
         body::Body::pulling_pressure(&self.section.as_ref()?.1.body, contraction)
     }
 
-    fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64, FemError> {
+    fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64> {
         let Some((_, section)) = &mut self.section else { return Ok(0.0) };
         section.reach_force(force, pressure)?;
         Ok(section.contraction())
     }
 
-    fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64, FemError> {
+    fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64> {
         let Some((_, section)) = &mut self.section else {
             return Err(FemError::Force { force_n: force, reason: Stopped::Diverged });
         };

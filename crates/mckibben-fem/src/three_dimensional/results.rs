@@ -4,16 +4,16 @@ use super::body::Body;
 use super::kinematics::{gradient, largest_principal, now};
 use super::mesh::{Brick, BrickMesh};
 use super::muscle::MuscleInBricks;
-use crate::FemError;
 use crate::element::brick::{ShapePoint, determinant, jacobian};
 use crate::element::hexahedron::at;
 use crate::results::{MuscleBody, ProfilePoint, StrandState, StretchAt, StretchOf, largest_of_most};
+use crate::{FemError, Result};
 use mckibben::cancel;
 use mckibben::muscle::Muscle;
 use std::f64::consts::{FRAC_PI_4, PI};
 
 impl MuscleBody for MuscleInBricks {
-    fn derivatives(&mut self) -> Result<[f64; 3], FemError> {
+    fn derivatives(&mut self) -> Result<[f64; 3]> {
         let body = &mut self.bricks;
         let force_n = body.totals.pull;
         body.factorise().map_err(|reason| FemError::at_force(force_n, reason))?;
