@@ -1,7 +1,7 @@
 //! The position controller.
 
 use crate::state::ControllerState;
-use crate::{MotionError, error::within};
+use crate::{Result, error::within};
 
 /// What the controller commands.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +42,7 @@ pub struct Pid {
 }
 
 impl Pid {
-    pub(crate) fn check(&self) -> Result<(), MotionError> {
+    pub(crate) fn check(&self) -> Result<()> {
         within("the controller's proportional gain", self.proportional, 0.0, 1e9)?;
         within("the controller's integral gain", self.integral_per_s, 0.0, 1e9)?;
         within("the controller's derivative gain", self.derivative_s, 0.0, 1e9)?;

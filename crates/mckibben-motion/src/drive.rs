@@ -2,7 +2,7 @@
 
 use crate::{
     ATMOSPHERE_MPA, Command, Fluid, Heat, Hose, Hysteresis, LiquidValve, Mechanism, MotionError, Pid,
-    PidOutput, Prony, Pump, Syringe, Valve, ValveKind, error::within,
+    PidOutput, Prony, Pump, Result, Syringe, Valve, ValveKind, error::within,
 };
 use mckibben::model::ForceModel;
 
@@ -222,7 +222,7 @@ impl<'a> Drive<'a> {
     }
 
     /// Whether it can be run.
-    pub fn check(&self) -> Result<(), MotionError> {
+    pub fn check(&self) -> Result<()> {
         let n = self.mechanism.muscles();
         let count = |given: usize, what| {
             MotionError::require(given == n, || {
@@ -301,7 +301,7 @@ impl<'a> Drive<'a> {
 }
 
 impl Actuated<'_> {
-    fn check(&self) -> Result<(), MotionError> {
+    fn check(&self) -> Result<()> {
         within("the wall's temperature in K", self.fluid.medium().wall_temperature_k(), 50.0, 2000.0)?;
         // Up to 1000 m³.
         within("the dead volume in mm³", self.fluid.medium().dead_volume_mm3(), 0.0, 1e12)?;

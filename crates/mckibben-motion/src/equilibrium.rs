@@ -3,7 +3,7 @@
 use crate::events::switches;
 use crate::state::State;
 use crate::system::{Switch, System};
-use crate::{ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Target, ValveKind, error::within};
+use crate::{ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Result, Target, ValveKind, error::within};
 use mckibben::analysis::find_root;
 use mckibben::model::ModelError;
 
@@ -20,13 +20,13 @@ pub struct Equilibrium {
 
 /// Where a drive rests under given gauge pressures: the first equilibrium from the position of unshortened muscles on, in the
 /// direction of the net force.
-pub fn equilibrium(drive: &Drive<'_>, pressures_mpa: &[f64]) -> Result<Equilibrium, MotionError> {
+pub fn equilibrium(drive: &Drive<'_>, pressures_mpa: &[f64]) -> Result<Equilibrium> {
     System::new(drive)?.at_pressures(pressures_mpa)
 }
 
 impl System<'_> {
     /// Static net force at q: pulls less load. A muscle that would have to push is slack, also where its model has no answer for it.
-    fn net(&self, pressures: &[f64], q: f64) -> Result<f64, MotionError> {
+    fn net(&self, pressures: &[f64], q: f64) -> Result<f64> {
         let mut sum = -self.drive.load(q);
         for (i, (member, p)) in self.members.iter().zip(pressures).enumerate() {
             let lever = self.drive.mechanism.lever(i, q);
@@ -42,7 +42,7 @@ impl System<'_> {
     }
 
     /// The equilibrium under gauge pressures in MPa.
-    pub fn at_pressures(&self, pressures: &[f64]) -> Result<Equilibrium, MotionError> {
+    pub fn at_pressures(&self, pressures: &[f64]) -> Result<Equilibrium> {
         let drive = self.drive;
         let (low, high) = drive.mechanism.stops();
         let lever = drive.mechanism.lever(0, 0.0);
@@ -89,7 +89,7 @@ impl System<'_> {
     }
 
     /// The equilibrium at the first command.
-    fn at_start(&self) -> Result<Equilibrium, MotionError> {
+    fn at_start(&self) -> Result<Equilibrium> {
         let drive = self.drive;
         let supply = drive.supply.pressure_mpa;
         let given = |pressures: Vec<f64>| -> Vec<f64> {
@@ -155,7 +155,7 @@ impl System<'_> {
     }
 
     /// The state at rest at the start, with the modes that belong to it.
-    pub fn initial_state(&self) -> Result<State, MotionError> {
+    pub fn initial_state(&self) -> Result<State> {
         let drive = self.drive;
         for member in &self.members {
             let info = member.muscle.model.info();

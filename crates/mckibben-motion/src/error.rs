@@ -6,6 +6,9 @@ use mckibben::muscle::MuscleError;
 use mckibben::size::TooLarge;
 use thiserror::Error;
 
+/// A motion, or why there is none.
+pub type Result<T, E = MotionError> = std::result::Result<T, E>;
+
 /// Why a motion was refused, or ended early.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MotionError {
@@ -109,7 +112,7 @@ impl MotionError {
     }
 }
 
-pub(crate) fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<(), MotionError> {
+pub(crate) fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<()> {
     if value >= low && value <= high {
         return Ok(());
     }

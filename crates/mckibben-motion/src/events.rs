@@ -2,7 +2,7 @@
 
 use crate::state::State;
 use crate::system::{Point, Switch, System};
-use crate::{Actuator, MotionError, Target, ValveKind};
+use crate::{Actuator, Result, Target, ValveKind};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -71,7 +71,7 @@ impl System<'_> {
     }
 
     /// All guards at a time, with their functions; those that ask a model only where `all`.
-    pub fn guards(&self, t: f64, state: &State, all: bool) -> Result<Vec<(Guard, f64)>, MotionError> {
+    pub fn guards(&self, t: f64, state: &State, all: bool) -> Result<Vec<(Guard, f64)>> {
         let mut guards = vec![];
         let modes = self.modes.borrow();
         let (q, v) = (state.coordinate, state.velocity);
@@ -154,7 +154,7 @@ impl System<'_> {
     }
 
     /// Goes over to the other side of a kink.
-    pub fn apply_event(&self, t: f64, state: &mut State, guard: Guard) -> Result<Event, MotionError> {
+    pub fn apply_event(&self, t: f64, state: &mut State, guard: Guard) -> Result<Event> {
         let mut event = Event { time_s: t, kind: EventKind::Lifted, muscle: 0, lost_j: 0.0 };
         let mut modes = self.modes.borrow_mut();
         match guard {

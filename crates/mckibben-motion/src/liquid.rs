@@ -2,7 +2,7 @@
 
 use crate::air::Cavity;
 use crate::fluid::Medium;
-use crate::{ATMOSPHERE_MPA, Flow, Hose, MotionError, ValveKind, error::within};
+use crate::{ATMOSPHERE_MPA, Flow, Hose, Result, ValveKind, error::within};
 use mckibben::analysis::find_root;
 use mckibben::liquid::Liquid;
 use std::f64::consts::PI;
@@ -134,7 +134,7 @@ impl Restriction {
     ///
     /// # Errors
     /// [`MotionError::Refused`] unless 1e-3 ≤ Kv ≤ 1e10 mm³/s.
-    pub fn new(kv_mm3_per_s: f64) -> Result<Self, MotionError> {
+    pub fn new(kv_mm3_per_s: f64) -> Result<Self> {
         within("the flow coefficient in mm³/s at 1 bar", kv_mm3_per_s, 1e-3, 1e10)?;
         Ok(Self { kv_mm3_per_s })
     }

@@ -1,6 +1,6 @@
 //! When an event comes: the first guard that stops to hold within a step, by its dense output.
 
-use crate::MotionError;
+use crate::Result;
 use crate::events::Guard;
 use crate::integrate::Stepper;
 use crate::run::{Integration, OnStop};
@@ -14,12 +14,7 @@ fn asks_a_model(guard: Guard) -> bool {
 
 impl Integration<'_, '_> {
     /// The first guard that stops to hold within the last step, which ended at `t` with `end`, and when.
-    pub fn event(
-        &mut self,
-        method: &mut dyn Stepper,
-        t: f64,
-        end: &State,
-    ) -> Result<Option<(Guard, f64)>, MotionError> {
+    pub fn event(&mut self, method: &mut dyn Stepper, t: f64, end: &State) -> Result<Option<(Guard, f64)>> {
         const INSIDE: usize = 4;
         let from = self.t;
         let mut before = from;
@@ -63,13 +58,8 @@ impl Integration<'_, '_> {
     }
 
     /// When a guard that holds at the one time and not at the other stops to hold.
-    fn root(
-        &self,
-        method: &mut dyn Stepper,
-        guard: Guard,
-        (low, high): (f64, f64),
-    ) -> Result<f64, MotionError> {
-        let function = |time: f64| -> Result<f64, MotionError> {
+    fn root(&self, method: &mut dyn Stepper, guard: Guard, (low, high): (f64, f64)) -> Result<f64> {
+        let function = |time: f64| -> Result<f64> {
             let Some(state) = self.within(method, time)? else { return Ok(0.0) };
             let all = self.system.guards(time, &state, asks_a_model(guard))?;
             Ok(all.into_iter().find(|g| g.0 == guard).map_or(0.0, |g| g.1))

@@ -1,6 +1,6 @@
 //! Restrictions of air after ISO 6358.
 
-use crate::{Flow, MotionError, REFERENCE_DENSITY_G_PER_L, error::within};
+use crate::{Flow, REFERENCE_DENSITY_G_PER_L, Result, error::within};
 
 /// T0 of ISO 6358 in K.
 const REFERENCE_K: f64 = 293.15;
@@ -33,7 +33,7 @@ impl Orifice {
     ///
     /// # Errors
     /// [`MotionError::Refused`] unless 1e-9 ≤ C ≤ 1e6 L/(s bar) and 0 ≤ b < 0.99.
-    pub fn new(conductance_l_per_s_bar: f64, critical_ratio: f64) -> Result<Self, MotionError> {
+    pub fn new(conductance_l_per_s_bar: f64, critical_ratio: f64) -> Result<Self> {
         within("the valve's sonic conductance in L/(s bar)", conductance_l_per_s_bar, 1e-9, 1e6)?;
         within("the valve's critical pressure ratio", critical_ratio, 0.0, 1.0 - LINEAR_SHARE - 1e-9)?;
         Ok(Self { conductance_l_per_s_bar, critical_ratio })

@@ -7,7 +7,7 @@ use crate::metrics::{Passed, rest, step_figures};
 use crate::run::Integration;
 use crate::state::State;
 use crate::system::System;
-use crate::{ATMOSPHERE_MPA, Actuator, Coordinate, Energies, Fluid, Motion, MotionError};
+use crate::{ATMOSPHERE_MPA, Actuator, Coordinate, Energies, Fluid, Motion, MotionError, Result};
 
 impl Integration<'_, '_> {
     /// The largest speed within the last step, which ended at `t`, by its dense output: the largest of nine points, and the top of the
@@ -39,12 +39,7 @@ impl Integration<'_, '_> {
 
     /// The output that is due up to a time within the last step, which ended at `t`. Pull and volume between its ends are cubic in time, by
     /// their derivatives there: as good as the dense output, and no model is asked.
-    pub fn records(
-        &mut self,
-        method: &mut dyn Stepper,
-        last: f64,
-        (t, end): (f64, &State),
-    ) -> Result<(), MotionError> {
+    pub fn records(&mut self, method: &mut dyn Stepper, last: f64, (t, end): (f64, &State)) -> Result<()> {
         let system = self.system;
         let step = system.drive.output_step_s;
         if step * self.outputs as f64 > last {
@@ -72,7 +67,7 @@ impl Integration<'_, '_> {
     }
 
     /// A point of the series.
-    pub fn record(&mut self, t: f64, state: State) -> Result<(), MotionError> {
+    pub fn record(&mut self, t: f64, state: State) -> Result<()> {
         self.outputs += 1;
         let state = self.lying(state);
         self.pass_by(t, &state);
@@ -94,7 +89,7 @@ impl Integration<'_, '_> {
     }
 
     /// The motion, of all that was integrated.
-    pub fn end(mut self, ended: Option<MotionError>) -> Result<Motion, MotionError> {
+    pub fn end(mut self, ended: Option<MotionError>) -> Result<Motion> {
         let system = self.system;
         let drive = system.drive;
         // The very end, if no multiple of the step was it.
@@ -225,7 +220,7 @@ impl System<'_> {
     }
 
     /// Internal energy of all air or liquid in mJ, and the volume of all cavities in mm³.
-    pub fn fluid_mj_mm3(&self, state: &State) -> Result<(f64, f64), MotionError> {
+    pub fn fluid_mj_mm3(&self, state: &State) -> Result<(f64, f64)> {
         let point = self.point(0.0, state)?;
         let muscles = point.muscles.iter().zip(&self.drive.muscles).zip(&state.muscles);
         Ok(muscles.fold((0.0, 0.0), |(energy, cavities), ((m, muscle), own)| {

@@ -5,7 +5,7 @@ use crate::integrate::{Stepper, stepper};
 use crate::metrics::Passed;
 use crate::state::State;
 use crate::system::System;
-use crate::{Drive, EventKind, Motion, MotionError, MotionSeries, MuscleSeries};
+use crate::{Drive, EventKind, Motion, MotionError, MotionSeries, MuscleSeries, Result};
 use mckibben::progress::Progress;
 use mckibben::size;
 
@@ -13,7 +13,7 @@ use mckibben::size;
 ///
 /// The integration begins anew at every breakpoint of a command and at every event; events are found on the dense output between two
 /// steps and stepped to exactly. `Progress` is looked at in every step.
-pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, MotionError> {
+pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion> {
     let mut motion = run_as_far(drive, progress)?;
     match motion.ended.take().or(motion.never_lifted.take()) {
         Some(error) => Err(error),
@@ -26,7 +26,7 @@ pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, MotionE
 ///
 /// # Errors
 /// [`MotionError`] where there is nothing of it: for a drive that is none, no beginning, or more points than are allowed.
-pub fn run_as_far(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, MotionError> {
+pub fn run_as_far(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion> {
     drive.check()?;
     size::points("output_step", drive.until_s / drive.output_step_s)?;
     let system = System::new(drive)?;
@@ -79,7 +79,7 @@ const MOST_EVENTS: usize = 50;
 const SPAN_S: f64 = 1e-5;
 
 impl<'s, 'd> Integration<'s, 'd> {
-    pub fn begin(system: &'s System<'d>, progress: &'s dyn Progress) -> Result<Self, MotionError> {
+    pub fn begin(system: &'s System<'d>, progress: &'s dyn Progress) -> Result<Self> {
         let state = system.initial_state()?;
         let air = system.fluid_mj_mm3(&state)?;
         let mechanism = system.drive.mechanism;
@@ -124,7 +124,7 @@ impl<'s, 'd> Integration<'s, 'd> {
         }
     }
 
-    fn go(&mut self) -> Result<(), MotionError> {
+    fn go(&mut self) -> Result<()> {
         let until = self.system.drive.until_s;
         let mut ends: Vec<f64> =
             self.system.drive.target.commands().iter().flat_map(|c| c.breakpoints()).collect();
@@ -147,7 +147,7 @@ impl<'s, 'd> Integration<'s, 'd> {
     }
 
     /// Applies the event of every guard that does not hold where we are.
-    fn apply_events(&mut self) -> Result<(), MotionError> {
+    fn apply_events(&mut self) -> Result<()> {
         loop {
             let guards = self.system.guards(self.t, &self.state, true)?;
             let Some((guard, _)) = guards.into_iter().find(|(_, g)| *g < 0.0) else { return Ok(()) };
@@ -155,7 +155,7 @@ impl<'s, 'd> Integration<'s, 'd> {
         }
     }
 
-    fn apply_event(&mut self, guard: Guard) -> Result<(), MotionError> {
+    fn apply_event(&mut self, guard: Guard) -> Result<()> {
         let event = self.system.apply_event(self.t, &mut self.state, guard)?;
         self.impacts_j += event.lost_j;
         if event.kind == EventKind::Lifted {
@@ -173,7 +173,7 @@ impl<'s, 'd> Integration<'s, 'd> {
     }
 
     /// Up to the end of a piece of the command.
-    pub fn piece(&mut self, end: f64) -> Result<(), MotionError> {
+    pub fn piece(&mut self, end: f64) -> Result<()> {
         let mut early = 0;
         while self.t < end {
             self.apply_events()?;
@@ -197,7 +197,7 @@ impl<'s, 'd> Integration<'s, 'd> {
 
     /// Steps until `end`, or until a guard stops to hold; then the time and state are those of the step before, and the guard and its time
     /// come back.
-    fn smooth(&mut self, end: f64, watch: bool) -> Result<Option<(Guard, f64)>, MotionError> {
+    fn smooth(&mut self, end: f64, watch: bool) -> Result<Option<(Guard, f64)>> {
         let system = self.system;
         let relative = system.drive.tolerance.relative;
         let begin = |t: f64, state: &State, h: Option<f64>| {
@@ -267,12 +267,12 @@ impl<'s, 'd> Integration<'s, 'd> {
     }
 
     /// The state at a time within the last step.
-    pub fn within(&self, method: &mut dyn Stepper, t: f64) -> Result<Option<State>, MotionError> {
+    pub fn within(&self, method: &mut dyn Stepper, t: f64) -> Result<Option<State>> {
         method.within(t).map(|numbers| self.system.layout.state(&numbers)).transpose()
     }
 
     /// Looks whether the work is to end, before a step.
-    fn pause(&mut self, end: f64) -> Result<(), MotionError> {
+    fn pause(&mut self, end: f64) -> Result<()> {
         self.steps += 1;
         if self.steps > self.system.drive.tolerance.steps {
             let (time_s, steps, step_s) = (self.t, self.steps, end - self.t);

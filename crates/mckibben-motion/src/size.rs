@@ -1,7 +1,7 @@
 //! The smallest valve that is quick enough.
 
 use crate::metrics::{changes, rise_time};
-use crate::{Actuator, Command, Drive, Motion, MotionError, Target, equilibrium, run};
+use crate::{Actuator, Command, Drive, Motion, MotionError, Result, Target, equilibrium, run};
 use mckibben::progress::Progress;
 
 /// A valve that is large enough.
@@ -26,7 +26,7 @@ const LARGEST: f64 = 100.0;
 /// # Errors
 /// [`MotionError::NoAnswer`] where even 100 L/(s bar) is too slow; [`MotionError::Refused`] without a step that moves it; those of
 /// [`run`].
-pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Result<Sized, MotionError> {
+pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Result<Sized> {
     let no_rise =
         || MotionError::Refused("the command has no rise, so that no valve can be sized by it".into());
     MotionError::positive("the rise time in s", rise_time_s)?;
@@ -52,7 +52,7 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
         return Err(no_rise());
     }
     let mut runs = 0;
-    let mut rise = |c: f64| -> Result<(Option<f64>, Motion), MotionError> {
+    let mut rise = |c: f64| -> Result<(Option<f64>, Motion)> {
         runs += 1;
         let mut drive = drive.clone();
         for muscle in &mut drive.muscles {

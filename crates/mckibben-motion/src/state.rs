@@ -1,6 +1,6 @@
 //! The state of a drive: what is integrated, by name. Only this file has the order in which the integrator sees it.
 
-use crate::{ATMOSPHERE_MPA, Actuator, Drive, MotionError, Target, ValveKind};
+use crate::{ATMOSPHERE_MPA, Actuator, Drive, MotionError, Result, Target, ValveKind};
 
 /// The state of one muscle, or its rates.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -161,14 +161,14 @@ impl Layout {
     ///
     /// # Errors
     /// [`MotionError::Refused`] where they are not as many as the state has.
-    pub fn state(&self, numbers: &[f64]) -> Result<State, MotionError> {
+    pub fn state(&self, numbers: &[f64]) -> Result<State> {
         let mut state = self.zero.clone();
         self.read(numbers, &mut state)?;
         Ok(state)
     }
 
     /// The same into a state of this layout.
-    pub fn read(&self, numbers: &[f64], state: &mut State) -> Result<(), MotionError> {
+    pub fn read(&self, numbers: &[f64], state: &mut State) -> Result<()> {
         self.check(numbers.len())?;
         let mut numbers = numbers.iter();
         state.each(|x| numbers.by_ref().take(1).for_each(|number| *x = *number));
@@ -179,7 +179,7 @@ impl Layout {
     ///
     /// # Errors
     /// [`MotionError::Refused`] where it has not as much room.
-    pub fn write(&self, state: &mut State, numbers: &mut [f64]) -> Result<(), MotionError> {
+    pub fn write(&self, state: &mut State, numbers: &mut [f64]) -> Result<()> {
         self.check(numbers.len())?;
         let mut numbers = numbers.iter_mut();
         let count = state.each(|x| numbers.by_ref().take(1).for_each(|number| *number = *x));
@@ -187,11 +187,11 @@ impl Layout {
     }
 
     /// Whether a state has as many numbers.
-    pub fn check_state(&self, state: &mut State) -> Result<(), MotionError> {
+    pub fn check_state(&self, state: &mut State) -> Result<()> {
         self.check(state.each(|_| {}))
     }
 
-    fn check(&self, given: usize) -> Result<(), MotionError> {
+    fn check(&self, given: usize) -> Result<()> {
         let needed = self.len;
         MotionError::require(given == needed, || {
             format!("{given} numbers were given for a state of {needed}")

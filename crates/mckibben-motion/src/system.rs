@@ -5,7 +5,7 @@ use crate::fluid::Medium as _;
 use crate::integrate::Equations;
 use crate::member::{Answer, Member, Moment, Substitute};
 use crate::state::{ControllerState, Layout, MuscleState, State};
-use crate::{ATMOSPHERE_MPA, Drive, Fluid, MotionError, PidOutput, Target};
+use crate::{ATMOSPHERE_MPA, Drive, Fluid, MotionError, PidOutput, Result, Target};
 use std::cell::{Cell, RefCell};
 
 /// What an on–off valve does.
@@ -83,7 +83,7 @@ pub(crate) struct System<'a> {
 }
 
 impl<'a> System<'a> {
-    pub fn new(drive: &'a Drive<'a>) -> Result<Self, MotionError> {
+    pub fn new(drive: &'a Drive<'a>) -> Result<Self> {
         drive.check()?;
         let members: Vec<Member<'a>> =
             drive.muscles.iter().map(|m| Member::new(m, drive.tolerance.relative)).collect();
@@ -108,14 +108,14 @@ impl<'a> System<'a> {
     }
 
     /// Quantities at a time, and the rates.
-    pub fn point(&self, t: f64, state: &State) -> Result<Point, MotionError> {
+    pub fn point(&self, t: f64, state: &State) -> Result<Point> {
         let mut point = Point::default();
         self.point_within(t, state, &mut point)?;
         Ok(point)
     }
 
     /// The same into the memory of another point.
-    fn point_within(&self, t: f64, state: &State, point: &mut Point) -> Result<(), MotionError> {
+    fn point_within(&self, t: f64, state: &State, point: &mut Point) -> Result<()> {
         self.evaluations.set(self.evaluations.get() + 1);
         let modes = self.modes.borrow();
         let mechanism = self.drive.mechanism;
@@ -224,7 +224,7 @@ impl<'a> System<'a> {
     }
 
     /// What each muscle answers at a time, with its derivative in time: for everything between two of them.
-    pub fn answers(&self, t: f64, state: &State) -> Result<Vec<Moment>, MotionError> {
+    pub fn answers(&self, t: f64, state: &State) -> Result<Vec<Moment>> {
         let rates = self.point(t, state)?.rates;
         let modes = self.modes.borrow();
         let muscles = state.muscles.iter().zip(&rates.muscles);

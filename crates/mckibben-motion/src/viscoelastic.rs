@@ -1,6 +1,6 @@
 //! The rubber's viscoelasticity.
 
-use crate::{MotionError, error::within};
+use crate::{Result, error::within};
 
 /// One branch: its share g of the wall's part of the pull, and its time constant.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,7 +24,7 @@ pub struct Branch {
 pub struct Prony(pub Vec<Branch>);
 
 impl Prony {
-    pub(crate) fn check(&self) -> Result<(), MotionError> {
+    pub(crate) fn check(&self) -> Result<()> {
         self.0.iter().try_for_each(|b| {
             within("a branch's share of the wall's pull", b.share, 0.0, 1e3)?;
             within("a branch's time constant in s", b.time_constant_s, 1e-6, 1e12)
