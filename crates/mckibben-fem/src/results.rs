@@ -82,6 +82,46 @@ pub(crate) fn largest_of_most(mut list: Vec<StretchOf>) -> StretchAt {
     last.map_or(StretchAt { value: 1.0, rest_mm: [0.0; 2] }, |(_, s)| s.at)
 }
 
+/// A node of a deformed body, for pictures and files: places have `N` components, its stress `M`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FieldNode<const N: usize, const M: usize> {
+    /// Place at rest in mm.
+    pub rest_mm: [f64; N],
+    /// Place now in mm.
+    pub now_mm: [f64; N],
+    /// Stretches: λθ of a line that ran around the muscle at rest, λm of one that ran along it, the largest principal one.
+    pub stretches: [f64; 3],
+    /// Cauchy stress in MPa, with the pressure in the rubber.
+    pub stress_mpa: [f64; M],
+}
+
+/// Nodes whose stretches and stress are means over the elements that meet there.
+pub(crate) struct NodeMeans<const N: usize, const M: usize>(Vec<(FieldNode<N, M>, f64)>);
+
+impl<const N: usize, const M: usize> NodeMeans<N, M> {
+    pub(crate) fn new(count: usize) -> Self {
+        let (rest_mm, now_mm, stretches, stress_mpa) = ([0.0; N], [0.0; N], [0.0; 3], [0.0; M]);
+        Self(vec![(FieldNode { rest_mm, now_mm, stretches, stress_mpa }, 0.0); count])
+    }
+
+    /// Adds what an element gives at a node.
+    pub(crate) fn add(&mut self, node: usize, at: &FieldNode<N, M>) {
+        let (sum, count) = &mut self.0[node];
+        (sum.rest_mm, sum.now_mm, *count) = (at.rest_mm, at.now_mm, *count + 1.0);
+        let values = at.stretches.iter().chain(&at.stress_mpa);
+        sum.stretches.iter_mut().chain(&mut sum.stress_mpa).zip(values).for_each(|(sum, x)| *sum += x);
+    }
+
+    /// The nodes.
+    pub(crate) fn means(self) -> Vec<FieldNode<N, M>> {
+        let mean = |(mut node, count): (FieldNode<N, M>, f64)| {
+            node.stretches.iter_mut().chain(&mut node.stress_mpa).for_each(|x| *x /= count);
+            node
+        };
+        self.0.into_iter().map(mean).collect()
+    }
+}
+
 /// Energies of the whole muscle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]

@@ -14,27 +14,13 @@ use crate::element::plane::{AnyPlaneLaw, Gradient};
 use crate::element::q2::{GAUSS2, GAUSS3, NODES, Point, quadratic};
 use crate::element::softened::soften;
 use crate::element::solid::{Unknowns, gradient};
-use crate::results::StrandState;
+use crate::results::{FieldNode, NodeMeans, StrandState};
 use crate::solver::body::State;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 
-/// A node of the section.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct SectionNode {
-    /// (R, Z) at rest in mm.
-    pub rest_mm: [f64; 2],
-    /// (r, z) now in mm.
-    pub now_mm: [f64; 2],
-    /// λθ = r/R
-    pub hoop_stretch: f64,
-    /// λm: of a line that ran along the muscle at rest.
-    pub meridional_stretch: f64,
-    /// Largest principal stretch.
-    pub max_stretch: f64,
-    /// Cauchy stress (σrr, σθθ, σzz, σrz) in MPa, with the pressure in the rubber.
-    pub stress_mpa: [f64; 4],
-}
+/// A node of the section: (R, Z) at rest, (r, z) now, Cauchy stress (σrr, σθθ, σzz, σrz).
+pub type SectionNode = FieldNode<2, 4>;
 
 /// The half section of a muscle, from the middle (z = 0) to the terminal; the other half is its mirror image.
 #[derive(Debug, Clone, PartialEq)]
@@ -112,8 +98,7 @@ impl Axisymmetric {
 
 fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionNode> {
     let l = d.layout;
-    let mut out = vec![SectionNode::default(); d.mesh.nodes.len()];
-    let mut shares = vec![0.0; out.len()];
+    let mut out = NodeMeans::new(d.mesh.nodes.len());
     for (index, (rest, u)) in elements(d, s).enumerate() {
         let (slab, e) = (index / l.through, index % l.through);
         let stress = stresses(law, d, s, slab, e);
@@ -121,25 +106,16 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
             let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
             let Some(p) = d.point(&rest, x, y) else { continue };
             let f = gradient(&p, &u);
-            let k = Layout::numbers(slab)[a / 3] * l.nodes() + 2 * e + a % 3;
-            let node = &mut out[k];
-            shares[k] += 1.0;
-            node.rest_mm = rest[a];
-            node.now_mm = [rest[a][0] + u.r[a], rest[a][1] + u.z[a]];
-            node.hoop_stretch += f.t;
-            node.meridional_stretch += f.b.hypot(f.d);
-            node.max_stretch += f.principal().into_iter().fold(0.0, f64::max);
-            let at = bilinear(&stress, x, y);
-            (0..4).for_each(|c| node.stress_mpa[c] += at[c]);
+            let node = FieldNode {
+                rest_mm: rest[a],
+                now_mm: [rest[a][0] + u.r[a], rest[a][1] + u.z[a]],
+                stretches: [f.t, f.b.hypot(f.d), f.principal().into_iter().fold(0.0, f64::max)],
+                stress_mpa: bilinear(&stress, x, y),
+            };
+            out.add(Layout::numbers(slab)[a / 3] * l.nodes() + 2 * e + a % 3, &node);
         }
     }
-    for (node, share) in out.iter_mut().zip(shares) {
-        let SectionNode { hoop_stretch, meridional_stretch, max_stretch, stress_mpa, .. } = node;
-        for value in [hoop_stretch, meridional_stretch, max_stretch].into_iter().chain(stress_mpa) {
-            *value /= share;
-        }
-    }
-    out
+    out.means()
 }
 
 /// Pressure in the rubber at local coordinates. Its modes are linear in (R, Z), which are biquadratic in the local

@@ -16,26 +16,13 @@ use crate::element::hexahedron::at;
 use crate::element::law::with;
 use crate::element::q2::GAUSS2;
 use crate::element::spatial::SpatialLaw;
+use crate::results::{FieldNode, NodeMeans};
 use crate::{FemError, Result};
 use mckibben::model::Workspace;
 use std::collections::HashMap;
 
-/// What is known at a node.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct NodeField {
-    /// (x, y, z) at rest in mm.
-    pub rest_mm: [f64; 3],
-    /// (x, y, z) now in mm.
-    pub now_mm: [f64; 3],
-    /// Stretch of a line that ran around the muscle at rest.
-    pub hoop_stretch: f64,
-    /// Stretch of a line that ran along it.
-    pub meridional_stretch: f64,
-    /// Largest principal stretch.
-    pub max_stretch: f64,
-    /// Cauchy stress in MPa: xx, yy, zz, xy, yz, zx.
-    pub stress_mpa: [f64; 6],
-}
+/// A node of the bricks: (x, y, z) at rest and now, Cauchy stress xx, yy, zz, xy, yz, zx.
+pub type NodeField = FieldNode<3, 6>;
 
 /// A piece of a strand between two nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,9 +119,7 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
     let at = |&n: &usize| NodeField {
         rest_mm: body.discretisation.problem.nodes[n],
         now_mm: now(body, n),
-        hoop_stretch: 1.0,
-        meridional_stretch: 1.0,
-        max_stretch: 1.0,
+        stretches: [1.0; 3],
         stress_mpa: [0.0; 6],
     };
     let mut out = PlugField { nodes: which.iter().map(at).collect(), bricks };
@@ -145,35 +130,12 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
     Some(out)
 }
 
-/// Stretches at F; `at` says where around and along are.
-fn stretches(f: &[[f64; 3]; 3], at: [f64; 3]) -> NodeField {
+/// Stretches at F around, along and the largest; `at` says where around and along are.
+fn stretches(f: &[[f64; 3]; 3], at: [f64; 3]) -> [f64; 3] {
     let radius = at[0].hypot(at[1]).max(f64::MIN_POSITIVE);
     let hoop = [-at[1] / radius, at[0] / radius, 0.0];
     let length = |v: [f64; 3]| f.map(|row| dot(&row, &v)).map(|x| x * x).iter().sum::<f64>().sqrt();
-    NodeField {
-        hoop_stretch: length(hoop),
-        meridional_stretch: length([0.0, 0.0, 1.0]),
-        max_stretch: largest_principal(f),
-        ..NodeField::default()
-    }
-}
-
-impl NodeField {
-    /// Stretches and stress of another are added.
-    fn add(&mut self, other: &Self) {
-        self.hoop_stretch += other.hoop_stretch;
-        self.meridional_stretch += other.meridional_stretch;
-        self.max_stretch += other.max_stretch;
-        (0..6).for_each(|c| self.stress_mpa[c] += other.stress_mpa[c]);
-    }
-
-    /// Stretches and stress are divided.
-    fn divide(&mut self, share: f64) {
-        let Self { hoop_stretch, meridional_stretch, max_stretch, stress_mpa, .. } = self;
-        for value in [hoop_stretch, meridional_stretch, max_stretch].into_iter().chain(stress_mpa) {
-            *value /= share;
-        }
-    }
+    [length(hoop), length([0.0, 0.0, 1.0]), largest_principal(f)]
 }
 
 /// Stretches and stress at the nodes of the bricks of a material, averaged where bricks meet: at the nodes or, of a plug, in the `middle` of
@@ -190,23 +152,23 @@ fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
     let points = if order == 1 || middle { vec![[0.0; 3]] } else { (0..8).map(gauss).collect() };
     let [at_nodes, at_points] =
         [&places, &points].map(|list| list.iter().map(|x| at(order, *x, 1.0)).collect::<Vec<_>>());
-    let mut out = vec![NodeField::default(); problem.nodes.len()];
-    let mut shares = vec![0.0; out.len()];
+    let mut out = NodeMeans::new(problem.nodes.len());
     for e in bricks.clone() {
         let stress: Vec<[f64; 6]> =
             at_points.iter().map(|p| with(law, |law| stress(body, law.space, e, p))).collect();
         for (a, node) in problem.bricks[e].iter().enumerate() {
             let k = *node as usize;
             let Some((f, at)) = gradient(body, e, &at_nodes[a]) else { continue };
-            let field = &mut out[k];
-            shares[k] += 1.0;
-            field.rest_mm = problem.nodes[k];
-            field.now_mm = now(body, k);
-            field.add(&NodeField { stress_mpa: carried(&stress, places[a]), ..stretches(&f, at) });
+            let node = NodeField {
+                rest_mm: problem.nodes[k],
+                now_mm: now(body, k),
+                stretches: stretches(&f, at),
+                stress_mpa: carried(&stress, places[a]),
+            };
+            out.add(k, &node);
         }
     }
-    out.iter_mut().zip(shares).for_each(|(field, share)| field.divide(share));
-    out
+    out.means()
 }
 
 /// Cauchy stress at a point of brick `e`.
