@@ -273,10 +273,7 @@ impl<'a> Member<'a> {
         let long = self.memory.long.get_or_init(|| ThickWall::new(model.muscle()));
         let of_long = |w: &mut Workspace, p: f64, e: f64| pivoting_n_per_mm(long, w, p, e);
         let at = of_long(w, p, e);
-        let value = match model.extensions().contact {
-            Some(contact) => contact.pivoting_n_per_mm(w, p, e)?,
-            None => at.clone()?,
-        };
+        let value = model.contact_n_per_mm(w, p, e).unwrap_or_else(|| at.clone())?;
         let Some(at) = at.ok().filter(|at| *at > 0.0) else {
             return Ok(Quantity { value, ..Quantity::default() });
         };

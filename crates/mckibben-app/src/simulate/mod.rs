@@ -14,7 +14,7 @@ use crate::{
     steps, warnings,
 };
 use mckibben::analysis::Evaluation;
-use mckibben::model::{ModelError, Response, Workspace, notes_of};
+use mckibben::model::{ModelError, Response, Workspace};
 use mckibben::muscle::{Ends, Muscle};
 use mckibben::{
     answer::Options, cancel, curve::Test, progress::Progress, status::Status, warning::overloaded,
@@ -195,7 +195,7 @@ pub fn simulate(
         model: name.into(),
         test: request.test,
         muscle: summary,
-        notes: notes_of(&*simulation, workspace),
+        notes: simulation.notes(workspace),
         warnings,
         limits: (&found).into(),
         figure,

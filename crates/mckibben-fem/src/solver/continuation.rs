@@ -19,6 +19,7 @@ use super::trail::Trail;
 use crate::{FemError, Result};
 use mckibben::cancel;
 use mckibben::status::Status;
+use std::fmt;
 
 /// Strands are taut at this multiple of the pressure at which the muscle is expected to begin to pull.
 pub(crate) const TAUT: f64 = 1.3;
@@ -36,6 +37,17 @@ pub struct Unstable {
     pub contraction: f64,
     /// Negative eigenvalues of the tangent with the terminal held.
     pub directions: usize,
+}
+
+impl fmt::Display for Unstable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.step {
+            0 => write!(f, "an equilibrium")?,
+            n => write!(f, "step {n} of the walk from rest")?,
+        }
+        let Self { directions, contraction, pressure_mpa: mpa, .. } = self;
+        write!(f, " is not stable ({directions} directions) at contraction {contraction:.4} and {mpa:.4} MPa")
+    }
 }
 
 /// A body that is led from equilibrium to equilibrium, and the equilibria it passed.

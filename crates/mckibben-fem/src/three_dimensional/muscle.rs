@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::discretisation::Discretisation;
 use super::mesh::{BrickMesh, BrickSpec, Quarter};
-use super::model::{ENTRY, ThreeDimensional};
+use super::model::ENTRY;
 use super::plug::Plug;
 use super::problem::Problem;
 use crate::axisymmetric::{self, Axisymmetric, Section};
@@ -12,7 +12,7 @@ use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{NewtonOptions, NewtonSystem, Stopped};
 use crate::{FemError, Result};
-use mckibben::model::{Extensions, ForceModel, ModelEntry};
+use mckibben::model::{ForceModel, ModelEntry};
 use mckibben::muscle::{BraidStiffness, Muscle};
 use std::sync::Arc;
 
@@ -86,9 +86,8 @@ impl Divided for MuscleMesh {
         })
     }
 
-    fn extensions(model: &ThreeDimensional) -> Extensions<'_> {
-        let companion = Some(&model.divided.limit as _);
-        Extensions { mesh: Some(model), companion, ..Extensions::default() }
+    fn limit(&self) -> Option<&Axisymmetric> {
+        Some(&self.limit)
     }
 }
 

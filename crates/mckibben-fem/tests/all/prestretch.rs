@@ -81,8 +81,7 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
     slopes_are_those_of_differences(&m, (p, e));
     let model = Axisymmetric::new(&m).unwrap();
     let names = ["tube.prestretch".to_owned(), "tube.length".to_owned()];
-    let slope =
-        model.extensions().slopes.unwrap().force_by(&mut Workspace::new(), p, e, &names).unwrap().unwrap()[0];
+    let slope = model.force_by(&mut Workspace::new(), p, e, &names).unwrap().unwrap()[0];
     let beside = |v: f64| {
         let model = Axisymmetric::new(&m.with(&PRESTRETCH, v).unwrap()).unwrap();
         model.force_n(&mut Workspace::new(), p, e).unwrap()

@@ -92,7 +92,7 @@ fn the_slope_by_length_is_that_of_differences() {
     };
     let difference = (at(286.0, w) - at(284.0, w)) / 2.0;
     let names = ["terminals.seating".to_owned(), "tube.length".into()];
-    let found = base.extensions().slopes.unwrap().force_by(w, 0.2, 0.1, &names).unwrap().unwrap();
+    let found = base.force_by(w, 0.2, 0.1, &names).unwrap().unwrap();
     assert!((found[1] - difference).abs() < 1e-3 * difference.abs(), "{found:?} {difference}");
     let stiffness = base.response(w, 0.2, 0.1).unwrap().stiffness_n_per_mm.unwrap();
     assert!((found[0] + stiffness).abs() < 1e-9 * stiffness);
@@ -147,8 +147,7 @@ fn slopes_of_slipping_ends_are_those_of_differences() {
         base.muscle().with_terminals(ends).unwrap().with_tube(tube).unwrap()
     };
     let names = ["terminals.slip", "terminals.grip", "tube.length", "tube.wall_thickness"];
-    let found =
-        base.extensions().slopes.unwrap().force_by(w, 0.2, 0.08, &names.map(str::to_owned)).unwrap().unwrap();
+    let found = base.force_by(w, 0.2, 0.08, &names.map(str::to_owned)).unwrap().unwrap();
     for ((name, found), h) in names.into_iter().zip(found).zip([1e-4, 0.2, 0.5, 0.02]) {
         let difference = (pull(&changed(name, h)) - pull(&changed(name, -h))) / (2.0 * h);
         assert!((found - difference).abs() < 2e-3 * difference.abs(), "{name} {found} {difference}");

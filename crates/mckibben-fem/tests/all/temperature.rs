@@ -38,7 +38,7 @@ fn derivatives_are_those_by_the_constants_as_stated() {
         |moduli: f64| Axisymmetric::new(&muscle(moduli, 1.0).with(&TEMPERATURE, 80.0).unwrap()).unwrap();
     let names = ["c10", "c20"].map(|name| format!("tube.material.{name}"));
     let model = warm(1.0);
-    let slopes = model.extensions().slopes.unwrap().force_by(&mut Workspace::new(), p, e, &names).unwrap();
+    let slopes = model.force_by(&mut Workspace::new(), p, e, &names).unwrap();
     // Both constants times 1 + h: 0.1 ∂F/∂c10 + 0.004 ∂F/∂c20.
     let together: f64 = slopes.unwrap().iter().zip([0.1, 0.004]).map(|(slope, c)| slope * c).sum();
     let pull = |moduli: f64| warm(moduli).force_n(&mut Workspace::new(), p, e).unwrap();
