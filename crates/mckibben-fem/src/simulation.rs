@@ -179,14 +179,8 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
         }
     }
 
-    fn mesh_error_n(
-        &self,
-        w: &mut Workspace,
-        (p, e): (f64, f64),
-        force_n: f64,
-        blocked_n: f64,
-    ) -> Option<f64> {
-        let of_default = if e < 0.0 { MESH_ERROR_STRETCHED * force_n.abs() } else { MESH_ERROR * blocked_n };
+    fn mesh_error_n(&self, w: &mut Workspace, p: f64, e: f64, force_n: f64, scale_n: f64) -> Option<f64> {
+        let of_default = if e < 0.0 { MESH_ERROR_STRETCHED * force_n.abs() } else { MESH_ERROR * scale_n };
         let reference = self.divided.reference();
         Some(of_default + reference.map_or(0.0, |section| section.difference_n(w, p, e, force_n)))
     }

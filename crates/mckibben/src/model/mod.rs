@@ -136,15 +136,8 @@ pub trait ForceModel: Send + Sync {
         self.force_n(workspace, pressure_mpa, 0.0)
     }
 
-    /// What the mesh errs by in N at a pressure and contraction, of the pull `force_n` that the model gave there, where the blocked force is
-    /// `blocked_n`; `None` without a mesh.
-    fn mesh_error_n(
-        &self,
-        _: &mut Workspace,
-        _at: (f64, f64),
-        _force_n: f64,
-        _blocked_n: f64,
-    ) -> Option<f64> {
+    /// What the mesh errs by in N, of the pull `force_n` that the model gave there, where the blocked force is `scale_n`; `None` without a mesh.
+    fn mesh_error_n(&self, _: &mut Workspace, _p: f64, _e: f64, _force_n: f64, _scale_n: f64) -> Option<f64> {
         None
     }
 

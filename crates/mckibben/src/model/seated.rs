@@ -232,14 +232,8 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         self.inner.blocked_scale_n(workspace, p)
     }
 
-    fn mesh_error_n(
-        &self,
-        w: &mut Workspace,
-        (p, e): (f64, f64),
-        force_n: f64,
-        blocked_n: f64,
-    ) -> Option<f64> {
-        self.inner.mesh_error_n(w, (p, self.between(p, e, force_n)), force_n, blocked_n)
+    fn mesh_error_n(&self, w: &mut Workspace, p: f64, e: f64, force_n: f64, scale_n: f64) -> Option<f64> {
+        self.inner.mesh_error_n(w, p, self.between(p, e, force_n), force_n, scale_n)
     }
 
     fn notes(&self, workspace: &Workspace) -> Vec<String> {

@@ -273,7 +273,7 @@ impl<'a> Pull<'_, 'a> {
         let shifts = Shifts::of(self.evaluation.workspace, muscle, (p, e));
         Some(UncertaintyParts {
             formula,
-            mesh: self.model().mesh_error_n(self.evaluation.workspace, (p, e), self.force_n, blocked),
+            mesh: self.model().mesh_error_n(self.evaluation.workspace, p, e, self.force_n, blocked),
             rubber: shifts.rubber(),
             braid: shifts.braid(),
             measured: Some(measured_n(muscle, blocked, e)),
