@@ -161,15 +161,9 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
         D::section(self).is_some_and(|section| section.divided.discretisation.has_slopes())
     }
 
-    fn force_by(
-        &self,
-        workspace: &mut Workspace,
-        p: f64,
-        e: f64,
-        names: &[String],
-    ) -> Option<Result<Vec<f64>>> {
+    fn force_by(&self, w: &mut Workspace, p: f64, e: f64, names: &[String]) -> Option<Result<Vec<f64>>> {
         let section = D::section(self).filter(|_| self.has_slopes())?;
-        section.slopes(workspace, Given::at(p, e), names).map_err(ModelError::from).transpose()
+        section.slopes(w, p, e, names).map_err(ModelError::from).transpose()
     }
 
     fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64> {
@@ -181,8 +175,10 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
 
     fn mesh_error_n(&self, w: &mut Workspace, p: f64, e: f64, force_n: f64, scale_n: f64) -> Option<f64> {
         let of_default = if e < 0.0 { MESH_ERROR_STRETCHED * force_n.abs() } else { MESH_ERROR * scale_n };
-        let reference = self.divided.reference();
-        Some(of_default + reference.map_or(0.0, |section| section.difference_n(w, p, e, force_n)))
+        let reference_n = self.divided.reference().and_then(|section| section.force_n(w, p, e).ok());
+        // With a slack muscle there is nothing to compare.
+        let off = reference_n.filter(|_| force_n > 0.0).map_or(0.0, |other_n| (force_n - other_n).abs());
+        Some(of_default + off)
     }
 
     fn notes(&self, workspace: &Workspace) -> Vec<String> {

@@ -73,27 +73,16 @@ impl Axisymmetric {
     /// ∂F by constants and measures; `None` where it does not know one of them.
     pub(crate) fn slopes(
         &self,
-        workspace: &mut Workspace,
-        given: Given,
+        w: &mut Workspace,
+        p: f64,
+        e: f64,
         names: &[String],
     ) -> Result<Option<Vec<f64>>> {
-        let c = self.led_to(workspace, given)?;
+        let c = self.led_to(w, Given::at(p, e))?;
         c.body.tangent()?;
         let known = sensitivity::of(&mut c.body, self.muscle(), |name| names.iter().any(|n| n == name))?;
         let one = |name: &String| known.iter().find(|s| s.name == *name).map(|s| s.force_n_per_unit);
         Ok(names.iter().map(one).collect())
-    }
-
-    /// How far a pull in N that another mesh gave is from this one's; 0 where the muscle hangs slack, which leaves nothing to compare.
-    pub(crate) fn difference_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-        force_n: f64,
-    ) -> f64 {
-        let own = self.force_n(workspace, pressure_mpa, contraction).unwrap_or(force_n);
-        if force_n > 0.0 { (force_n - own).abs() } else { 0.0 }
     }
 }
 

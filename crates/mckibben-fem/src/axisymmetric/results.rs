@@ -125,10 +125,7 @@ pub(super) fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<Str
 }
 
 /// Nodes of every element before it is drawn on plugs, and displacements from there, from the middle to the terminal.
-pub(super) fn elements<'a>(
-    d: &'a Discretisation,
-    s: &'a State,
-) -> impl Iterator<Item = ([[f64; 2]; NODES], Unknowns)> + 'a {
+pub(super) fn elements(d: &Discretisation, s: &State) -> impl Iterator<Item = ([[f64; 2]; NODES], Unknowns)> {
     let through = d.layout.through;
     (0..d.elements.len()).map(move |index| {
         let (slab, element) = (index / through, index % through);

@@ -52,18 +52,9 @@ impl Section {
     }
 
     /// A number of the nodes at place `i` through the wall, in slab `slab` at −1 ≤ `eta` ≤ 1.
-    pub(crate) fn between(
-        &self,
-        i: usize,
-        slab: usize,
-        eta: f64,
-        value: impl Fn(&SectionNode) -> f64,
-    ) -> f64 {
-        let (n, _) = quadratic(eta);
-        n.into_iter()
-            .enumerate()
-            .map(|(a, weight)| weight * value(&self.nodes[self.index(i, 2 * slab + a)]))
-            .sum()
+    pub(crate) fn between(&self, i: usize, slab: usize, eta: f64, value: fn(&SectionNode) -> f64) -> f64 {
+        let at = |a: usize| value(&self.nodes[self.index(i, 2 * slab + a)]);
+        quadratic(eta).0.into_iter().enumerate().map(|(a, weight)| weight * at(a)).sum()
     }
 
     pub(crate) fn of(d: &Discretisation, s: &State, muscle: &Muscle) -> Self {

@@ -12,17 +12,20 @@ pub trait NewtonSystem {
     ///
     /// # Errors
     /// [`Stopped`] where the iterate is not admissible.
-    fn residual(&mut self) -> Result<f64, Stopped>;
+    fn residual(&mut self) -> Result<f64>;
 
     /// The same, with the tangent factorised.
-    fn linearise(&mut self) -> Result<f64, Stopped>;
+    fn linearise(&mut self) -> Result<f64>;
 
     /// Solves with the last tangent and moves on; gives the relative size of the correction.
-    fn correct(&mut self) -> Result<f64, Stopped>;
+    fn correct(&mut self) -> Result<f64>;
 
     /// Takes back a share of the last correction: `keep` = ½ leaves half of it, and so on from there.
     fn retreat(&mut self, keep: f64);
 }
+
+/// An iterate, or why it is none.
+pub type Result<T, E = Stopped> = std::result::Result<T, E>;
 
 /// Why an iterate is not admissible or the iteration ended without an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -145,8 +148,8 @@ pub fn solve(
     system: &mut dyn NewtonSystem,
     options: &NewtonOptions,
     effort: &mut Effort,
-    mut watch: impl FnMut(f64) -> Result<(), Stopped>,
-) -> Result<(), Stopped> {
+    mut watch: impl FnMut(f64) -> Result<()>,
+) -> Result<()> {
     let before = effort.factorisations;
     effort.moved = 0.0;
     if options.neighbour {

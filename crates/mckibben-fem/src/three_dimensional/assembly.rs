@@ -10,7 +10,7 @@ use crate::element::law::with;
 use crate::element::spatial::{AT, SpatialLaw};
 use crate::load::cavity_faces::{self, FacePoint, skew, volume};
 use crate::solver::body::{State, Totals};
-use crate::solver::newton::Stopped;
+use crate::solver::newton::{Result, Stopped};
 use mckibben::cancel;
 use std::ops::Range;
 use std::sync::LazyLock;
@@ -56,11 +56,7 @@ impl Assembled {
 }
 
 /// Adds up the elements; the tangent only where `TANGENT`.
-pub fn assemble<const TANGENT: bool>(
-    d: &Discretisation,
-    s: &State,
-    work: &mut Assembled,
-) -> Result<Totals, Stopped> {
+pub fn assemble<const TANGENT: bool>(d: &Discretisation, s: &State, work: &mut Assembled) -> Result<Totals> {
     work.force.fill(0.0);
     work.cavity.fill(0.0);
     if TANGENT {
@@ -110,7 +106,7 @@ struct Piece<'a> {
 }
 
 /// Adds up bricks of one material until one is turned inside out.
-fn add<const TANGENT: bool>(of: Piece<'_>, work: &mut Assembled, totals: &mut Totals) -> Result<(), Stopped> {
+fn add<const TANGENT: bool>(of: Piece<'_>, work: &mut Assembled, totals: &mut Totals) -> Result<()> {
     match of.d.problem.brick {
         Brick::Linear => wide::<8, 1, TANGENT>(of.d.width, &POINTS8, of, work, totals),
         Brick::Quadratic => wide::<27, 4, TANGENT>(of.d.width, &POINTS27, of, work, totals),
@@ -123,7 +119,7 @@ on_lanes! {
         of: Piece<'_>,
         work: &mut Assembled,
         totals: &mut Totals,
-    ) -> Result<(), Stopped> = all
+    ) -> Result<()> = all
 }
 
 #[inline(always)]
@@ -132,7 +128,7 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     of: Piece<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
-) -> Result<(), Stopped> {
+) -> Result<()> {
     let Piece { d, s, m, law, bricks: Range { start, end: count } } = of;
     let o = R::splat(0.0);
     let mut input = Input {
