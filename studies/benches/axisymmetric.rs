@@ -117,7 +117,7 @@ fn bench(c: &mut Criterion) {
 
     let mut group = c.benchmark_group("share");
     let discretisation =
-        || Discretisation::new(Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)), Problem::of(&muscle)).unwrap();
+        || Discretisation::new(Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)), Problem::from_muscle(&muscle)).unwrap();
     let mut path = Continuation::new(Body::new(discretisation()));
     path.walk(0.2, -14.25, 1.0).unwrap();
     let state = path.body.state.clone();

@@ -106,7 +106,7 @@ pub struct FiniteElements<D> {
 }
 
 impl<D: Divided> FiniteElements<D> {
-    pub(crate) fn of(divided: D, muscle: &Muscle, accuracy: Accuracy, notes: Vec<String>) -> Self {
+    pub(crate) fn from_divided(divided: D, muscle: &Muscle, accuracy: Accuracy, notes: Vec<String>) -> Self {
         let range = ModelRange::open().stretched(muscle.braid().angle_deg);
         let info = ModelInfo { range, accuracy, costly: true, notes, ..ModelInfo::new(&D::ENTRY, muscle) };
         Self { id: ModelId::new(), info, divided }

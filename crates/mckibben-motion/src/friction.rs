@@ -36,7 +36,7 @@ pub(crate) fn check(presliding: &Presliding) -> Result<()> {
 
 impl Hysteresis {
     /// The muscle's friction, with the presliding of a drive or else of the muscle.
-    pub fn of(friction: &Friction, presliding: Option<&Presliding>) -> Self {
+    pub fn new(friction: &Friction, presliding: Option<&Presliding>) -> Self {
         let presliding = presliding.cloned().unwrap_or_else(|| friction.presliding());
         Self { level: *friction, presliding }
     }

@@ -152,7 +152,7 @@ struct Losses {
 }
 
 impl Losses {
-    fn of(restriction: Option<Restriction>, share: f64, line: Option<Hose>, liquid: &Liquid) -> Self {
+    fn in_series(restriction: Option<Restriction>, share: f64, line: Option<Hose>, liquid: &Liquid) -> Self {
         let density = liquid.density_kg_per_m3 * (1.0 - liquid.gas_share);
         let mut out = Self::default();
         if let Some(r) = restriction {
@@ -238,7 +238,7 @@ impl LiquidValve {
     /// Flow in mm³/s at atmospheric pressure at an opening from −1 to 1 other than 0, in the direction of the pressure difference in MPa.
     pub(crate) fn flow(&self, opening: f64, difference_mpa: f64, liquid: &Liquid) -> f64 {
         let way = if opening > 0.0 { self.supply } else { self.tank };
-        Losses::of(Some(way), opening.abs().min(1.0), self.line, liquid).flow(difference_mpa)
+        Losses::in_series(Some(way), opening.abs().min(1.0), self.line, liquid).flow(difference_mpa)
     }
 }
 
@@ -251,7 +251,7 @@ impl Pump {
         let band = RELIEF_SHARE * supply_mpa.max(f64::MIN_POSITIVE);
         let share = (difference_mpa.abs() / band).min(1.0) * opening.abs().min(1.0);
         let through = self.line.map_or(f64::INFINITY, |line| {
-            Losses::of(None, 1.0, Some(line), liquid).flow(difference_mpa).abs()
+            Losses::in_series(None, 1.0, Some(line), liquid).flow(difference_mpa).abs()
         });
         (share * self.flow_mm3_per_s).min(through).copysign(opening)
     }
@@ -286,7 +286,7 @@ mod tests {
     #[test]
     fn losses_of_a_line_are_those_of_darcy_and_weisbach() {
         let line = Hose::new(4.0, 1000.0).unwrap();
-        let losses = Losses::of(None, 1.0, Some(line), &water());
+        let losses = Losses::in_series(None, 1.0, Some(line), &water());
         for (q_mm3_per_s, loss_mpa) in [(3e3, 4.774648e-4), (2e4, 1.1200306e-2)] {
             let flow = losses.flow(loss_mpa);
             assert!((flow / q_mm3_per_s - 1.0).abs() < 1e-6, "{flow} {q_mm3_per_s}");
@@ -300,17 +300,17 @@ mod tests {
     fn a_flow_coefficient_is_the_flow_at_one_bar() {
         let way = Restriction::new(1e5).unwrap();
         let water = Liquid { density_kg_per_m3: 1000.0, ..water() };
-        let flow = |p: f64| Losses::of(Some(way), 1.0, None, &water).flow(p);
+        let flow = |p: f64| Losses::in_series(Some(way), 1.0, None, &water).flow(p);
         assert!((flow(0.1) / 1e5 - 0.9995).abs() < 1e-6, "{}", flow(0.1));
         assert!((flow(0.4) / 2e5 - 0.99975).abs() < 1e-6);
         // With a line behind it the sum of both losses is the difference.
         let line = Hose::new(4.0, 1000.0).unwrap();
-        let both = Losses::of(Some(way), 1.0, Some(line), &water).flow(0.3);
+        let both = Losses::in_series(Some(way), 1.0, Some(line), &water).flow(0.3);
         let own = |l: Losses, q: f64| {
             l.square * q * q + l.linear * q + (l.laminar * q).max(l.turbulent * q.powf(1.75))
         };
-        let sum = own(Losses::of(Some(way), 1.0, None, &water), both)
-            + own(Losses::of(None, 1.0, Some(line), &water), both);
+        let sum = own(Losses::in_series(Some(way), 1.0, None, &water), both)
+            + own(Losses::in_series(None, 1.0, Some(line), &water), both);
         assert!((sum / 0.3 - 1.0).abs() < 1e-9, "{sum}");
     }
 

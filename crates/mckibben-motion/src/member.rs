@@ -38,14 +38,14 @@ impl Answer {
         [self.force_n, self.volume_mm3, self.pivoting_n_per_mm, self.contraction]
     }
 
-    fn of([force_n, volume_mm3, pivoting_n_per_mm, contraction]: [Quantity; 4]) -> Self {
+    fn from_quantities([force_n, volume_mm3, pivoting_n_per_mm, contraction]: [Quantity; 4]) -> Self {
         Self { force_n, volume_mm3, pivoting_n_per_mm, contraction }
     }
 
     /// The first order about the point of this answer.
     fn moved(self, p: f64, e: f64) -> Self {
         let moved = |q: Quantity| q.value + q.by_pressure * p + q.by_contraction * e;
-        Self::of(self.quantities().map(|q| Quantity { value: moved(q), ..q }))
+        Self::from_quantities(self.quantities().map(|q| Quantity { value: moved(q), ..q }))
     }
 }
 
@@ -70,7 +70,7 @@ impl Substitute {
         let cubic = |x: f64, k: f64, y: f64, l: f64| {
             x * r * r * (1.0 + 2.0 * s) + y * s * s * (3.0 - 2.0 * s) + h * (k * s * r * r - l * s * s * r)
         };
-        Self::Moment(Answer::of(std::array::from_fn(|i| {
+        Self::Moment(Answer::from_quantities(std::array::from_fn(|i| {
             let ((x, k), (y, l)) = (a[i], b[i]);
             Quantity {
                 value: cubic(x.value, k, y.value, l),

@@ -220,7 +220,7 @@ mod tests {
         let kind = ValveKind::Proportional { time_constant_s: 0.01, gain_per_mpa: 20.0 };
         let valve = Valve { kind, ..Valve::new(Orifice::new(0.5, 0.3).unwrap()) };
         let muscle = Actuated {
-            friction: Some(Hysteresis::of(&Friction::power_law(1.0, 1.0), None)),
+            friction: Some(Hysteresis::new(&Friction::power_law(1.0, 1.0), None)),
             rubber: Prony(vec![Branch { share: 0.1, time_constant_s: 0.1 }; 3]),
             ..Actuated::new(&model, Actuator::Valve(valve))
         };

@@ -188,7 +188,7 @@ impl Moved {
     ) -> Drive<'a> {
         let muscles = self.models.iter().map(|model| Actuated {
             fluid: file.fluid.clone(),
-            friction: model.muscle().friction().map(|f| Hysteresis::of(f, file.presliding.as_ref())),
+            friction: model.muscle().friction().map(|f| Hysteresis::new(f, file.presliding.as_ref())),
             rubber: file.rubber.clone(),
             ..Actuated::new(&**model, file.actuator)
         });

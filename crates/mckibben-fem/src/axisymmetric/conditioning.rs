@@ -29,7 +29,7 @@ impl Memory {
     ///
     /// # Errors
     /// [`FemError::Refused`] where the muscle has no such equilibria.
-    pub fn of(muscle: &Muscle, d: &Discretisation, endless: &Arc<ThickWall>) -> Result<Option<Self>> {
+    pub fn cycled(muscle: &Muscle, d: &Discretisation, endless: &Arc<ThickWall>) -> Result<Option<Self>> {
         let Some((softening, pressure_mpa)) = muscle.rubber().conditioned() else { return Ok(None) };
         let failed = |error| match error {
             FemError::Cancelled(_) => error,

@@ -61,12 +61,12 @@ pub struct Problem {
 
 impl Problem {
     /// Rubber and braid of a muscle between bonded terminals.
-    pub fn of(muscle: &Muscle) -> Self {
-        Self::of_parts(muscle.parts())
+    pub fn from_muscle(muscle: &Muscle) -> Self {
+        Self::from_parts(muscle.parts())
     }
 
     /// The same of its parts.
-    pub fn of_parts(parts: &Parts) -> Self {
+    pub fn from_parts(parts: &Parts) -> Self {
         let Parts { tube, braid, .. } = parts;
         let rubber = tube.rubber_at_temperature();
         let braid = BraidSpec {

@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::discretisation::{Discretisation, Memory, Problem};
 use super::mesh::{Mesh, MeshSpec};
-use super::sensitivity;
+use super::sensitivity::slopes;
 use crate::Result;
 use crate::simulation::{Divided, FiniteElements, Given};
 use mckibben::model::{Accuracy, ForceModel, ModelEntry, Reference, ThickWall, Workspace};
@@ -53,21 +53,21 @@ impl Axisymmetric {
         let division = spec.resolve(tube.outer_radius_mm(), tube.wall_mm, half)?;
         let mesh = Mesh::tube(tube.inner_radius_mm(), tube.outer_radius_mm(), half, division);
         let thick_wall = Arc::new(ThickWall::new(muscle));
-        let mut discretisation = Discretisation::new(mesh, Problem::of(muscle))?;
+        let mut discretisation = Discretisation::new(mesh, Problem::from_muscle(muscle))?;
         discretisation.memory = match muscle.rubber().conditioned_alike() {
             Some((softening, seen_mpa)) => {
                 let mut memory = Memory::new(softening, &discretisation);
                 memory.seen_mpa.iter_mut().flatten().for_each(|seen| *seen = seen_mpa);
                 Some(memory)
             }
-            None => Memory::of(muscle, &discretisation, &thick_wall)?,
+            None => Memory::cycled(muscle, &discretisation, &thick_wall)?,
         };
         let section = MuscleSection {
             discretisation: Arc::new(discretisation),
             thick_wall,
             default: if *spec == MeshSpec::default() { None } else { Some(Box::new(Self::new(muscle)?)) },
         };
-        Ok(Self::of(section, muscle, Accuracy::share(0.0, Reference::Equations), vec![]))
+        Ok(Self::from_divided(section, muscle, Accuracy::share(0.0, Reference::Equations), vec![]))
     }
 
     /// ∂F by constants and measures; `None` where it does not know one of them.
@@ -80,7 +80,7 @@ impl Axisymmetric {
     ) -> Result<Option<Vec<f64>>> {
         let c = self.led_to(w, Given::at(p, e))?;
         c.body.tangent()?;
-        let known = sensitivity::of(&mut c.body, self.muscle(), |name| names.iter().any(|n| n == name))?;
+        let known = slopes(&mut c.body, self.muscle(), |name| names.iter().any(|n| n == name))?;
         let one = |name: &String| known.iter().find(|s| s.name == *name).map(|s| s.force_n_per_unit);
         Ok(names.iter().map(one).collect())
     }

@@ -22,7 +22,7 @@ pub(super) struct Neighbours(BTreeMap<String, Arc<[Neighbour; STENCIL.len()]>>);
 
 impl Neighbours {
     /// Those of a number, in the order of [`STENCIL`]; `make`: the muscle's parts so many steps away.
-    pub fn of(
+    pub fn differing_in(
         &mut self,
         name: &str,
         (d, here): (&Discretisation, &Parts),
@@ -47,7 +47,7 @@ fn rebuilt(d: &Discretisation, from: &Parts, to: &Parts) -> Result<Neighbour> {
         let share = (node[0] - from.tube.inner_radius_mm()) / from.tube.wall_mm;
         *node = [inner + share * (outer - inner), node[1] * stretch];
     }
-    let problem = Problem { ends: d.problem.ends, ..Problem::of_parts(to) };
+    let problem = Problem { ends: d.problem.ends, ..Problem::from_parts(to) };
     let mut out = Discretisation::new(mesh, problem)?;
     // The scale of the multipliers' equations must not change with the law.
     (out.augment, out.augment_strand) = (d.augment, d.augment_strand);

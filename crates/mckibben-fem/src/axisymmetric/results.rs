@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::discretisation::{Discretisation, nodes};
-use super::sensitivity;
+use super::sensitivity::slopes;
 use crate::Result;
 use crate::element::q2::{NODES, Point};
 use crate::element::solid::{Unknowns, gradient};
@@ -76,7 +76,7 @@ impl MuscleBody for Body {
     }
 
     fn sensitivities(&mut self, muscle: &Muscle) -> Result<Vec<Sensitivity>> {
-        if self.discretisation.has_slopes() { sensitivity::of(self, muscle, |_| true) } else { Ok(vec![]) }
+        if self.discretisation.has_slopes() { slopes(self, muscle, |_| true) } else { Ok(vec![]) }
     }
 }
 

@@ -57,7 +57,7 @@ impl Section {
         quadratic(eta).0.into_iter().enumerate().map(|(a, weight)| weight * at(a)).sum()
     }
 
-    pub(crate) fn of(d: &Discretisation, s: &State, muscle: &Muscle) -> Self {
+    pub(crate) fn from_state(d: &Discretisation, s: &State, muscle: &Muscle) -> Self {
         Self {
             through: d.layout.through,
             along: d.layout.along,
@@ -83,7 +83,7 @@ impl Axisymmetric {
             c.reach(pressure_mpa, contraction)?;
         }
         let state = c.kept_at(pressure_mpa, contraction).unwrap_or(&c.body.state);
-        Ok(Section::of(&c.body.discretisation, state, self.muscle()))
+        Ok(Section::from_state(&c.body.discretisation, state, self.muscle()))
     }
 }
 

@@ -23,7 +23,7 @@ const STEP: f64 = 1e-3;
 ///
 /// # Errors
 /// [`FemError`] where a neighbouring muscle cannot be assembled.
-pub fn of(body: &mut Body, muscle: &Muscle, wanted: impl Fn(&str) -> bool) -> Result<Vec<Sensitivity>> {
+pub fn slopes(body: &mut Body, muscle: &Muscle, wanted: impl Fn(&str) -> bool) -> Result<Vec<Sensitivity>> {
     let d = Arc::clone(&body.discretisation);
     let mut room = (body.state.clone(), Assembled::new(&d));
     let mut here = muscle.parts().clone();
@@ -38,7 +38,7 @@ pub fn of(body: &mut Body, muscle: &Muscle, wanted: impl Fn(&str) -> bool) -> Re
             return Ok(());
         }
         let step = STEP * if value == 0.0 { d.shear } else { value.abs() };
-        let neighbours = body.neighbours.of(&name, (&d, &here), |k| make(k * step))?;
+        let neighbours = body.neighbours.differing_in(&name, (&d, &here), |k| make(k * step))?;
         let mut change = vec![0.0; body.state.u.len()];
         for (neighbour, (_, weight)) in neighbours.iter().zip(STENCIL) {
             let residual = residual(neighbour, &body.state, &mut room)?;

@@ -34,7 +34,7 @@ pub struct Stations {
 
 impl Stations {
     /// Of a section: between the nodes by the elements' own quadratic functions.
-    pub fn of(section: &Section) -> Self {
+    pub fn from_section(section: &Section) -> Self {
         let places = places_of_half(section);
         let across = 2 * section.through + 1;
         let measures: [Field; 2] = [("r_mm", |n| n.now_mm[0]), ("z_mm", |n| n.now_mm[1])];

@@ -38,7 +38,7 @@ pub struct SparseCholesky {
 impl Analysis {
     /// Analyses a pattern, where there is memory for it.
     pub fn new(pattern: Pattern) -> Option<Self> {
-        let symbolic = Symbolic::of(&pattern)?;
+        let symbolic = Symbolic::from_pattern(&pattern)?;
         Some(Self { pattern, symbolic })
     }
 }

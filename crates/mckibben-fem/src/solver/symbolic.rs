@@ -77,7 +77,7 @@ pub(super) struct Symbolic {
 
 impl Symbolic {
     /// The supernodes of a pattern; `None` where there is no memory for them or their numbers.
-    pub fn of(pattern: &Pattern) -> Option<Self> {
+    pub fn from_pattern(pattern: &Pattern) -> Option<Self> {
         let mut all = Self::fundamental(pattern)?;
         all.merge();
         all.place_values()?;
@@ -309,7 +309,7 @@ mod tests {
     #[test]
     fn merged_supernodes_hold_the_elimination_with_few_zeros_more() {
         for pattern in patterns() {
-            let s = Symbolic::of(&pattern).unwrap();
+            let s = Symbolic::from_pattern(&pattern).unwrap();
             let (wanted, got) = (eliminated(&pattern), columns(&s));
             assert_eq!(got.len(), wanted.len());
             assert!(wanted.iter().zip(&got).all(|(w, g)| w.iter().all(|r| g.contains(r))));
@@ -338,7 +338,7 @@ mod tests {
             })
             .collect();
         let rows = (0..n).flat_map(|j| j..n).collect();
-        let s = Symbolic::of(&Pattern { columns, rows }).unwrap();
+        let s = Symbolic::from_pattern(&Pattern { columns, rows }).unwrap();
         assert_eq!((s.count(), s.columns(0), s.entries()), (1, 0..30, 900));
     }
 }

@@ -24,7 +24,7 @@ impl BrickMesh {
     /// the program, or the length, has the braid's angle.
     pub fn check_angle(muscle: &Muscle, spec: &BrickSpec) -> Result<()> {
         let Some(along) = spec.along.filter(|_| spec.keep == Match::Length) else { return Ok(()) };
-        let tube = Quarter::of(muscle);
+        let tube = Quarter::from_muscle(muscle);
         let angle = tube.angle_rad;
         let [through, around, ..] = Self::count(&tube, spec)?;
         let natural = |around: usize| spec.rows(&tube, around);

@@ -195,7 +195,7 @@ pub struct Quarter {
 
 impl Quarter {
     /// That of a muscle.
-    pub fn of(muscle: &Muscle) -> Self {
+    pub fn from_muscle(muscle: &Muscle) -> Self {
         let tube = muscle.tube();
         let (inner_mm, outer_mm) = (tube.inner_radius_mm(), tube.outer_radius_mm());
         let angle_rad = muscle.braid().angle_rad();

@@ -42,7 +42,7 @@ impl ThreeDimensional {
             false => Accuracy::share(0.0, Reference::Equations),
         };
         let notes = notes(&divided, muscle);
-        Ok(Self::of(divided, muscle, accuracy, notes))
+        Ok(Self::from_divided(divided, muscle, accuracy, notes))
     }
 }
 

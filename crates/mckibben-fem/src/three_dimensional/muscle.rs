@@ -57,12 +57,12 @@ impl MuscleMesh {
         let insertion_assumed = spec.plug.as_ref().is_some_and(|p| !stated(p));
         let plug = spec.plug.map(|p| Plug { insertion_mm: p.insertion_mm.or(Some(insertion)), ..p });
         let spec = &BrickSpec { plug, ..*spec };
-        let mesh = BrickMesh::new(&Quarter::of(muscle), spec)?;
+        let mesh = BrickMesh::new(&Quarter::from_muscle(muscle), spec)?;
         Ok(Self {
             limit: Axisymmetric::new(muscle)?,
             axisymmetric: same_muscle(muscle, &mesh),
             width: mesh.strand_width_mm(muscle),
-            discretisation: Arc::new(Discretisation::new(Problem::of(muscle, &mesh))?),
+            discretisation: Arc::new(Discretisation::new(Problem::from_muscle(muscle, &mesh))?),
             mesh: Arc::new(mesh),
             insertion_assumed,
         })
@@ -127,7 +127,7 @@ impl MuscleInBricks {
         if c.reach(pressure, contraction).is_err() {
             return false;
         }
-        let section = Section::of(&c.body.discretisation, &c.body.state, muscle);
+        let section = Section::from_state(&c.body.discretisation, &c.body.state, muscle);
         let state = &mut self.bricks.state;
         (state.pressure, state.terminal) = (pressure, terminal);
         self.carry_over(&section);

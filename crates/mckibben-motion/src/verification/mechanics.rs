@@ -46,7 +46,7 @@ fn balances() -> Option<Vec<VerificationRow>> {
     {
         let mut muscle = Actuated::new(&*model, Actuator::Valve(valve()?));
         muscle.fluid = Fluid::Air(Air { heat, dead_volume_mm3: 10e3, ..Air::default() });
-        muscle.friction = Some(Hysteresis::of(&Friction::power_law(20.0, 0.7), None));
+        muscle.friction = Some(Hysteresis::new(&Friction::power_law(20.0, 0.7), None));
         muscle.rubber = Prony(vec![Branch { share: 0.2, time_constant_s: 0.05 }]);
         let steps = Command::Steps(vec![(0.0, 0.0), (0.1, 0.2), (0.8, 0.05)]);
         let motion = ran(&driven(&load, muscle, Target::Pressure(vec![steps]), (1.5, 1e-9)));
@@ -140,7 +140,7 @@ fn loops() -> Vec<VerificationRow> {
         let until = |periods: f64| {
             let mut muscle = Actuated::new(&model, Actuator::Regulator { time_constant_s: 0.02 });
             let level = Friction::power_law(LEVEL_N, 0.0);
-            muscle.friction = Some(Hysteresis::of(&level, Some(&Presliding::of(PRESLIDING_MM))));
+            muscle.friction = Some(Hysteresis::new(&level, Some(&Presliding::of(PRESLIDING_MM))));
             let sine = Command::Sine { mean: 0.15, amplitude: 0.08, frequency_hz: hz, phase_rad: 0.0 };
             ran(&driven(&spring, muscle, Target::Pressure(vec![sine]), (periods / hz, 1e-8)))
         };

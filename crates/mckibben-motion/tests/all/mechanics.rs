@@ -49,7 +49,7 @@ fn identity_a_slow_loop_lies_on_the_static_branches() {
             ..SingleMuscle::new(model, Load::Spring { rate_n_per_mm: 5.0, preload_n: 0.0 })
         };
         let mut driven = Actuated::new(model, regulator(0.02));
-        driven.friction = Some(Hysteresis::of(&friction, None));
+        driven.friction = Some(Hysteresis::new(&friction, None));
         let ramps = Command::Ramps(vec![(0.0, 0.1), (20.0, 0.4), (40.0, 0.1)]);
         let mut drive = Drive::new(&spring, vec![driven], Target::Pressure(vec![ramps]), 40.0);
         drive.tolerance.relative = 1e-8;
@@ -85,7 +85,7 @@ fn closed_form_work_of_a_minor_loop_of_two_elements() {
     };
     let until = |periods: f64| {
         let mut driven = Actuated::new(&model, regulator(0.02));
-        driven.friction = Some(Hysteresis::of(&Friction::power_law(LEVEL_N, 0.0), Some(&presliding)));
+        driven.friction = Some(Hysteresis::new(&Friction::power_law(LEVEL_N, 0.0), Some(&presliding)));
         let sine = Command::Sine { mean: 0.15, amplitude: 0.006, frequency_hz: 1.0, phase_rad: 0.0 };
         let mut drive = Drive::new(&spring, vec![driven], Target::Pressure(vec![sine]), periods);
         drive.tolerance.relative = 1e-8;
@@ -111,7 +111,7 @@ fn identity_shares_of_one_length_are_one_element() {
     let load = SingleMuscle::new(&model, crate::support::sprung(3.0, 1.0));
     let end = |presliding: Presliding| {
         let mut driven = Actuated::new(&model, valve());
-        driven.friction = Some(Hysteresis::of(&Friction::power_law(20.0, 0.7), Some(&presliding)));
+        driven.friction = Some(Hysteresis::new(&Friction::power_law(20.0, 0.7), Some(&presliding)));
         let drive = Drive::new(&load, vec![driven], steps(&[(0.0, 0.1), (0.1, 0.3), (0.5, 0.2)]), 1.0);
         last(&ran(&drive).series.coordinate)
     };
@@ -130,7 +130,7 @@ fn closed_form_presliding_stiffens_the_linear_system() {
     let level = Friction { lever_mm: 0.8, ..Friction::power_law(10.0, 0.7) };
     let (fine, coarse) =
         (PreslidingElement { share: 0.6, length_mm: 0.5 }, PreslidingElement { share: 0.4, length_mm: 3.0 });
-    driven.friction = Some(Hysteresis::of(&level, Some(&Presliding(vec![fine, coarse]))));
+    driven.friction = Some(Hysteresis::new(&level, Some(&Presliding(vec![fine, coarse]))));
     let drive = Drive::new(&load, vec![driven], steps(&[(0.0, 0.3)]), 1.0);
     let e = equilibrium(&drive, &[0.3]).unwrap().coordinate / 220.0;
     let w = &mut Workspace::new();

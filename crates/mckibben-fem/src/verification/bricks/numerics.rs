@@ -26,7 +26,7 @@ fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Opti
     })?;
     let spec = BrickSpec { brick, around: Some(2), along: Some(2), through: Some(1), ..BrickSpec::default() };
     let mesh = BrickMesh::new(&tube(20.0), &spec).ok()?;
-    let mut body = body(Problem::of(&muscle, &mesh))?;
+    let mut body = body(Problem::from_muscle(&muscle, &mesh))?;
     let mut random = Random(7);
     for &i in &body.discretisation.place.clone() {
         body.state.u[i as usize] = random.between(-0.3, 0.3);
@@ -152,7 +152,7 @@ fn numbering(brick: Brick) -> Option<f64> {
     let spec = BrickSpec { brick, around: Some(3), along: Some(6), ..BrickSpec::default() };
     let mesh = BrickMesh::new(&tube(60.0), &spec).ok()?;
     let pull = |back: bool| {
-        let mut problem = Problem::of(&Muscle::prototype(), &mesh);
+        let mut problem = Problem::from_muscle(&Muscle::prototype(), &mesh);
         if back {
             problem.order.reverse();
         }
