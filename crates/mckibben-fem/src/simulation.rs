@@ -90,8 +90,8 @@ pub trait Divided: Send + Sync + Sized {
         self.limit()
     }
 
-    /// A pressure in MPa near which a smaller one than was found for a pull in N at a contraction may be.
-    fn near_smaller(&self, _found_mpa: f64, _force_n: f64, _contraction: f64) -> Option<f64> {
+    /// A pressure in MPa near which a pull in N at a contraction may have a smaller one than `pressure_mpa`.
+    fn near_smaller(&self, _pressure_mpa: f64, _force_n: f64, _contraction: f64) -> Option<f64> {
         None
     }
 }
@@ -197,18 +197,18 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
     }
 
     fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        let found = self.reach(workspace, Given::ContractionAndPull { contraction, force_n });
-        let found = found.ok().map(|found| found.pressure_mpa).filter(|p| *p >= 0.0)?;
+        let point = self.reach(workspace, Given::ContractionAndPull { contraction, force_n });
+        let p = point.ok().map(|point| point.pressure_mpa).filter(|p| *p >= 0.0)?;
         let c = self.continuation(workspace).ok()?;
-        let near = self.divided.near_smaller(found, force_n, contraction);
+        let near = self.divided.near_smaller(p, force_n, contraction);
         let reached = near.filter(|near| c.reach_pressure_from(*near, force_n, contraction).is_ok());
         let smaller = reached.map(|_| c.body.state().pressure).filter(|p| *p >= 0.0);
-        Some(smaller.map_or(found, |p| p.min(found)))
+        Some(smaller.map_or(p, |smaller| smaller.min(p)))
     }
 
     fn contraction_at_pull(&self, workspace: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
-        let found = self.reach(workspace, Given::PressureAndPull { pressure_mpa, force_n });
-        found.ok().map(|found| found.contraction)
+        let point = self.reach(workspace, Given::PressureAndPull { pressure_mpa, force_n });
+        point.ok().map(|point| point.contraction)
     }
 }
 

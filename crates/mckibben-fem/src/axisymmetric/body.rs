@@ -1,6 +1,6 @@
 //! Equilibrium of a body at given pressure and length, at given pressure and pull, or at given length and pull.
 //!
-//! All unknowns but those of the last station are condensed along the chain; what is left is the terminal's own
+//! All unknowns but those of the last station are condensed along the chain; what remains is the terminal's
 //! displacement w with
 //!
 //!   F(w + dw) = S dw − b,

@@ -1,4 +1,4 @@
-//! What the rubber of a muscle has seen: the largest energy of every integration point, from the muscle's own equilibria.
+//! What the rubber of a muscle has seen: the largest energy of every integration point, from equilibria of the muscle.
 //!
 //! A muscle that was cycled at a pressure between rest length and free contraction has W_m = max(W0 at rest length, W0 at free
 //! contraction) of its first inflation, point by point. Where one of the two states has the larger energy everywhere, the conditioned muscle

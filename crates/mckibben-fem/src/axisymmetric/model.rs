@@ -103,8 +103,8 @@ impl Divided for MuscleSection {
     }
 
     /// Soft strands let the pull rise and fall again with the pressure; the smaller of two is near that of the infinitely long muscle.
-    fn near_smaller(&self, found_mpa: f64, force_n: f64, contraction: f64) -> Option<f64> {
+    fn near_smaller(&self, pressure_mpa: f64, force_n: f64, contraction: f64) -> Option<f64> {
         let near = self.thick_wall.pressure_at_pull(&mut Workspace::new(), force_n, contraction)?;
-        (found_mpa > FAR * near).then_some(near)
+        (pressure_mpa > FAR * near).then_some(near)
     }
 }

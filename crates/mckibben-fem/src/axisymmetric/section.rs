@@ -1,6 +1,6 @@
 //! The deformed section (r, z) node by node, for pictures.
 //!
-//! Stretches are those of the element's own field at its nodes. Cauchy stress σ = P Fᵀ/J is taken at the 2 × 2 points
+//! Stretches are those of the element's displacement field at its nodes. Cauchy stress σ = P Fᵀ/J is taken at the 2 × 2 points
 //! where it is most exact (Barlow 1976 \[barlow1976\]) and carried to the nodes by the bilinear function through them. Where elements
 //! meet, both are averaged.
 

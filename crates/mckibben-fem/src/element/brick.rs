@@ -1,4 +1,4 @@
-//! Bricks with a pressure of their own: forces, volume defects and exact symmetric tangent.
+//! Bricks with pressure modes: forces, volume defects and exact symmetric tangent.
 //!
 //!   Π_e = ∫ W̄(F) + p (J − 1) dV − p²V/(2K),   p = Σ p_k ψ_k,   ∫ ψ_k ψ_l dV = V δ_kl
 //!   r = ∂Π/∂u,   c_k = ∂Π/∂p_k = ∫ ψ_k (J − 1) dV − p_k V/K,   G_k = ∂c_k/∂u = ∫ ψ_k J g dV

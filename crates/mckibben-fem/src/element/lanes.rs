@@ -143,7 +143,7 @@ macro_rules! on_lanes {
                 $kernel::<$crate::element::lanes::Four $($(, $g)+)?>($($arg),*)
             }
             match width {
-                // SAFETY: `Width::here` has asked the processor.
+                // SAFETY: `Width::here` gives only lanes that the processor has.
                 #[cfg(target_arch = "x86_64")]
                 $crate::element::lanes::Width::Eight => unsafe { eight $(::<$($g),+>)? ($($arg),*) },
                 #[cfg(target_arch = "x86_64")]
@@ -171,7 +171,7 @@ macro_rules! four_at_a_time {
             }
             #[cfg(target_arch = "x86_64")]
             if $crate::element::lanes::Width::here() >= $crate::element::lanes::Width::Four {
-                // SAFETY: the processor has just been asked for what the function needs.
+                // SAFETY: the processor has what the function needs, as just checked.
                 return unsafe { wide $(::<$($g),+>)? ($($arg),*) };
             }
             $kernel $(::<$($g),+>)? ($($arg),*)
@@ -208,7 +208,7 @@ mod wide {
             #[repr(transparent)]
             pub struct $name($inner);
 
-            // SAFETY of every block: kernels with these lanes run only where the processor was asked for them.
+            // SAFETY of every block: kernels with these lanes run only on processors that have them.
             operator!($name, Add, add, $instructions);
             operator!($name, Sub, sub, $instructions);
             operator!($name, Mul, mul, $instructions);

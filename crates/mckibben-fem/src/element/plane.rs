@@ -1,6 +1,6 @@
 //! Rubber in an axisymmetric state of deformation.
 //!
-//! With F_rR = a, F_rZ = b, F_zR = c, F_zZ = d and F_θθ = t the deformation has three invariants of its own,
+//! With F_rR = a, F_rZ = b, F_zR = c, F_zZ = d and F_θθ = t the deformation has three invariants,
 //!
 //!   s = a² + b² + c² + d²,   D = ad − bc,   t;     J = D t,  I1 = s + t²,  I2 = D² + t² s
 //!

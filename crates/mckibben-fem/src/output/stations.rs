@@ -33,7 +33,7 @@ pub struct Stations {
 }
 
 impl Stations {
-    /// Of a section: between the nodes by the elements' own quadratic functions.
+    /// Of a section: between the nodes by the elements' quadratic functions.
     pub fn from_section(section: &Section) -> Self {
         let places = places_of_half(section);
         let across = 2 * section.through + 1;

@@ -124,7 +124,7 @@ mod tests {
 
     /// A random symmetric indefinite chain solves what a dense product made.
     #[test]
-    fn a_chain_solves_its_own_product() {
+    fn a_chain_solves_its_product() {
         let (slabs, m, n) = (5, 4, 7);
         let mut chain = Chain::new(slabs, m, n);
         let dimension = slabs * (n + m) + m;

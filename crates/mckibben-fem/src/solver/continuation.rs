@@ -200,11 +200,11 @@ impl<B: Body> Continuation<B> {
             if shortened && c.body.certain() {
                 return Ok(());
             }
-            let found = match led {
+            let reached = match led {
                 Some(led) => led,
                 None if B::SETTINGS.take_unstable => {
-                    let found = c.long_way(pressure, terminal, true);
-                    found.or_else(|end| {
+                    let reached = c.long_way(pressure, terminal, true);
+                    reached.or_else(|end| {
                         // In a straight line of pressure and length.
                         c.body.rest();
                         c.walk(pressure, terminal, B::SETTINGS.first_step).map_err(|_| end)
@@ -212,13 +212,13 @@ impl<B: Body> Continuation<B> {
                 }
                 None => c.lead_down(pressure, terminal),
             };
-            let found = match found {
+            let reached = match reached {
                 Err(end) if c.body.loose() && !end.reason.is_final() => {
                     c.inflate(pressure, terminal).map_err(|_| end)
                 }
-                found => found,
+                reached => reached,
             };
-            found.map_err(|end| (end, other_n))
+            reached.map_err(|end| (end, other_n))
         })
     }
 
@@ -246,10 +246,10 @@ impl<B: Body> Continuation<B> {
     ) -> Result<()> {
         let before = self.effort.iterations;
         self.allow(Some(B::SETTINGS.budget));
-        let found = seek(self);
+        let reached = seek(self);
         self.allow(None);
         self.steps = None;
-        found.map_err(|(Interrupted { reason, last }, other_n)| {
+        reached.map_err(|(Interrupted { reason, last }, other_n)| {
             if let Stopped::Cancelled(cancelled) = reason {
                 return FemError::Cancelled(cancelled);
             }
@@ -294,12 +294,12 @@ impl<B: Body> Continuation<B> {
         let mut attempt = 0;
         while let Some(applies) = self.body.guess(attempt, pressure, terminal) {
             attempt += 1;
-            let found = applies && self.solve(Control::Length(terminal)).is_ok();
-            if found && (B::SETTINGS.take_unstable || self.stable() && self.body.certain()) {
+            let solved = applies && self.solve(Control::Length(terminal)).is_ok();
+            if solved && (B::SETTINGS.take_unstable || self.stable() && self.body.certain()) {
                 self.note();
                 return Ok(());
             }
-            if found && self.stable() {
+            if solved && self.stable() {
                 return Err(Some(self.pull()));
             }
         }

@@ -1,4 +1,4 @@
-//! Tests of a muscle: isometric, isotonic, isobaric. Every point carries its own status: one that has no equilibrium does not end the
+//! Tests of a muscle: isometric, isotonic, isobaric. Every point carries a status: one that has no equilibrium does not end the
 //! others.
 
 use super::body::{Body, Control};
@@ -15,11 +15,11 @@ use mckibben::progress::Progress;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct CurvePoint {
-    /// Pressure in MPa: given, or found.
+    /// Pressure in MPa: given, or solved for.
     pub pressure_mpa: f64,
-    /// Contraction: given, or found (below 0: the pull stretches the muscle).
+    /// Contraction: given, or solved for (below 0: the pull stretches the muscle).
     pub contraction: f64,
-    /// Pull in N: given, or found (below 0: the muscle pushes).
+    /// Pull in N: given, or solved for (below 0: the muscle pushes).
     pub force_n: f64,
     /// Volume of the cavity in mm³.
     pub volume_mm3: f64,
@@ -27,9 +27,9 @@ pub struct CurvePoint {
     pub iterations: usize,
     /// Factorisations it took.
     pub factorisations: usize,
-    /// What every model answers, stiffness and ∂F/∂P among it, where it is asked for.
+    /// What every model answers, stiffness and ∂F/∂P among it, where the detail includes it.
     pub response: Option<Response>,
-    /// ∂F/∂(constants and measures), where they are asked for.
+    /// ∂F/∂(constants and measures), where the detail includes them.
     pub sensitivities: Vec<Sensitivity>,
 }
 
@@ -39,7 +39,7 @@ impl CurvePoint {
         self.force_n < 0.0
     }
 
-    /// The present equilibrium, found with what was spent since `before`.
+    /// The present equilibrium, with what was spent since `before`.
     pub(crate) fn here<B: Body>(c: &Continuation<B>, before: Effort) -> Self {
         let totals = c.body.totals();
         Self {
@@ -56,7 +56,7 @@ impl CurvePoint {
     }
 }
 
-/// Points of a curve in the order they were asked for.
+/// Points of a curve in the order of the given values.
 pub type Curve = Vec<Result<CurvePoint>>;
 
 /// What is kept fixed along a curve.

@@ -258,7 +258,7 @@ fn less<R: Real, const V: usize, const N: usize>(
             }
         }
     }
-    // An array of its own: where the sums themselves are read column by column the compiler keeps them in memory.
+    // A second array: where the sums themselves are read column by column the compiler keeps them in memory.
     let mut less = [[R::splat(0.0); V]; N];
     for j in 0..N {
         for v in 0..V {

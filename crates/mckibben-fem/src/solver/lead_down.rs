@@ -49,9 +49,9 @@ impl<B: Body> Continuation<B> {
         self.descent.begin(terminal);
         let lowest = self.body.taut_pressure(-terminal / self.body.half_length());
         let pressures = || std::iter::successors(Some(lowest), |p| Some(TIGHTENING * p)).take(TIGHTENINGS);
-        let found = pressures().any(|taut| self.tight_guess(taut, terminal))
+        let tight = pressures().any(|taut| self.tight_guess(taut, terminal))
             || pressures().step_by(2).any(|taut| self.tighten(taut, terminal).is_ok());
-        if found {
+        if tight {
             self.descent.push(self.body.state(), self.body.totals().pull, 0.0);
         }
     }

@@ -97,7 +97,7 @@ impl<B: Body> Continuation<B> {
         Err(refused)
     }
 
-    /// Whether the equilibrium that was found with a held pull is the answer at its own pressure and contraction.
+    /// Whether the equilibrium with a held pull is the answer at its pressure and contraction.
     fn is_that_of(&mut self, force: f64) -> Result<bool> {
         if B::SETTINGS.take_unstable || self.body.certain() {
             return Ok(true);

@@ -1,7 +1,7 @@
 //! The numbers of a supernodal Cholesky factorisation, in pieces of bounded work: between two pieces it can be ended.
 //!
 //! Left-looking (Ng & Peyton 1993 \[ng1993\]). A supernode takes its entries of the matrix; then what every earlier supernode with rows in
-//! it takes off; then its own columns are factorised, panel by panel.
+//! it takes off; then its columns are factorised, panel by panel.
 
 use super::kernel::{Kernel, Matrix, Product};
 use super::newton::Stopped;
@@ -63,8 +63,8 @@ impl Numeric {
             all.enumerate().for_each(|(k, row)| self.local[row] = k as u32);
             factor.resize(s.values(i).end, 0.0);
             self.worked(columns.len() * height)?;
-            let (head, own) = factor.split_at_mut(s.values(i).start);
-            for (j, column) in columns.clone().zip(own.chunks_exact_mut(height)) {
+            let (head, block) = factor.split_at_mut(s.values(i).start);
+            for (j, column) in columns.clone().zip(block.chunks_exact_mut(height)) {
                 for k in pattern.columns[j] as usize..pattern.columns[j + 1] as usize {
                     column[self.local[pattern.rows[k] as usize] as usize] += values[k];
                 }
@@ -75,9 +75,9 @@ impl Numeric {
                 let first = rows.partition_point(|r| (*r as usize) < columns.start);
                 let inside = first + rows[first..].partition_point(|r| (*r as usize) < columns.end);
                 let from = (&head[s.values(d)], s.columns(d).len());
-                self.take_off(from, (rows, first..inside), (own, height))?;
+                self.take_off(from, (rows, first..inside), (block, height))?;
             }
-            self.eliminate((own, height, columns.len()))?;
+            self.eliminate((block, height, columns.len()))?;
         }
         Ok(())
     }
@@ -96,7 +96,7 @@ impl Numeric {
         &mut self,
         (from, wide): (&[f64], usize),
         (names, inside): (&[u32], Range<usize>),
-        (own, height): (&mut [f64], usize),
+        (block, height): (&mut [f64], usize),
     ) -> Result<(), Stopped> {
         let stride = wide + names.len();
         let part = |row: usize, column: usize| Matrix { values: &from[column * stride + row..], stride };
@@ -118,7 +118,7 @@ impl Numeric {
                 self.places.clear();
                 self.places.extend(names[rows.clone()].iter().map(|r| self.local[*r as usize]));
                 for (j, product) in columns.clone().zip(self.product.chunks_exact(size)) {
-                    let column = &mut own[self.local[names[j] as usize] as usize * height..][..height];
+                    let column = &mut block[self.local[names[j] as usize] as usize * height..][..height];
                     let begin = j.saturating_sub(rows.start);
                     for (place, value) in self.places[begin..].iter().zip(&product[begin..]) {
                         column[*place as usize] += value;
@@ -130,11 +130,11 @@ impl Numeric {
     }
 
     /// Factorises the columns of a supernode.
-    fn eliminate(&mut self, (own, height, width): (&mut [f64], usize, usize)) -> Result<(), Stopped> {
+    fn eliminate(&mut self, (block, height, width): (&mut [f64], usize, usize)) -> Result<(), Stopped> {
         let form = self.form;
         for columns in pieces(0..width, COLUMNS) {
             let (first, count) = (columns.start, columns.len());
-            let (done, own) = own.split_at_mut(first * height);
+            let (done, block) = block.split_at_mut(first * height);
             let part =
                 |row: usize, column: usize| Matrix { values: &done[column * height + row..], stride: height };
             for depth in pieces(0..first, DEPTH) {
@@ -144,11 +144,11 @@ impl Numeric {
                     let (a, b) = (part(rows.start, depth.start), part(first, depth.start));
                     let (size, depth, lower) = (rows.len(), depth.len(), rows.start == first);
                     let of = Product { a, b, d, rows: size, columns: count, depth, keep: true, lower };
-                    self.kernel.product((&mut own[rows.start..], height), of);
+                    self.kernel.product((&mut block[rows.start..], height), of);
                     self.worked(count * size * depth)?;
                 }
             }
-            let mut panel = Panel { form, values: &mut own[first..], stride: height, count };
+            let mut panel = Panel { form, values: &mut block[first..], stride: height, count };
             let top = count.max(CHUNK).min(height - first);
             let rest = pieces(top..height - first, CHUNK);
             for rows in std::iter::once(0..top).chain(rest) {

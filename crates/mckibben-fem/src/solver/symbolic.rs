@@ -8,7 +8,7 @@
 //! ```
 //!
 //! so that the tree comes out of the same walk. Column j goes on with the supernode of column j − 1 where it is the parent of that one alone
-//! and brings no row of its own: a fundamental supernode, whose rows are kept once (Davis 2006 \[davis2006b\]). A supernode and the parent right
+//! and brings no other row: a fundamental supernode, whose rows are kept once (Davis 2006 \[davis2006b\]). A supernode and the parent right
 //! behind it are merged where few of the entries that result are zeros (Ashcraft & Grimes 1989 \[ashcraft1989\]): wide supernodes are
 //! quick, and a child's rows lie within the parent's columns and rows.
 
@@ -60,7 +60,7 @@ impl Pattern {
     }
 }
 
-/// The supernodes of a pattern. Each is a matrix by columns: its own rows, then those below.
+/// The supernodes of a pattern. Each is a matrix by columns: the rows of its columns, then those below.
 #[derive(Debug)]
 pub(super) struct Symbolic {
     /// First column of each supernode, and the number of all columns.
@@ -123,17 +123,17 @@ impl Symbolic {
     fn fundamental(pattern: &Pattern) -> Option<Self> {
         let n = pattern.dimension();
         let (mut begin, mut first_row, mut rows) = (vec![], vec![0], vec![]);
-        // The supernode that a row was last found in; the children of each column: the last one, and the one before each supernode.
-        let (mut found, mut child, mut sibling) = (vec![NONE; n], vec![NONE; n], vec![]);
+        // The last supernode with a row; the children of each column: the last one, and the one before each supernode.
+        let (mut last_in, mut child, mut sibling) = (vec![NONE; n], vec![NONE; n], vec![]);
         // Rows of the supernode that may go on, and how many of them have become its columns.
         let (mut open, mut passed): (Vec<u32>, usize) = (vec![], 0);
         for j in 0..n {
-            let own = &pattern.rows[pattern.columns[j] as usize..pattern.columns[j + 1] as usize];
-            let own = own.iter().copied().filter(|r| *r as usize > j);
+            let below = &pattern.rows[pattern.columns[j] as usize..pattern.columns[j + 1] as usize];
+            let below = below.iter().copied().filter(|r| *r as usize > j);
             if let Some(last) = begin.len().checked_sub(1) {
                 let parent = open.get(passed).copied();
                 let only = parent == Some(j as u32) && child[j] == NONE;
-                if only && own.clone().all(|r| found[r as usize] == last as u32) {
+                if only && below.clone().all(|r| last_in[r as usize] == last as u32) {
                     passed += 1;
                     continue;
                 }
@@ -144,14 +144,14 @@ impl Symbolic {
             }
             let this = begin.len() as u32;
             begin.push(j as u32);
-            (open, passed) = (own.collect(), 0);
-            open.iter().for_each(|r| found[*r as usize] = this);
+            (open, passed) = (below.collect(), 0);
+            open.iter().for_each(|r| last_in[*r as usize] = this);
             let mut next = child[j];
             while next != NONE {
                 let c = next as usize;
                 for &r in &rows[first_row[c] + 1..first_row[c + 1]] {
-                    if found[r as usize] != this {
-                        found[r as usize] = this;
+                    if last_in[r as usize] != this {
+                        last_in[r as usize] = this;
                         open.push(r);
                     }
                 }

@@ -26,7 +26,7 @@ static FACE9: LazyLock<Vec<FacePoint<9>>> = LazyLock::new(cavity_faces::points);
 /// What an assembly fills.
 #[derive(Debug, Clone)]
 pub struct Assembled {
-    /// Lower half of the tangent, the terminal's column, its own entry, and a number that nobody reads.
+    /// Lower half of the tangent, the terminal's column, its diagonal entry, and a number that nobody reads.
     pub values: Vec<f64>,
     /// ∂Π/∂u of every displacement, with what is condensed.
     pub force: Vec<f64>,
@@ -85,7 +85,7 @@ pub fn assemble<const TANGENT: bool>(d: &Discretisation, s: &State, work: &mut A
     for (f, dead) in work.force.chunks_exact_mut(3).zip(&d.problem.dead) {
         (0..3).for_each(|i| f[i] -= s.pressure * dead[i]);
     }
-    // The terminal's own share of the cavity.
+    // The terminal's share of the cavity.
     let cap = d.problem.cap_mm2;
     totals.volume += cap * (d.half + s.terminal) / 3.0;
     let reaction: f64 = d.terminal.iter().map(|&i| work.force[i as usize]).sum();

@@ -1,7 +1,7 @@
 //! A body, its state and its tangent: Newton's method for it.
 //!
 //! Unknowns are displacements u, the terminal's w, and multipliers: pressures of the bricks and tensions of the strands,
-//! carried along as variables of their own so that stiff constraints do not slow Newton's method down (Magisano,
+//! carried along as separate variables so that stiff constraints do not slow Newton's method down (Magisano,
 //! Leonetti & Garcea 2017). `saddle.rs` solves the linear systems.
 
 use super::assembly::{Assembled, assemble};
@@ -109,7 +109,7 @@ impl Body {
         self.cholesky.negative
     }
 
-    /// The terminal's column of the tangent, and its own entry.
+    /// The terminal's column of the tangent, and its diagonal entry.
     fn terminal_column(&self) -> (&[f64], f64) {
         let (entries, n) = (self.discretisation.pattern().entries(), self.discretisation.free);
         (&self.assembled.values[entries..entries + n], self.assembled.values[entries + n])
@@ -135,7 +135,7 @@ impl Body {
             }
             gather(d, &all, &mut b);
         }
-        let (column, own) = self.terminal_column();
+        let (column, diagonal) = self.terminal_column();
         for (b, k) in b.iter_mut().zip(column) {
             *b -= k * dw;
         }
@@ -151,7 +151,7 @@ impl Body {
         constraints.forces(&dm, &mut forces);
         gather(d, &out.u, &mut b);
         let (column, _) = self.terminal_column();
-        let mut change = own * dw + dot(column, &b);
+        let mut change = diagonal * dw + dot(column, &b);
         change += d.terminal.iter().map(|&i| forces[i as usize]).sum::<f64>();
         if cause == Cause::PRESSURE {
             change -= d.terminal.iter().map(|&i| self.assembled.cavity[i as usize]).sum::<f64>();

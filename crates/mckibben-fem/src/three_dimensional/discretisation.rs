@@ -229,8 +229,8 @@ impl Discretisation {
             }
         }
         let truss = |&([a, b], _): &([u32; 2], Truss)| {
-            let [own, other] = [a, b].map(|n| self.block(n, n)).map(|all| PAIRS.map(|(i, j)| all[3 * i + j]));
-            let mut entries = own.into_iter().chain(other).chain(self.block(a, b));
+            let [at_a, at_b] = [a, b].map(|n| self.block(n, n)).map(|all| PAIRS.map(|(i, j)| all[3 * i + j]));
+            let mut entries = at_a.into_iter().chain(at_b).chain(self.block(a, b));
             std::array::from_fn(|_| entries.next().unwrap_or(nothing))
         };
         let face = |nodes: &Vec<u32>| {

@@ -1,6 +1,6 @@
 //! Places, stretches and Cauchy stress at the nodes of one eighth, for pictures and files.
 //!
-//! Stretches are those of the bricks' own field at the nodes. Cauchy stress σ = τ/J + p 1 is taken where it is most exact
+//! Stretches are those of the bricks' displacement field at the nodes. Cauchy stress σ = τ/J + p 1 is taken where it is most exact
 //! (Barlow 1976 \[barlow1976\]): in the middle of an eight-node brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the
 //! trilinear function carries it to the nodes. Where bricks meet, they are averaged.
 
@@ -50,7 +50,7 @@ pub struct Field {
     pub plug: Option<PlugField>,
 }
 
-/// The terminal as a body; its nodes have numbers of their own.
+/// The terminal as a body; its nodes are numbered separately.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlugField {
     /// Nodes. A rigid terminal has no stress.
@@ -100,7 +100,7 @@ fn pieces(body: &Body) -> Vec<PieceField> {
     (0..d.problem.trusses.len()).map(one).collect()
 }
 
-/// The plug's bricks with a number of their own for every node.
+/// The plug's bricks, their nodes numbered from 0.
 fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
     let grid = mesh.plug.as_ref()?;
     let (rows, [_, nj, nk]) = (grid.first_row, mesh.grid());

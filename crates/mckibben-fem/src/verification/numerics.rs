@@ -119,9 +119,9 @@ pub fn sensitivities(rows: &mut Rows) {
         tube.rubber.law = law.with_constants(|i, old| if i == index { value } else { old });
         muscle.with_tube(tube).ok()
     };
-    let found = solved.map_or(vec![], |s| s.sensitivities);
-    rows.add("constants and measures with a ∂F", 7.0, found.len() as f64, 0.0);
-    for s in found {
+    let slopes = solved.map_or(vec![], |s| s.sensitivities);
+    rows.add("constants and measures with a ∂F", 7.0, slopes.len() as f64, 0.0);
+    for s in slopes {
         let pull = |h: f64| pull(&beside(&s.name, s.value + h)?, p, e);
         let by = slope(4e-3 * s.value, |h| pull(h).ok_or(())).ok();
         rows.add(format!("∂F/∂({})", s.name), by, s.force_n_per_unit, 1e-6);

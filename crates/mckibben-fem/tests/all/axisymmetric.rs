@@ -86,9 +86,9 @@ fn the_chosen_mesh_is_within_a_twentieth_of_a_percent_on_the_papers_range() {
 fn sweep_of_200_random_muscles() {
     let result = Sweep { rows: (0..200).filter_map(|i| question(1, i)).collect() };
     assert_eq!(result.rows.len(), 200);
-    let (answered, asked) = result.answered(true);
-    assert!(asked > 100);
-    assert_eq!(answered, asked, "{:#?}", result.rows.iter().find(|r| r.required && r.answer.is_err()));
+    let (answered, questions) = result.answered(true);
+    assert!(questions > 100);
+    assert_eq!(answered, questions, "{:#?}", result.rows.iter().find(|r| r.required && r.answer.is_err()));
     for row in &result.rows {
         assert!(row.answer.as_ref().is_ok_and(|f| f.is_finite()) || row.answer.is_err());
     }
@@ -277,19 +277,19 @@ fn narrow() -> Muscle {
 fn slopes_at_a_hanging_mass_are_those_of_an_independent_derivation() {
     let muscle = narrow();
     let (model, w) = (Axisymmetric::new(&muscle).unwrap(), &mut Workspace::new());
-    let found = model.solve(w, pull(10.0 * 9.80665, 0.3)).unwrap().response;
-    assert!((found.contraction - 0.265_946_0).abs() < 1e-7, "{found:?}");
+    let response = model.solve(w, pull(10.0 * 9.80665, 0.3)).unwrap().response;
+    assert!((response.contraction - 0.265_946_0).abs() < 1e-7, "{response:?}");
     for (ours, theirs, digits) in [
-        (found.volume_mm3, 144_362.0, 1e-5),
-        (found.stiffness_n_per_mm, 8.14683, 1e-6),
-        (found.force_per_pressure_mm2, 482.352, 2e-6),
-        (found.volume_per_pressure_mm3_per_mpa, 12_771.0, 5e-5),
+        (response.volume_mm3, 144_362.0, 1e-5),
+        (response.stiffness_n_per_mm, 8.14683, 1e-6),
+        (response.force_per_pressure_mm2, 482.352, 2e-6),
+        (response.volume_per_pressure_mm3_per_mpa, 12_771.0, 5e-5),
     ] {
         assert!((ours.unwrap() / theirs - 1.0).abs() < digits, "{ours:?} {theirs}");
     }
-    let mut volume = |p: f64| model.response(w, p, found.contraction).unwrap().volume_mm3.unwrap();
+    let mut volume = |p: f64| model.response(w, p, response.contraction).unwrap().volume_mm3.unwrap();
     let by_pressure = (volume(0.3001) - volume(0.2999)) / 2e-4;
-    assert!((found.volume_per_pressure_mm3_per_mpa.unwrap() / by_pressure - 1.0).abs() < 1e-6);
+    assert!((response.volume_per_pressure_mm3_per_mpa.unwrap() / by_pressure - 1.0).abs() < 1e-6);
 }
 
 /// Two of that muscle on a pulley of 20 mm, 10 % at the neutral angle, 3 and 1.5 bar: torque and stiffness of an independent derivation.
@@ -316,7 +316,7 @@ fn an_antagonistic_joint_has_the_torques_of_an_independent_derivation() {
 /// The surface of an element is the parabola through its three outer nodes: looked at in a thousand places each, none is higher, and one
 /// is as high.
 #[test]
-fn the_largest_diameter_is_that_of_the_elements_own_surface() {
+fn the_largest_diameter_is_that_of_the_elements_surface() {
     let fe = Axisymmetric::new(&Muscle::prototype()).unwrap();
     for (p, e) in [(0.2, 0.1), (0.3, 0.0), (0.1, 0.2), (0.25, -0.05)] {
         let workspace = &mut Workspace::new();

@@ -82,11 +82,11 @@ fn random_muscles_have_the_same_answers_on_two_grids_in_two_orders_and_two_tests
         let mine = (0..muscles).filter(|i| i % threads == thread).filter_map(|i| sweep::case(7, i));
         mine.flat_map(|case| differences(&case.muscle)).collect::<Vec<_>>()
     };
-    let found: Vec<String> = std::thread::scope(|scope| {
+    let differences: Vec<String> = std::thread::scope(|scope| {
         let handles: Vec<_> = (0..threads).map(|thread| scope.spawn(move || of(thread))).collect();
         handles.into_iter().flat_map(|handle| handle.join().unwrap()).collect()
     });
-    assert!(found.is_empty(), "{} differences: {found:#?}", found.len());
+    assert!(differences.is_empty(), "{} differences: {differences:#?}", differences.len());
 }
 
 fn hard(name: &str) -> Muscle {

@@ -1,4 +1,4 @@
-//! Braid angles from 7° to 18°: such tubes become several times as wide. Every question at which the muscle pulls is answered, asked alone as
+//! Braid angles from 7° to 18°: such tubes become several times as wide. Every question at which the muscle pulls is answered, alone as
 //! along a curve.
 //!
 //! `MCKIBBEN_TIMES=20` asks 1000 of them.

@@ -75,8 +75,8 @@ fn a_mesh_of_another_braid_is_refused_with_divisions_that_fit() {
         let listed = listed.split(',').next().unwrap();
         let all: Vec<&str> = listed.split(" or ").collect();
         for fitting in all {
-            let found = divided(fitting).unwrap();
-            assert!((found - 28.0).abs() < 1.2, "{fitting}: {found}");
+            let angle_deg = divided(fitting).unwrap();
+            assert!((angle_deg - 28.0).abs() < 1.2, "{fitting}: {angle_deg}");
         }
     }
     for text in ["2x12x39", "1x4x13", "2x24x78", "2x12", "3x6:quadratic"] {

@@ -18,7 +18,7 @@ fn tube(half_mm: f64) -> Quarter {
     Quarter { inner_mm: 12.0, outer_mm: 15.0, half_mm, angle_rad: 0.5 }
 }
 
-/// A small muscle in a random deformed state, with pressures and tensions of their own.
+/// A small muscle in a random deformed state, with pressures and tensions.
 fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Body> {
     let muscle = changed(|tube, braid| {
         (tube.rubber.law, tube.rubber.bulk, tube.length_mm) = (law, bulk, 40.0);
