@@ -1,4 +1,4 @@
-//! A motion with everything in it as JSON, for `checks/motion.py`, which integrates the same equations on its own.
+//! A motion with everything in it as JSON, for `checks/motion.py`, which integrates the same equations independently.
 
 use mckibben::load::Load;
 use mckibben::model::Ideal;

@@ -59,12 +59,12 @@ impl Pid {
         &self,
         command: f64,
         position: f64,
-        own: ControllerState,
+        state: ControllerState,
         limits: (f64, f64),
     ) -> Control {
         let error = command - position;
-        let filtered = (position - own.filtered) / self.filter_s;
-        let wanted = self.proportional * error + own.integral - self.derivative_s * filtered;
+        let filtered = (position - state.filtered) / self.filter_s;
+        let wanted = self.proportional * error + state.integral - self.derivative_s * filtered;
         let output = wanted.max(limits.0).min(limits.1);
         let integral = self.integral_per_s * error + (output - wanted) / self.tracking_s;
         Control { output, rates: ControllerState { integral, filtered } }

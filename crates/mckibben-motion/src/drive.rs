@@ -117,7 +117,7 @@ impl<'a> Actuated<'a> {
 /// What is commanded.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Target {
-    /// Gauge pressures in MPa, one for each muscle: by the regulator, or by the valve's own law.
+    /// Gauge pressures in MPa, one for each muscle: by the regulator, or by the law of the valve.
     Pressure(Vec<Command>),
     /// Openings of the valves, −1 … 1, one for each muscle; an on–off valve fills above ½, vents below −½ and holds between, without a
     /// closed centre fills above 0.

@@ -47,23 +47,23 @@ impl System<'_> {
         let (low, high) = drive.mechanism.stops();
         let lever = drive.mechanism.lever(0, 0.0);
         let stride = 0.01 / lever.per_coordinate.abs().max(1e-9);
-        let found = |coordinate: f64, stop: Option<f64>| Equilibrium {
+        let equilibrium = |coordinate: f64, stop: Option<f64>| Equilibrium {
             coordinate,
             pressures_mpa: pressures.to_vec(),
             stop,
         };
         let mut q = 0.0_f64.max(low).min(high);
         let mut before = self.net(pressures, q)?;
-        // Rounding about a muscle without pressure at its own length is no force.
+        // Rounding about a muscle without pressure at its rest length is no force.
         let nothing = 1e-9 / lever.per_coordinate.abs().max(1e-9);
         if before.abs() <= nothing && (q == low || q == high) {
-            return Ok(found(q, Some(if q == low { -1.0 } else { 1.0 })));
+            return Ok(equilibrium(q, Some(if q == low { -1.0 } else { 1.0 })));
         }
         let way = before.signum();
         // Steps of a hundredth of the contraction, up to one and a half.
         for _ in 0..150 {
             if way > 0.0 && q >= high || way < 0.0 && q <= low {
-                return Ok(found(q, Some(way)));
+                return Ok(equilibrium(q, Some(way)));
             }
             let next = (q + way * stride).max(low).min(high);
             let after = match self.net(pressures, next) {
@@ -74,7 +74,7 @@ impl System<'_> {
             if after * way <= 0.0 {
                 let root = find_root(|x| self.net(pressures, x), q, next, 1e-12 * stride)?;
                 let none = MotionError::no_equilibrium(q, before);
-                return root.map(|coordinate| found(coordinate, None)).ok_or(none);
+                return root.map(|coordinate| equilibrium(coordinate, None)).ok_or(none);
             }
             (q, before) = (next, after);
         }
@@ -93,8 +93,8 @@ impl System<'_> {
         let drive = self.drive;
         let supply = drive.supply.pressure_mpa;
         let given = |pressures: Vec<f64>| -> Vec<f64> {
-            let own = drive.muscles.iter().map(|m| m.initial_pressure_mpa);
-            own.zip(pressures).map(|(own, p)| own.unwrap_or(p)).collect()
+            let stated = drive.muscles.iter().map(|m| m.initial_pressure_mpa);
+            stated.zip(pressures).map(|(stated, p)| stated.unwrap_or(p)).collect()
         };
         let at_rest = |pressures: Vec<f64>| match drive.initial_coordinate {
             Some(coordinate) => {
@@ -174,7 +174,7 @@ impl System<'_> {
         let mut modes = self.modes.borrow_mut();
         modes.stop = start.stop;
         let parts = self.members.iter().zip(&mut state.muscles).zip(&mut modes.muscles);
-        for (i, ((member, own), mode)) in parts.enumerate() {
+        for (i, ((member, now), mode)) in parts.enumerate() {
             let muscle = member.muscle;
             let p = start.pressures_mpa.get(i).copied().unwrap_or(0.0);
             let contraction = drive.mechanism.lever(i, start.coordinate).contraction;
@@ -184,10 +184,10 @@ impl System<'_> {
             };
             let at = member.at(mode.slack, p, contraction);
             let at = at.map_err(|error| MotionError::model(error, 0.0, i, p, contraction))?;
-            let volume = at.volume_mm3.value + muscle.outside_mm3(own.opening);
-            own.absolute_mpa = p + ATMOSPHERE_MPA;
-            own.mass_g = muscle.fluid.medium().mass_g(own.absolute_mpa, volume);
-            own.branches_n.fill(member.wall_n(p, &at));
+            let volume = at.volume_mm3.value + muscle.outside_mm3(now.opening);
+            now.absolute_mpa = p + ATMOSPHERE_MPA;
+            now.mass_g = muscle.fluid.medium().mass_g(now.absolute_mpa, volume);
+            now.branches_n.fill(member.wall_n(p, &at));
             let first = match &drive.target {
                 Target::Pressure(c) => c.get(i).map(|c| c.value(0.0)),
                 _ => None,
@@ -197,14 +197,14 @@ impl System<'_> {
                 (Some((h, false)), Some(first)) if first >= drive.supply.pressure_mpa - h => Switch::Fill,
                 (Some((_, false)), _) => Switch::Vent,
             };
-            if let (Some(opening), Target::Opening(c)) = (&mut own.opening, &drive.target) {
+            if let (Some(opening), Target::Opening(c)) = (&mut now.opening, &drive.target) {
                 *opening = c.get(i).map_or(0.0, |c| c.value(0.0));
             }
         }
-        if let (Some(own), Target::Position { pid, .. }) = (&mut state.controller, &drive.target) {
-            own.filtered = start.coordinate * drive.mechanism.position_per_coordinate();
+        if let (Some(controller), Target::Position { pid, .. }) = (&mut state.controller, &drive.target) {
+            controller.filtered = start.coordinate * drive.mechanism.position_per_coordinate();
             if let PidOutput::Pressure { bias_mpa } = pid.output {
-                own.integral =
+                controller.integral =
                     self.turns(0) * (start.pressures_mpa.first().copied().unwrap_or(0.0) - bias_mpa);
             }
         }

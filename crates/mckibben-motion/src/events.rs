@@ -108,11 +108,11 @@ impl System<'_> {
             }
         }
         let parts = self.drive.muscles.iter().zip(&state.muscles).zip(&modes.muscles);
-        for (i, ((m, own), mode)) in parts.enumerate() {
+        for (i, ((m, now), mode)) in parts.enumerate() {
             let Some((hysteresis, closed_centre)) = switches(&m.actuator) else { continue };
             let signal = match point.muscles.get(i) {
                 Some(p) => p.signal,
-                None => self.command(t, i, None) - own.gauge_mpa(),
+                None => self.command(t, i, None) - now.gauge_mpa(),
             };
             let is_pressure = self.drive.target.is_pressure();
             let (on, off) = match (is_pressure, closed_centre) {

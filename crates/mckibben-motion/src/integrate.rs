@@ -16,7 +16,7 @@ use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use differential_equations::status::Status;
 use std::cell::RefCell;
 
-/// Why the library takes no step; what it says itself is about its own settings.
+/// Why the library takes no step; its messages are about its settings.
 const NO_START: &str = "the integrator found no first step";
 const NO_STEP: &str = "the equations of a step cannot be solved";
 const NO_STAGE: &str = "a step has no rates at its stages";

@@ -306,11 +306,11 @@ mod tests {
         // With a line behind it the sum of both losses is the difference.
         let line = Hose::new(4.0, 1000.0).unwrap();
         let both = Losses::in_series(Some(way), 1.0, Some(line), &water).flow(0.3);
-        let own = |l: Losses, q: f64| {
+        let loss = |l: Losses, q: f64| {
             l.square * q * q + l.linear * q + (l.laminar * q).max(l.turbulent * q.powf(1.75))
         };
-        let sum = own(Losses::in_series(Some(way), 1.0, None, &water), both)
-            + own(Losses::in_series(None, 1.0, Some(line), &water), both);
+        let sum = loss(Losses::in_series(Some(way), 1.0, None, &water), both)
+            + loss(Losses::in_series(None, 1.0, Some(line), &water), both);
         assert!((sum / 0.3 - 1.0).abs() < 1e-9, "{sum}");
     }
 

@@ -1,4 +1,4 @@
-//! A force model as the equations of motion ask it: both pulls and volumes with their derivatives, and the slack muscle.
+//! A force model as the equations of motion need it: both pulls and volumes with their derivatives, and the slack muscle.
 
 use crate::{Actuated, Hysteresis};
 use mckibben::analysis::{Evaluation, Options};
@@ -59,7 +59,7 @@ pub(crate) enum Substitute {
     Moment(Answer),
     /// About a pressure and contraction: first order.
     Near(f64, f64, Answer),
-    /// The same about the nearest question that was asked last.
+    /// The same about the nearest of the last points.
     Nearest,
 }
 
@@ -89,10 +89,10 @@ const STEP: f64 = 1e-4;
 /// is made.
 const LEAST_MPA: f64 = 1e-6;
 
-/// Closer than this to where it goes slack, as a contraction, a muscle is asked itself.
+/// Closer than this to where it goes slack, as a contraction, a muscle is evaluated by its model.
 const SLACK: f64 = 1e-3;
 
-/// Questions asked last, with their answers: a step asks for its start, three stages and its end, some of them again.
+/// The last points with their answers: a step evaluates its start, three stages and its end, some of them again.
 type Kept = [Option<(f64, f64, Answer)>; 8];
 
 pub(crate) struct Member<'a> {
@@ -102,7 +102,7 @@ pub(crate) struct Member<'a> {
     near: f64,
     ideal: Ideal,
     pub memory: Memory,
-    pub asked: Cell<usize>,
+    pub answers: Cell<usize>,
     /// In place of the model, where there is one.
     pub substitute: Cell<Option<Substitute>>,
 }
@@ -137,7 +137,7 @@ impl<'a> Member<'a> {
             length_mm: shape.length_mm(),
             ideal: Ideal::new(shape),
             memory: Memory::default(),
-            asked: Cell::new(0),
+            answers: Cell::new(0),
             substitute: Cell::new(None),
         }
     }
@@ -157,8 +157,8 @@ impl<'a> Member<'a> {
         if slack {
             return self.slack(pressure_mpa);
         }
-        let own = Quantity { value: contraction, by_pressure: 0.0, by_contraction: 1.0 };
-        Ok(Answer { contraction: own, ..self.answer(pressure_mpa, contraction)? })
+        let contraction_here = Quantity { value: contraction, by_pressure: 0.0, by_contraction: 1.0 };
+        Ok(Answer { contraction: contraction_here, ..self.answer(pressure_mpa, contraction)? })
     }
 
     /// F and V with their derivatives.
@@ -199,14 +199,14 @@ impl<'a> Member<'a> {
         Ok(self.exact(p, contraction)?.moved(pressure_mpa - p, 0.0))
     }
 
-    /// The model's own answer at a pressure of at least [`LEAST_MPA`].
+    /// The answer of the model at a pressure of at least [`LEAST_MPA`].
     fn exact(&self, p: f64, contraction: f64) -> Result<Answer, ModelError> {
         let known =
             self.memory.kept.borrow().iter().flatten().find(|k| k.0 == p && k.1 == contraction).map(|k| k.2);
         if let Some(at) = known {
             return Ok(at);
         }
-        let at = self.ask(p, contraction)?;
+        let at = self.evaluate(p, contraction)?;
         let kept = &mut *self.memory.kept.borrow_mut();
         let place = self.memory.next.get();
         self.memory.next.set((place + 1) % kept.len());
@@ -216,9 +216,9 @@ impl<'a> Member<'a> {
         Ok(at)
     }
 
-    fn ask(&self, p: f64, e: f64) -> Result<Answer, ModelError> {
+    fn evaluate(&self, p: f64, e: f64) -> Result<Answer, ModelError> {
         let w = &mut *self.memory.workspace.borrow_mut();
-        self.asked.set(self.asked.get() + 1);
+        self.answers.set(self.answers.get() + 1);
         let model = self.muscle.model;
         let not_finite = || ModelError::NotFinite {
             model: model.info().name.to_string(),
@@ -240,7 +240,7 @@ impl<'a> Member<'a> {
             let [force, volume] = [above.0.force_n - below.0.force_n, above.1 - below.1].map(|d| d / width);
             Ok([known[0].unwrap_or(force), known[1].unwrap_or(volume)])
         };
-        // At the least pressure only its own side is asked.
+        // At the least pressure the difference is one-sided.
         let low = (p - STEP_MPA).max(LEAST_MPA);
         let known = [r.force_per_pressure_mm2, r.volume_per_pressure_mm3_per_mpa];
         let by_pressure = slopes(known, (p + STEP_MPA, e), (low, e), p + STEP_MPA - low)?;
@@ -261,7 +261,7 @@ impl<'a> Member<'a> {
         if answer.quantities().into_iter().all(finite) { Ok(answer) } else { Err(not_finite()) }
     }
 
-    /// G, ∂G/∂ε and ∂G/∂P of the strands' contact, where friction needs them: G is the model's own, or else that of the infinitely long
+    /// G, ∂G/∂ε and ∂G/∂P of the strands' contact, where friction needs them: G is that of the model, or else of the infinitely long
     /// muscle; its slopes are those of the infinitely long muscle in the same proportion, by one-sided differences.
     fn pivoting(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Quantity, ModelError> {
         /// Of the pressure (relative) and the contraction.

@@ -38,14 +38,14 @@ impl Integration<'_, '_> {
     }
 
     /// The output that is due up to a time within the last step, which ended at `t`. Pull and volume between its ends are cubic in time, by
-    /// their derivatives there: as good as the dense output, and no model is asked.
+    /// their derivatives there: as good as the dense output, and no model is evaluated.
     pub fn records(&mut self, method: &mut dyn Stepper, last: f64, (t, end): (f64, &State)) -> Result<()> {
         let system = self.system;
         let step = system.drive.output_step_s;
         if step * self.outputs as f64 > last {
             return Ok(());
         }
-        // At the end of the step alone: that state, with the model's own answer.
+        // At the end of the step alone: that state, with the answer of the model.
         if step * self.outputs as f64 == t {
             return self.record(t, end.clone());
         }
@@ -108,16 +108,16 @@ impl Integration<'_, '_> {
         }
         let air = match system.fluid_mj_mm3(&self.state) {
             Err(_) if ended.is_some() => self.air,
-            found => found?,
+            air => air?,
         };
         let energies = self.energies(air);
         let supplied = self.state.supplied_g();
         let mut flowed = 0.0;
         let mut missing: f64 = 0.0;
-        for (own, first) in self.state.muscles.iter().zip(&self.first.muscles) {
-            let grown = own.mass_g - first.mass_g;
-            missing = missing.max((grown - own.supplied_g + own.exhausted_g).abs());
-            flowed += own.supplied_g.abs() + own.exhausted_g.abs() + first.mass_g;
+        for (end, first) in self.state.muscles.iter().zip(&self.first.muscles) {
+            let grown = end.mass_g - first.mass_g;
+            missing = missing.max((grown - end.supplied_g + end.exhausted_g).abs());
+            flowed += end.supplied_g.abs() + end.exhausted_g.abs() + first.mass_g;
         }
         let largest_speed = self.largest_speed.unwrap_or(0.0);
         let mut motion = self.motion;
@@ -133,15 +133,15 @@ impl Integration<'_, '_> {
         }
         motion.integration_steps = self.steps;
         motion.evaluations = system.evaluations.get();
-        motion.model_answers = system.members.iter().map(|m| m.asked.get()).sum();
+        motion.model_answers = system.members.iter().map(|m| m.answers.get()).sum();
         let mut equilibrium = None;
         if ended.is_none() {
             // A step before an event was taken twice, the second time up to the event.
             self.passed.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
             step_figures(drive, &mut motion, &self.passed, cycle.map(|c| c.from_s));
-            let found = rest(system, &self.passed);
-            motion.end = found.map(|(end, _)| end);
-            equilibrium = found.and_then(|(_, q)| q);
+            let rest = rest(system, &self.passed);
+            motion.end = rest.map(|(end, _)| end);
+            equilibrium = rest.and_then(|(_, q)| q);
         }
         match drive.mechanism.coordinate() {
             Coordinate::Angle => {
@@ -202,8 +202,8 @@ impl System<'_> {
     /// Liquid that came from the supply in mm³ at atmospheric pressure; `None` of air.
     fn supplied_mm3(&self, state: &State) -> Option<f64> {
         let muscles = self.drive.muscles.iter().zip(&state.muscles);
-        let each = muscles.map(|(muscle, own)| match &muscle.fluid {
-            Fluid::Liquid(liquid) => Some(liquid.volume_mm3(own.supplied_g)),
+        let each = muscles.map(|(muscle, now)| match &muscle.fluid {
+            Fluid::Liquid(liquid) => Some(liquid.volume_mm3(now.supplied_g)),
             Fluid::Air(_) => None,
         });
         each.sum()
@@ -212,8 +212,8 @@ impl System<'_> {
     /// The same with what syringes have pushed out and not drawn back.
     pub fn pushed_mm3(&self, state: &State) -> Option<f64> {
         let muscles = self.drive.muscles.iter().zip(&state.muscles);
-        let pistons = muscles.map(|(muscle, own)| match &muscle.actuator {
-            Actuator::Syringe(syringe) => own.opening.unwrap_or(0.0) * syringe.volume_mm3,
+        let pistons = muscles.map(|(muscle, now)| match &muscle.actuator {
+            Actuator::Syringe(syringe) => now.opening.unwrap_or(0.0) * syringe.volume_mm3,
             _ => 0.0,
         });
         Some(self.supplied_mm3(state)? + pistons.sum::<f64>())
@@ -223,10 +223,10 @@ impl System<'_> {
     pub fn fluid_mj_mm3(&self, state: &State) -> Result<(f64, f64)> {
         let point = self.point(0.0, state)?;
         let muscles = point.muscles.iter().zip(&self.drive.muscles).zip(&state.muscles);
-        Ok(muscles.fold((0.0, 0.0), |(energy, cavities), ((m, muscle), own)| {
-            let volume = m.volume_mm3 + muscle.outside_mm3(own.opening);
-            let own = muscle.fluid.medium().internal_mj(m.pressure_mpa + ATMOSPHERE_MPA, volume);
-            (energy + own, cavities + m.volume_mm3)
+        Ok(muscles.fold((0.0, 0.0), |(energy, cavities), ((m, muscle), now)| {
+            let volume = m.volume_mm3 + muscle.outside_mm3(now.opening);
+            let stored = muscle.fluid.medium().internal_mj(m.pressure_mpa + ATMOSPHERE_MPA, volume);
+            (energy + stored, cavities + m.volume_mm3)
         }))
     }
 }

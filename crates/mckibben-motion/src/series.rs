@@ -87,12 +87,12 @@ impl MotionSeries {
     /// The names of its columns, with their units.
     pub fn names(&self) -> Vec<String> {
         let is_joint = self.of == Coordinate::Angle;
-        let own: &[&str] =
+        let load: &[&str] =
             if is_joint { &["angle_deg", "velocity_deg_per_s"] } else { &["velocity_mm_per_s"] };
         let muscles = (0..self.muscles.len()).flat_map(|i| {
             COLUMNS.iter().map(move |column| key(column.0, is_joint.then_some(i + 1), self.liquid))
         });
-        std::iter::once(&"time_s").chain(own).map(|name| (*name).to_owned()).chain(muscles).collect()
+        std::iter::once(&"time_s").chain(load).map(|name| (*name).to_owned()).chain(muscles).collect()
     }
 
     /// How many points it has.
@@ -123,9 +123,9 @@ impl MotionSeries {
 
     /// Leaves so many points.
     pub fn truncate(&mut self, points: usize) {
-        let own = [&mut self.time_s, &mut self.coordinate, &mut self.velocity];
+        let load = [&mut self.time_s, &mut self.coordinate, &mut self.velocity];
         let muscles = self.muscles.iter_mut().flat_map(MuscleSeries::lists_mut);
-        own.into_iter().chain(muscles).for_each(|list| list.truncate(points));
+        load.into_iter().chain(muscles).for_each(|list| list.truncate(points));
     }
 }
 

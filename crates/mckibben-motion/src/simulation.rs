@@ -77,7 +77,7 @@ impl Simulation {
         &self.motion
     }
 
-    /// Another one in the same state, which goes its own way.
+    /// Another one in the same state, independent from here on.
     #[must_use]
     pub fn duplicate(&self) -> Self {
         Self {

@@ -38,7 +38,7 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
     MotionError::require(!drive.muscles.iter().any(|m| m.fluid.is_liquid()), || {
         "only valves of air are sized by a rise time; leave it out, and try flows of the valve or pump".into()
     })?;
-    let (Some(own), Target::Pressure(commands)) = (valve, &drive.target) else {
+    let (Some(given), Target::Pressure(commands)) = (valve, &drive.target) else {
         return Err(no_rise());
     };
     let begin = changes(drive).first().copied().ok_or_else(no_rise)?;
@@ -57,7 +57,7 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
         let mut drive = drive.clone();
         for muscle in &mut drive.muscles {
             if let Actuator::Valve(v) = &mut muscle.actuator {
-                (v.supply, v.exhaust) = (v.supply.scaled(c / own), v.exhaust.scaled(c / own));
+                (v.supply, v.exhaust) = (v.supply.scaled(c / given), v.exhaust.scaled(c / given));
             }
         }
         match run(&drive, progress) {
@@ -68,7 +68,7 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
         }
     };
     let met = |rise: Option<f64>| rise.is_some_and(|r| r <= rise_time_s);
-    let (mut c, mut best) = (own.min(LARGEST), None);
+    let (mut c, mut best) = (given.min(LARGEST), None);
     loop {
         let (reached_s, motion) = rise(c)?;
         if met(reached_s) {

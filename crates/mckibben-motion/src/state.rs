@@ -77,8 +77,8 @@ impl State {
         visit(&mut self.coordinate);
         visit(&mut self.velocity);
         for m in &mut self.muscles {
-            let own = [&mut m.absolute_mpa, &mut m.mass_g].into_iter();
-            own.chain(&mut m.opening).chain(&mut m.bristles).chain(&mut m.branches_n).for_each(&mut visit);
+            let fluid = [&mut m.absolute_mpa, &mut m.mass_g].into_iter();
+            fluid.chain(&mut m.opening).chain(&mut m.bristles).chain(&mut m.branches_n).for_each(&mut visit);
         }
         if let Some(ControllerState { integral, filtered }) = &mut self.controller {
             visit(integral);

@@ -117,7 +117,7 @@ fn measures_without_bounds_are_refused() {
     {
         assert!(matches!(Hose::new(diameter, length), Err(MotionError::Refused(_))), "{diameter} {length}");
     }
-    // A valve that is nearly closed has the flow of its own small opening, and no overflow of its cube.
+    // A valve that is nearly closed has the flow of its small opening, and no overflow of its cube.
     let small = Orifice::new(1e-9, 0.3).unwrap().scaled(1e-110);
     let both = in_series(&[small, Hose::new(4.0, 500.0).unwrap().orifice()]).unwrap();
     close(both.conductance_l_per_s_bar, 1e-119, 1e-9);

@@ -56,8 +56,8 @@ fn lifted(model: &ThickWall, mass_kg: f64, pressure_mpa: f64, conductance: f64) 
 fn steps_against_loads_have_the_measured_shape() {
     let rows = rayon(STEPS);
     let curve = |load: f64| -> Vec<(f64, f64)> {
-        let own = rows.iter().filter(|r| r[0] == load).map(|r| (r[1], r[2]));
-        std::iter::once((0.0, 0.0)).chain(own).collect()
+        let points = rows.iter().filter(|r| r[0] == load).map(|r| (r[1], r[2]));
+        std::iter::once((0.0, 0.0)).chain(points).collect()
     };
     let loads = [2.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0];
     let ends = loads.map(|kg| curve(kg).last().unwrap().1);

@@ -28,7 +28,7 @@ fn identity_a_cycle_stores_nothing_in_rubber_and_braid() {
     }
 }
 
-/// Half the width C P^β + μw G of the static branches, by models with and without a contact of their own; ends that slip.
+/// Half the width C P^β + μw G of the static branches, by models with and without a contact; ends that slip.
 #[test]
 fn identity_a_slow_loop_lies_on_the_static_branches() {
     use mckibben::muscle::{Direction, Terminals};
@@ -230,7 +230,7 @@ fn closed_form_relaxation_of_the_rubber() {
     let ideal = Ideal::new(&note_muscle());
     let wall =
         |p: f64| model.force_n(&mut mckibben::model::Workspace::new(), p, 0.1).unwrap() - ideal.pull(p, 0.1);
-    // The regulator's own lag of 1 ms adds τ_r/τ to the start: e^(−0.3/0.2)/(1 − 0.001/0.2).
+    // The regulator's lag of 1 ms adds τ_r/τ to the start: e^(−0.3/0.2)/(1 − 0.001/0.2).
     close(excess(0.4), 0.3 * (wall(0.3) - wall(0.1)) * (-1.5_f64).exp() / (1.0 - 0.005), 2e-2);
 }
 
