@@ -72,7 +72,7 @@ pub enum FemError {
         pressure_mpa: f64,
         /// The nearest pull that was found, in N.
         nearest_force_n: f64,
-        /// Contraction at which it stands; below zero the muscle is stretched.
+        /// Contraction of that pull; below zero the muscle is stretched.
         contraction: f64,
     },
     /// The caller wanted the work to end.

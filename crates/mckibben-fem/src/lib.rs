@@ -14,7 +14,7 @@
 //! | [`solver`] | dense, chained and sparse factorisations, Newton's method; the continuation that finds equilibria and curves |
 //! | [`axisymmetric`] | mesh, assembly, equilibrium, first guesses, the muscle as a [`ForceModel`](mckibben::model::ForceModel), sensitivities |
 //! | [`three_dimensional`] | the same muscle in bricks with single strands |
-//! | [`simulation`], [`results`] | what one asks of either, and what it answers |
+//! | [`simulation`], [`results`] | questions to either, and answers |
 //! | [`elements`] | both by name, with their mesh |
 //! | [`verification`] | cases with exact values |
 //!

@@ -68,7 +68,7 @@ pub(crate) fn largest_of_most(mut list: Vec<StretchOf>) -> StretchAt {
     let mut sum = 0.0;
     let mut last: Option<(f64, StretchOf)> = None;
     for s in list {
-        // A sample stands for its volume, half of which is stretched further.
+        // A sample represents its volume, half of which is stretched further.
         let share = sum + 0.5 * s.volume;
         sum += s.volume;
         if share >= beyond {

@@ -75,7 +75,7 @@ pub trait Divided: Send + Sync + Sized {
     /// [`FemError::Refused`] where there is not enough memory.
     fn at_rest(&self) -> Result<Self::Body, FemError>;
 
-    /// The model itself, where it is that of the section: it knows slopes and the strands' contact.
+    /// The model itself, where it is that of the section, which computes slopes and the strands' contact.
     fn section(_model: &FiniteElements<Self>) -> Option<&Axisymmetric> {
         None
     }

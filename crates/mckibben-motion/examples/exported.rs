@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let command = Command::Steps(vec![(0.0, 0.1), (0.1, 0.3), (0.6, 0.15)]);
     let mut drive = Drive::new(&load, vec![actuated], Target::Pressure(vec![command]), 1.0);
     drive.output_step_s = 0.01;
-    drive.tolerance.relative = 1e-11;
+    drive.tolerance = 1e-11;
     let motion = run(&drive, &Silent)?;
     writeln!(std::io::stdout(), "{}", serde_json::to_string(&motion)?)?;
     Ok(())

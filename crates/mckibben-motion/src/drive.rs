@@ -152,21 +152,6 @@ impl Target {
     }
 }
 
-/// How finely it is integrated.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Tolerance {
-    /// Relative tolerance; absolute ones are this share of a scale of each quantity (1 % of the stroke, 0.1 MPa, 10 N, 1 J, …).
-    pub relative: f64,
-    /// Steps after which it gives up.
-    pub steps: usize,
-}
-
-impl Default for Tolerance {
-    fn default() -> Self {
-        Self { relative: 1e-6, steps: 1_000_000 }
-    }
-}
-
 /// A mechanism, its muscles, what is commanded, and for how long.
 #[derive(Clone)]
 pub struct Drive<'a> {
@@ -182,8 +167,10 @@ pub struct Drive<'a> {
     pub until_s: f64,
     /// Time between two points of the series in s.
     pub output_step_s: f64,
-    /// How finely it is integrated.
-    pub tolerance: Tolerance,
+    /// Relative tolerance of the integration; absolute ones are this share of a scale of each quantity (1 % of the stroke, 0.1 MPa, 10 N, 1 J, …).
+    pub tolerance: f64,
+    /// Most steps of the integration.
+    pub most_steps: usize,
     /// The coordinate at the start in mm or rad, at rest; without it, the equilibrium at the first command.
     pub initial_coordinate: Option<f64>,
     /// A generalised force from outside that opposes growing q: in N (q in mm) or N mm (q in rad).
@@ -205,7 +192,8 @@ impl<'a> Drive<'a> {
             target,
             until_s,
             output_step_s: until_s / 1000.0,
-            tolerance: Tolerance::default(),
+            tolerance: 1e-6,
+            most_steps: 1_000_000,
             initial_coordinate: None,
             outside_force: 0.0,
         }
@@ -240,7 +228,7 @@ impl<'a> Drive<'a> {
         if let Some(q) = self.initial_coordinate {
             within("the coordinate at the start", q, -1e9, 1e9)?;
         }
-        within("the tolerance", self.tolerance.relative, 1e-12, 1e-2)?;
+        within("the tolerance", self.tolerance, 1e-12, 1e-2)?;
         self.target.commands().iter().try_for_each(Command::check)?;
         match &self.target {
             Target::Pressure(commands) => {

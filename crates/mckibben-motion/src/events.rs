@@ -70,7 +70,7 @@ impl System<'_> {
         1e-6 * self.scale.velocity
     }
 
-    /// All guards at a time, with their functions; those that ask a model only where `all`.
+    /// All guards at a time, with their functions; those that need a model only where `all`.
     pub fn guards(&self, t: f64, state: &State, all: bool) -> Result<Vec<(Guard, f64)>> {
         let mut guards = vec![];
         let modes = self.modes.borrow();

@@ -66,7 +66,7 @@ pub use air::{
 pub use catalogue::{NamedValve, conductance_of_rated_flow, valve_named, valves};
 pub use command::Command;
 pub use control::{Pid, PidOutput};
-pub use drive::{Actuated, Actuator, Drive, Supply, Target, Tolerance};
+pub use drive::{Actuated, Actuator, Drive, Supply, Target};
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use error::{MotionError, Result};
 pub use events::{Event, EventKind};

@@ -38,7 +38,7 @@ impl Linear {
         }
         let n = system.core();
         let rates = |y: &[f64]| -> Result<Vec<f64>> {
-            let mut rates = system.point(0.0, &system.layout.state(y)?)?.rates.to_vec();
+            let mut rates = system.point(0.0, &system.layout.state(y))?.rates.to_vec();
             rates.truncate(n);
             Ok(rates)
         };

@@ -56,7 +56,7 @@ impl LiquidFill {
     }
 
     /// V_P + N c(P) in mm³/MPa.
-    fn gives_way(&self, cavity: &Cavity) -> f64 {
+    fn compliance_mm3_per_mpa(&self, cavity: &Cavity) -> f64 {
         let gauge = cavity.absolute_mpa - ATMOSPHERE_MPA;
         let share = self.liquid.compliance_per_mpa(gauge) / self.liquid.relative_volume(gauge);
         cavity.volume_per_pressure_mm3_per_mpa + cavity.volume_mm3 * share
@@ -90,11 +90,11 @@ impl Medium for LiquidFill {
     fn pressure_rate_mpa_per_s(&self, cavity: &Cavity, flows: &[Flow]) -> f64 {
         let entering: f64 = flows.iter().map(|f| self.volume_mm3(f.mass_g_per_s)).sum();
         (entering * self.relative_volume(cavity.absolute_mpa) - cavity.swept_mm3_per_s)
-            / self.gives_way(cavity)
+            / self.compliance_mm3_per_mpa(cavity)
     }
 
     fn flow_for_rate(&self, rate_mpa_per_s: f64, cavity: &Cavity, _: f64) -> Flow {
-        let swelling = rate_mpa_per_s * self.gives_way(cavity) + cavity.swept_mm3_per_s;
+        let swelling = rate_mpa_per_s * self.compliance_mm3_per_mpa(cavity) + cavity.swept_mm3_per_s;
         self.flow(swelling / self.relative_volume(cavity.absolute_mpa))
     }
 

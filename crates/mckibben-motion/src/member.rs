@@ -27,7 +27,7 @@ impl Quantity {
 pub(crate) struct Answer {
     pub force_n: Quantity,
     pub volume_mm3: Quantity,
-    /// G of the strands' contact in N/mm; 0 where nobody needs it.
+    /// G of the strands' contact in N/mm; 0 without friction of the contact.
     pub pivoting_n_per_mm: Quantity,
     /// Of a slack muscle that at which it hangs, which follows the pressure alone.
     pub contraction: Quantity,
@@ -292,7 +292,7 @@ impl<'a> Member<'a> {
         let contraction = match near {
             Some(e) => e,
             None => {
-                // Below zero where the ends give way or the sleeve is wider than the tube: it then hangs longer than at rest.
+                // Below zero where the ends slip or the sleeve is wider than the tube: it then hangs longer than at rest.
                 let options = Options { two_sided: true, ..Options::extrapolating() };
                 let (model, workspace) = (self.muscle.model, &self.memory.workspace);
                 let search = Evaluation::new(model, &mut workspace.borrow_mut(), options).free_contraction(p);

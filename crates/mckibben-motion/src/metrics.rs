@@ -112,7 +112,7 @@ pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Pas
         let (piece, from, to) = ((begin, end), positions.at(begin), positions.at(end));
         let way = to - from;
         if way.abs() > 1e-9 * drive.mechanism.lever(0, 0.0).per_coordinate.abs().max(1e-9).recip() {
-            // What is less than the integration knows is none.
+            // Less than the error of the integration is none.
             let overshoot = positions.inside(piece).map(|spot| (spot.value - to) / way).fold(0.0, f64::max);
             let far = positions.inside(piece).filter(|spot| (spot.value - to).abs() > 0.02 * way.abs());
             let left = far.map(|spot| spot.time).reduce(f64::max);

@@ -14,11 +14,11 @@ impl Integration<'_, '_> {
     /// parabola through it and its neighbours.
     pub fn fastest(&mut self, method: &mut dyn Stepper, t: f64) {
         const PIECES: usize = 8;
-        let Some(largest) = self.largest_speed.filter(|_| !self.lies()) else { return };
+        let Some(largest) = self.largest_speed.filter(|_| !self.rests()) else { return };
         let (from, width) = (self.t, t - self.t);
         let mut speed = |i: usize| {
             let at = self.within(method, from + width * i as f64 / PIECES as f64);
-            at.ok().flatten().map_or(0.0, |state| state.velocity.abs())
+            at.map_or(0.0, |state| state.velocity.abs())
         };
         let speeds: [f64; PIECES + 1] = std::array::from_fn(&mut speed);
         let of_points = speeds.iter().copied().fold(0.0, f64::max);
@@ -32,7 +32,7 @@ impl Integration<'_, '_> {
 
     /// Notes a point that was passed.
     pub fn pass_by(&mut self, time_s: f64, state: &State) {
-        let velocity = if self.lies() { 0.0 } else { state.velocity };
+        let velocity = if self.rests() { 0.0 } else { state.velocity };
         let (coordinate, gauge_mpa) = (state.coordinate, state.first_gauge_mpa());
         self.passed.push(Passed { time_s, coordinate, velocity, gauge_mpa });
     }
@@ -55,7 +55,7 @@ impl Integration<'_, '_> {
             if due > last {
                 break;
             }
-            let Some(state) = self.within(method, due)? else { break };
+            let Some(state) = self.within(method, due) else { break };
             for (member, (a, b)) in system.members.iter().zip(ends.0.iter().zip(&ends.1)) {
                 member.substitute.set(Some(Substitute::between(a, b, (due - from) / (t - from), t - from)));
             }
@@ -69,7 +69,7 @@ impl Integration<'_, '_> {
     /// A point of the series.
     pub fn record(&mut self, t: f64, state: State) -> Result<()> {
         self.outputs += 1;
-        let state = self.lying(state);
+        let state = self.resting(state);
         self.pass_by(t, &state);
         let point = self.system.point(t, &state)?;
         let series = &mut self.motion.series;

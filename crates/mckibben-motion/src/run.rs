@@ -31,7 +31,7 @@ pub fn run_as_far(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion> 
     size::points("output_step", drive.until_s / drive.output_step_s)?;
     let system = System::new(drive)?;
     let mut integration = Integration::begin(&system, progress)?;
-    let ended = match integration.go() {
+    let ended = match integration.integrate() {
         Ok(()) => None,
         Err(error) if error.ends_early() && integration.t > 0.0 => Some(error),
         Err(error) => return Err(error),
@@ -65,12 +65,12 @@ pub(crate) struct Integration<'s, 'd> {
     pub outputs: usize,
     pub steps: usize,
     pub impacts_j: f64,
-    /// In mm/s or rad/s; `None` where nobody asks for it.
+    /// In mm/s or rad/s; `None` where it is not recorded.
     pub largest_speed: Option<f64>,
     /// Until the load is lifted from the stop on which it lies at the start.
     pub on_stop: Option<OnStop>,
     pub cycle: Option<Cycle>,
-    /// Everything that was passed: the ends of the steps, and the points of the series.
+    /// The ends of the steps, and the points of the series.
     pub passed: Vec<Passed>,
 }
 
@@ -124,7 +124,7 @@ impl<'s, 'd> Integration<'s, 'd> {
         }
     }
 
-    fn go(&mut self) -> Result<()> {
+    fn integrate(&mut self) -> Result<()> {
         let until = self.system.drive.until_s;
         let mut ends: Vec<f64> =
             self.system.drive.target.commands().iter().flat_map(|c| c.breakpoints()).collect();
@@ -177,10 +177,10 @@ impl<'s, 'd> Integration<'s, 'd> {
         let mut early = 0;
         while self.t < end {
             self.apply_events()?;
-            match self.smooth(end, true)? {
+            match self.advance(end, true)? {
                 Some((guard, at)) => {
                     // The step before the event again, to its very time; where dense output saw it too early, it comes again.
-                    self.smooth(at, false)?;
+                    self.advance(at, false)?;
                     let guards = self.system.guards(at, &self.state, true)?;
                     if early < 2 && guards.iter().any(|(g, value)| *g == guard && *value > 0.0) {
                         early += 1;
@@ -195,11 +195,11 @@ impl<'s, 'd> Integration<'s, 'd> {
         Ok(())
     }
 
-    /// Steps until `end`, or until a guard stops to hold; then the time and state are those of the step before, and the guard and its time
+    /// Steps until `end`, or until a guard fails; then the time and state are those of the step before, and the guard and its time
     /// come back.
-    fn smooth(&mut self, end: f64, watch: bool) -> Result<Option<(Guard, f64)>> {
+    fn advance(&mut self, end: f64, watch: bool) -> Result<Option<(Guard, f64)>> {
         let system = self.system;
-        let relative = system.drive.tolerance.relative;
+        let relative = system.drive.tolerance;
         let begin = |t: f64, state: &State, h: Option<f64>| {
             stepper(system, (t, end), &state.to_vec(), relative, h)
                 .map_err(|what| MotionError::diverged(t, &what))
@@ -211,7 +211,7 @@ impl<'s, 'd> Integration<'s, 'd> {
         }
         let mut method = begin(self.t, &self.state, (!watch).then_some(end - self.t))?;
         while end - self.t > shortest {
-            self.pause(end)?;
+            self.check_steps(end)?;
             let tried = method.step(system, end);
             let failed = system.failed.borrow_mut().take();
             let accepted = failed.is_none() && matches!(tried, Ok(true));
@@ -239,7 +239,7 @@ impl<'s, 'd> Integration<'s, 'd> {
             if !method.state().iter().all(|v| v.is_finite()) {
                 return Err(MotionError::diverged(t, "the state is not finite"));
             }
-            let state = self.lying(system.layout.state(method.state())?);
+            let state = self.resting(system.layout.state(method.state()));
             let event = if watch { self.event(method.as_mut(), t, &state)? } else { None };
             let last = event.map_or(t, |e| e.1);
             if watch {
@@ -257,24 +257,24 @@ impl<'s, 'd> Integration<'s, 'd> {
     }
 
     /// Whether the load lies on a stop, or its ends are held.
-    pub fn lies(&self) -> bool {
+    pub fn rests(&self) -> bool {
         self.system.modes.borrow().stop.is_some() || self.system.drive.mechanism.is_held()
     }
 
-    /// What lies does not move, not even by rounding.
-    pub fn lying(&self, state: State) -> State {
-        if self.lies() { State { coordinate: self.state.coordinate, velocity: 0.0, ..state } } else { state }
+    /// The state with a load that rests on a stop held exactly.
+    pub fn resting(&self, state: State) -> State {
+        if self.rests() { State { coordinate: self.state.coordinate, velocity: 0.0, ..state } } else { state }
     }
 
     /// The state at a time within the last step.
-    pub fn within(&self, method: &mut dyn Stepper, t: f64) -> Result<Option<State>> {
-        method.within(t).map(|numbers| self.system.layout.state(&numbers)).transpose()
+    pub fn within(&self, method: &mut dyn Stepper, t: f64) -> Option<State> {
+        method.within(t).map(|numbers| self.system.layout.state(&numbers))
     }
 
-    /// Looks whether the work is to end, before a step.
-    fn pause(&mut self, end: f64) -> Result<()> {
+    /// Whether the work is to end, before a step.
+    fn check_steps(&mut self, end: f64) -> Result<()> {
         self.steps += 1;
-        if self.steps > self.system.drive.tolerance.steps {
+        if self.steps > self.system.drive.most_steps {
             let (time_s, steps, step_s) = (self.t, self.steps, end - self.t);
             return Err(ended_after(time_s, steps, step_s, "the limit of steps is reached"));
         }

@@ -96,13 +96,8 @@ impl MotionSeries {
     }
 
     /// How many points it has.
-    pub fn len(&self) -> usize {
+    pub fn points(&self) -> usize {
         self.time_s.len()
-    }
-
-    /// Whether nothing is recorded.
-    pub fn is_empty(&self) -> bool {
-        self.time_s.is_empty()
     }
 
     /// A point, in the order of [`MotionSeries::names`]; `None` beyond the last one.
@@ -132,7 +127,7 @@ impl MotionSeries {
 impl Serialize for MotionSeries {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        let rows: Vec<Vec<f64>> = (0..self.len()).filter_map(|i| self.row(i)).collect();
+        let rows: Vec<Vec<f64>> = (0..self.points()).filter_map(|i| self.row(i)).collect();
         for (i, name) in self.names().iter().enumerate() {
             let column: Vec<f64> = rows.iter().filter_map(|row| row.get(i).copied()).collect();
             map.serialize_entry(name, &column)?;

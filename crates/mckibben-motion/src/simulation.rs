@@ -40,12 +40,12 @@ impl Simulation {
     pub fn step(&mut self, drive: &Drive<'_>, progress: &dyn Progress) -> Result<()> {
         let (from, end) = (self.time_s(drive), drive.output_step_s * (self.done + 1) as f64);
         let mut system = System::new(drive)?;
-        system.layout.check_state(&mut self.state)?;
+        system.layout.check(&mut self.state)?;
         for (member, memory) in system.members.iter_mut().zip(std::mem::take(&mut self.memories)) {
             member.memory = memory;
         }
         *system.modes.borrow_mut() = self.modes.clone();
-        let (points, events) = (self.motion.series.len(), self.motion.events.len());
+        let (points, events) = (self.motion.series.points(), self.motion.events.len());
         let motion = std::mem::take(&mut self.motion);
         let mut at = Integration::at((&system, progress), from, self.state.clone(), motion);
         at.outputs = self.done + 1;

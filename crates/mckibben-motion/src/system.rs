@@ -86,7 +86,7 @@ impl<'a> System<'a> {
     pub fn new(drive: &'a Drive<'a>) -> Result<Self> {
         drive.check()?;
         let members: Vec<Member<'a>> =
-            drive.muscles.iter().map(|m| Member::new(m, drive.tolerance.relative)).collect();
+            drive.muscles.iter().map(|m| Member::new(m, drive.tolerance)).collect();
         let layout = Layout::new(drive);
         let scale = sizes(drive, &members, &layout);
         let room = (layout.filled(0.0), Point::default());
@@ -313,7 +313,7 @@ impl Equations for System<'_> {
     /// Forces and volumes are linear about the point where the differences are taken: one answer of the models serves for all of them.
     fn differences(&self, y: Option<&[f64]>) {
         self.members.iter().for_each(|member| member.substitute.set(None));
-        let Some(Ok(state)) = y.map(|y| self.layout.state(y)) else { return };
+        let Some(state) = y.map(|y| self.layout.state(y)) else { return };
         let modes = self.modes.borrow();
         let parts = self.members.iter().zip(&state.muscles).zip(&modes.muscles).enumerate();
         for (i, ((member, now), _)) in parts.filter(|(_, (_, mode))| !mode.slack) {
@@ -328,8 +328,9 @@ impl Equations for System<'_> {
 
     fn rates(&self, t: f64, y: &[f64], rates: &mut [f64]) {
         let (state, point) = &mut *self.room.borrow_mut();
-        let read = self.layout.read(y, state).and_then(|()| self.point_within(t, state, point));
-        let result = read.and_then(|()| self.layout.write(&mut point.rates, rates));
+        state.read(y);
+        let result = self.point_within(t, state, point);
+        point.rates.write(rates);
         let error = match result {
             Err(error) => error,
             Ok(()) if rates.iter().all(|r| r.is_finite()) => return,

@@ -24,8 +24,8 @@ use mckibben::{
 };
 use mckibben_motion::{
     Actuated, Command, Coordinate, Drive, DriveFile, Hysteresis, Linear, Mechanism, Motion, MotionError,
-    Moves, Names, SingleMuscle, Subject, Tables, Target, Tolerance, drive_names, parse_drive, run_as_far,
-    size, with_value,
+    Moves, Names, SingleMuscle, Subject, Tables, Target, drive_names, parse_drive, run_as_far, size,
+    with_value,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -195,7 +195,6 @@ impl Moved {
         Drive {
             supply: file.supply,
             output_step_s: file.output_step_s,
-            tolerance: Tolerance::default(),
             initial_coordinate: single.zip(file.held).map(|(s, e)| e * s.length_mm),
             ..Drive::new(mechanism, muscles.collect(), target, file.until_s)
         }

@@ -143,12 +143,6 @@ impl Body {
         Self { endless: Some(endless), ..Self::new(discretisation) }
     }
 
-    /// Residual of the present state, without a tangent.
-    pub fn evaluate(&mut self) -> Result<Totals, Stopped> {
-        self.totals = assemble::<false>(&self.discretisation, &self.state, &mut self.assembled)?;
-        Ok(self.totals)
-    }
-
     /// Residual and factorised tangent of the present state.
     pub fn factorise(&mut self) -> Result<Totals, Stopped> {
         self.linearised = false;
@@ -280,7 +274,7 @@ impl Body {
 
 impl NewtonSystem for Body {
     fn residual(&mut self) -> Result<f64, Stopped> {
-        self.evaluate()?;
+        self.totals = assemble::<false>(&self.discretisation, &self.state, &mut self.assembled)?;
         Ok(self.norm())
     }
 

@@ -36,7 +36,7 @@ pub struct ContactPlace {
     pub pressure_mpa: f64,
     /// dθ/dL in rad per mm of the muscle's length, at constant pressure.
     pub turning_rad_per_mm: f64,
-    /// Surface under the strands now that this place stands for, of the half muscle, in mm².
+    /// Surface under the strands now that belongs to this place, of the half muscle, in mm².
     pub area_mm2: f64,
 }
 

@@ -98,7 +98,7 @@ pub struct Memory {
 /// A body divided into elements.
 #[derive(Debug, Clone)]
 pub struct Discretisation {
-    /// Where unknowns stand.
+    /// Places of the unknowns.
     pub layout: Layout,
     /// The nodes at rest: where the tube has them on its plugs.
     pub mesh: Mesh,

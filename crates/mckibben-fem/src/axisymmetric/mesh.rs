@@ -88,7 +88,7 @@ impl Mesh {
         Self { through, along, nodes: (0..=2 * along).flat_map(station).map(|(i, j)| at(i, j)).collect() }
     }
 
-    /// A tube between radii `inner` and `outer`, of half length `half` in mm; middle nodes stand in the middle of their
+    /// A tube between radii `inner` and `outer`, of half length `half` in mm; middle nodes are in the middle of their
     /// elements.
     pub fn tube(inner: f64, outer: f64, half: f64, division: (usize, usize, f64)) -> Self {
         let (through, along, grading) = division;
@@ -101,7 +101,7 @@ impl Mesh {
         })
     }
 
-    /// Where its unknowns stand.
+    /// Places of its unknowns.
     pub fn layout(&self, multipliers: bool) -> Layout {
         Layout { through: self.through, along: self.along, multipliers }
     }

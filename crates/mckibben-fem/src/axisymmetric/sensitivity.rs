@@ -19,7 +19,7 @@ use std::sync::Arc;
 /// Step of the differences, over the value.
 const STEP: f64 = 1e-3;
 
-/// Those sensitivities at the body's equilibrium whose name is wanted; its tangent must stand factorised.
+/// Sensitivities at the body's equilibrium whose name is wanted; its tangent must be factorised.
 ///
 /// # Errors
 /// [`FemError`] where a neighbouring muscle cannot be assembled.
@@ -58,7 +58,7 @@ pub fn slopes(body: &mut Body, muscle: &Muscle, wanted: impl Fn(&str) -> bool) -
         };
         add(name, c.value, c.constant.unit(), &make)?;
     }
-    // Ends that give way are around this body, friction is added to its pull.
+    // Slipping ends are outside of this body, friction is added to its pull.
     let measures = ["tube", "braid"].into_iter().flat_map(of_section).filter(|m| m.identify.is_some());
     for measure in [&STIFFNESS].into_iter().chain(measures) {
         let Some(value) = (measure.get)(&here) else { continue };

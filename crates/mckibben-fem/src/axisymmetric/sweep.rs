@@ -111,14 +111,14 @@ pub fn case(seed: u64, index: usize) -> Option<SweepCase> {
     Some(SweepCase { muscle, pressure_mpa, contraction })
 }
 
-/// Asks random muscle number `index` of a seed one random question: log-uniform D0 5–80 mm, s/D0 0.02–0.20, L0/D0 3–25,
+/// One random question to random muscle number `index` of a seed: log-uniform D0 5–80 mm, s/D0 0.02–0.20, L0/D0 3–25,
 /// θ0 15–45°, shear modulus 0.05–1.5 MPa, each law, braid stiffness 5–100·D0 N/mm or inextensible, pressure up to 0.8 MPa,
 /// contraction up to 95 % of the ideal maximum.
 pub fn question(seed: u64, index: usize) -> Option<SweepRow> {
-    case(seed, index).map(ask)
+    case(seed, index).map(answer)
 }
 
-fn ask(case: SweepCase) -> SweepRow {
+fn answer(case: SweepCase) -> SweepRow {
     let endless = ThickWall::new(&case.muscle)
         .response(&mut Workspace::new(), case.pressure_mpa, case.contraction)
         .ok();

@@ -137,7 +137,7 @@ pub fn collection(about: &str, files: &[(usize, usize, &str, String)]) -> String
 }
 
 fn head(kind: &str, about: &str) -> String {
-    // In a comment two hyphens must not meet, nor stand at its end.
+    // In a comment two hyphens must not meet, nor end it.
     let clean = clean::line(about).replace("--", "- -").replace("--", "- -");
     let version = env!("CARGO_PKG_VERSION");
     format!(

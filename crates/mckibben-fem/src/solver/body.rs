@@ -5,7 +5,7 @@ use crate::Result;
 use std::f64::consts::PI;
 use std::slice::{from_mut, from_ref};
 
-/// The state of a body: unknowns, variables that are carried along, and the loads under which it stands.
+/// The state of a body: unknowns, variables that are carried along, and the loads on it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct State {
     /// Unknowns as the body numbers them. In the section: displacements in mm, pressures in MPa and the tensions of strands
@@ -117,7 +117,7 @@ pub struct Totals {
     pub pull: f64,
 }
 
-/// How a continuation goes about with a body.
+/// Settings of a continuation for a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
     /// Settings of Newton's method.
@@ -143,7 +143,7 @@ pub struct Settings {
 
 /// A body that a [`super::continuation::Continuation`] leads from equilibrium to equilibrium.
 pub trait Body {
-    /// How to go about with it.
+    /// Settings of its continuation.
     const SETTINGS: Settings;
 
     /// How many times the part that is computed makes up the muscle.

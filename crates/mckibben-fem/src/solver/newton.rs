@@ -95,14 +95,8 @@ pub struct NewtonOptions {
     pub iterations: usize,
     /// Below this correction the residual is looked at before a new tangent is made.
     pub small: f64,
-    /// Above this correction the iteration is given up.
-    pub large: f64,
-    /// Above this sum of corrections too: the answer would not continue where the iteration began.
+    /// Above this sum of corrections the iteration is given up: the answer would not continue where it began.
     pub reach: f64,
-    /// A correction below this is rounding: the residual may then stand at `rounding_residual`.
-    pub rounding: f64,
-    /// See `rounding`.
-    pub rounding_residual: f64,
     /// Most factorisations of one solve.
     pub factorisations: usize,
     /// Whether the last tangent is that of an equilibrium near by: the first correction uses it.
@@ -115,10 +109,7 @@ impl NewtonOptions {
         tolerance: 1e-10,
         iterations: 20,
         small: 2e-3,
-        large: 50.0,
         reach: f64::INFINITY,
-        rounding: 1e-11,
-        rounding_residual: 1e-8,
         factorisations: usize::MAX,
         neighbour: false,
     };
@@ -138,6 +129,11 @@ pub struct Effort {
 }
 
 const RETREATS: usize = 6;
+/// Above this correction the iteration is given up.
+const LARGE: f64 = 50.0;
+/// A correction below this is rounding: the residual may then be as large as [`ROUNDING_RESIDUAL`].
+const ROUNDING: f64 = 1e-11;
+const ROUNDING_RESIDUAL: f64 = 1e-8;
 
 /// Runs Newton's method until the residual is below the tolerance. Adds its cost to `effort`, also where it fails.
 /// `watch` sees every residual and may end the iteration.
@@ -171,7 +167,7 @@ pub fn solve(
         effort.iterations += 1;
         let size = system.correct()?;
         effort.moved += size;
-        if size.is_nan() || size >= options.large {
+        if size.is_nan() || size >= LARGE {
             return Err(Stopped::Diverged);
         }
         if effort.moved > options.reach {
@@ -210,7 +206,7 @@ pub fn solve(
             }
         };
         watch(norm)?;
-        if size < options.rounding && norm <= options.rounding_residual {
+        if size < ROUNDING && norm <= ROUNDING_RESIDUAL {
             effort.residual = norm;
             return Ok(());
         }

@@ -12,10 +12,10 @@ use super::symbolic::{Form, Symbolic};
 use crate::element::lanes::Width;
 use std::sync::Arc;
 
-/// A pattern and where the entries of its factors stand: made once, shared by all matrices with that pattern.
+/// A pattern and the places of its factors' entries: made once, shared by all matrices with that pattern.
 #[derive(Debug)]
 pub struct Analysis {
-    /// Where entries stand.
+    /// Places of the entries.
     pub pattern: Pattern,
     symbolic: Symbolic,
 }

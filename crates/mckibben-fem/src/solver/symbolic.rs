@@ -1,4 +1,4 @@
-//! Where the entries of a Cholesky factor stand: columns with the same rows below them, side by side, are one supernode.
+//! Places of the entries of a Cholesky factor: columns with the same rows below them, side by side, are one supernode.
 //!
 //! Unknowns are eliminated in the order in which they are numbered. Column j of L has the rows of A's column and those of its children in
 //! the elimination tree (Liu 1990 \[liu1990\]),
@@ -31,7 +31,7 @@ pub(super) enum Form {
     Indefinite,
 }
 
-/// The lower half of a symmetric matrix by columns: where entries stand.
+/// The lower half of a symmetric matrix by columns: places of its entries.
 #[derive(Debug, Clone)]
 pub struct Pattern {
     /// First entry of each column, and the number of all.
@@ -51,7 +51,7 @@ impl Pattern {
         self.rows.len()
     }
 
-    /// Where entry (`row`, `column`) of the lower half stands.
+    /// Place of entry (`row`, `column`) of the lower half.
     pub fn position(&self, row: u32, column: u32) -> Option<u32> {
         let start = *self.columns.get(column as usize)?;
         let end = *self.columns.get(column as usize + 1)?;

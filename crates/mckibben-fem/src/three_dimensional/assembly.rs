@@ -26,7 +26,7 @@ static FACE9: LazyLock<Vec<FacePoint<9>>> = LazyLock::new(cavity_faces::points);
 /// What an assembly fills.
 #[derive(Debug, Clone)]
 pub struct Assembled {
-    /// Lower half of the tangent, the terminal's column, its diagonal entry, and a number that nobody reads.
+    /// Lower half of the tangent, the terminal's column, its diagonal entry, and a number that is not read.
     pub values: Vec<f64>,
     /// ∂Π/∂u of every displacement, with what is condensed.
     pub force: Vec<f64>,

@@ -80,12 +80,6 @@ impl Body {
         })
     }
 
-    /// Residual of the present state, without a tangent.
-    pub fn evaluate(&mut self) -> Result<Totals, Stopped> {
-        self.totals = assemble::<false>(&self.discretisation, &self.state, &mut self.assembled)?;
-        Ok(self.totals)
-    }
-
     /// Residual and tangent of the present state.
     pub fn assemble(&mut self) -> Result<Totals, Stopped> {
         self.totals = assemble::<true>(&self.discretisation, &self.state, &mut self.assembled)?;
@@ -214,7 +208,7 @@ impl Body {
 
 impl NewtonSystem for Body {
     fn residual(&mut self) -> Result<f64, Stopped> {
-        self.evaluate()?;
+        self.totals = assemble::<false>(&self.discretisation, &self.state, &mut self.assembled)?;
         Ok(self.norm())
     }
 

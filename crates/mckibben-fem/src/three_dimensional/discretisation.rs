@@ -42,7 +42,7 @@ pub struct Discretisation {
     pub place: Vec<u32>,
     /// Displacements that move with the terminal.
     pub terminal: Vec<u32>,
-    /// Where the entries of the tangent and of its factors stand.
+    /// Places of the entries of the tangent and of its factors.
     pub analysis: Arc<Analysis>,
     /// Where the blocks of bricks go, brick by brick.
     pub brick_map: Vec<u32>,
@@ -175,7 +175,7 @@ impl Discretisation {
         if brick < rubber.bricks.end { rubber } else { &self.materials[1] }
     }
 
-    /// Where the tangent's entries stand.
+    /// Places of the tangent's entries.
     pub fn pattern(&self) -> &Pattern {
         &self.analysis.pattern
     }
@@ -191,7 +191,7 @@ impl Discretisation {
     }
 
     /// Where ∂²Π of two displacements goes: into the lower half, into the terminal's column behind it, or into the last
-    /// number, which nobody reads.
+    /// number, which is not read.
     fn entry(&self, a: u32, b: u32) -> u32 {
         let (n, entries) = (self.free as u32, self.pattern().entries() as u32);
         let (high, low) = (a.max(b), a.min(b));

@@ -17,6 +17,7 @@ use crate::element::law::with;
 use crate::element::q2::GAUSS2;
 use crate::element::spatial::SpatialLaw;
 use crate::results::{FieldNode, NodeMeans};
+use crate::solver::newton::NewtonSystem as _;
 use crate::{FemError, Result};
 use mckibben::model::Workspace;
 use std::collections::HashMap;
@@ -78,7 +79,7 @@ impl ThreeDimensional {
 fn field(muscle: &mut MuscleInBricks) -> Result<Field> {
     let (body, mesh) = (&mut muscle.bricks, &muscle.mesh);
     let force_n = body.totals.pull;
-    body.evaluate().map_err(|reason| FemError::Force { force_n, reason })?;
+    body.residual().map_err(|reason| FemError::Force { force_n, reason })?;
     let body = &*body;
     let mut nodes = averages(body, 0, false);
     nodes.truncate(mesh.grid().iter().product());

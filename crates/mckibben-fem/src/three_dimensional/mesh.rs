@@ -289,7 +289,7 @@ impl BrickMesh {
         let elements = [through, around, along + bonded];
         let grid = elements.map(|n| n * order + 1);
         let rows = (0..grid[2]).map(|k| match free.checked_sub(k) {
-            // From the terminal where that is nearer, so that it stands exactly at half the length.
+            // From the terminal where that is nearer, so that it is exactly at half the length.
             Some(left) if left <= order => half - last * left as f64,
             Some(_) => height * k as f64,
             None => half + insertion * (k - free) as f64 / (bonded * order) as f64,
@@ -353,7 +353,7 @@ impl BrickMesh {
         left.chain(right).collect()
     }
 
-    /// Width at rest in mm that one strand of a family in the mesh stands for: π D0 cosθ0/(strands of a family).
+    /// Width at rest in mm that one strand of a family in the mesh represents: π D0 cosθ0/(strands of a family).
     pub fn strand_width_mm(&self, muscle: &Muscle) -> f64 {
         PI * muscle.outer_diameter_mm() * muscle.braid().angle_rad().cos() / (4 * (self.grid()[1] - 1)) as f64
     }

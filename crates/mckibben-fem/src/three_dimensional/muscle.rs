@@ -23,12 +23,12 @@ pub struct MuscleMesh {
     pub mesh: Arc<BrickMesh>,
     /// The unknowns and what they are made of.
     pub discretisation: Arc<Discretisation>,
-    /// Whether nobody stated how far its plug reaches into the tube.
+    /// Whether it is not stated how far its plug reaches into the tube.
     pub insertion_assumed: bool,
     /// The limit of fine meshes and many strands.
     pub limit: Axisymmetric,
     axisymmetric: Option<Axisymmetric>,
-    /// Width that one strand of the mesh stands for, in mm.
+    /// Width that one strand of the mesh represents, in mm.
     width: f64,
 }
 

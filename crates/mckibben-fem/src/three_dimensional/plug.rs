@@ -60,7 +60,7 @@ pub struct Plug {
     pub nose_mm: Option<f64>,
 }
 
-/// A plug divided into bricks: where its nodes stand among those of the mesh.
+/// A plug divided into bricks: places of its nodes among those of the mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlugGrid {
     /// What it is made of.

@@ -26,7 +26,7 @@ impl MuscleBody for MuscleInBricks {
 
     fn rest_volume_mm3(&self, _muscle: &Muscle) -> f64 {
         let mesh = &self.mesh;
-        // Less the nose: ∫ (how far it stands out) 2πr dr, a quarter of it.
+        // Less the nose: ∫ (height) 2πr dr, a quarter of it.
         let nose = mesh.plug.as_ref().map_or(0.0, |plug| plug.nose_mm);
         let flat = mesh.tube.inner_mm - nose;
         let solid = FRAC_PI_4 * flat * flat * nose

@@ -53,7 +53,7 @@ pub fn strand_lay(rows: &mut Rows) {
         let name = format!("braid {thickness} mm thick, λz {stretch}: F (N)");
         rows.add(name, exact, thick(thickness, stretch), 1e-6);
     }
-    // Of a tube of 14 mm at 20°, to the digits that stand in the reference.
+    // Of a tube of 14 mm at 20°, to the digits of the reference.
     let gain = (|| Some(100.0 * (thick(0.3, 1.0)? / thick(0.0, 1.0)? - 1.0)))();
     rows.add("blocked force that 0.3 mm of braid add (%)", 2.3, gain, 0.01);
     rows.source = "K: inflation of the bare thick tube";

@@ -7,7 +7,7 @@ use crate::axisymmetric::{Axisymmetric, Body, Ends, Mesh, Problem};
 use crate::simulation::{Given, Simulation};
 use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
-use crate::solver::newton::NewtonOptions;
+use crate::solver::newton::{NewtonOptions, NewtonSystem as _};
 use mckibben::differences::{STENCIL, slope};
 use mckibben::model::Workspace;
 use mckibben::muscle::measures::{STIFFNESS as STIFFNESS_OF_FAMILY, of_section};
@@ -87,7 +87,7 @@ pub fn tangent_error(body: &mut Body) -> Option<f64> {
         for ((x, x0), v) in body.state.u.iter_mut().zip(&state.u).zip(&v) {
             *x = x0 + k * h * v;
         }
-        body.evaluate().ok()?;
+        body.residual().ok()?;
         for (c, r) in change.iter_mut().zip(&body.assembled.residual) {
             *c += weight * r / h;
         }

@@ -1,5 +1,5 @@
 //! Liquids: a rigid vessel on a valve and on a pump, and a muscle on a syringe and with the liquid shut in against the static filling of the same
-//! muscle ([`mckibben::load::fill`]), which solves for the volume and knows nothing of motion.
+//! muscle ([`mckibben::load::fill`]), which solves for the volume, without equations of motion.
 //!
 //! With Q = a⁻¹ … of a restriction Δp = a Q² + b Q, and K = V dp/dV of the liquid in a vessel V, the time from Q0 to Q1 is
 //! t = (V/K) (2 a (Q0 − Q1) + b ln(Q0/Q1)).

@@ -114,7 +114,7 @@ fn crossings(drive: &Drive<'_>, linear: &Linear, periods: f64) -> Option<f64> {
     let (f, _) = linear.oscillation()?;
     let mut drive = drive.clone();
     drive.initial_coordinate = Some(linear.coordinate() + 0.01);
-    drive.tolerance.relative = 1e-9;
+    drive.tolerance = 1e-9;
     (drive.until_s, drive.output_step_s) = ((periods + 0.5) / f, 0.002 / f);
     let motion = ran(&drive)?;
     let x: Vec<f64> = motion.series.coordinate.iter().map(|x| x - linear.coordinate()).collect();

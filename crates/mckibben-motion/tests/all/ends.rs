@@ -91,7 +91,7 @@ fn what_ends_early_gives_what_was_computed() {
     let load = SingleMuscle { stops_mm: (0.0, 90.0), ..SingleMuscle::hanging(&*model, 5.0) };
     let target = steps(&[(0.0, 0.0), (0.1, 0.2)]);
     let mut drive = Drive::new(&load, vec![Actuated::new(&*model, regulator(0.05))], target, 1.0);
-    drive.tolerance.steps = 60;
+    drive.most_steps = 60;
     let motion = run_as_far(&drive, &Silent).unwrap();
     assert!(
         motion.ended.as_ref().is_some_and(|e| e.to_string().contains(" after 61 steps")),
@@ -103,7 +103,7 @@ fn what_ends_early_gives_what_was_computed() {
     assert!(motion.end.is_none() && motion.steps.is_empty());
     assert!(motion.series.time_s.windows(2).all(|w| w[1] > w[0]));
     // The same figures as the whole run, as far as it goes.
-    drive.tolerance.steps = 1_000_000;
+    drive.most_steps = 1_000_000;
     let whole = ran(&drive);
     for (i, t) in motion.series.time_s.iter().enumerate().take(count - 1) {
         assert_eq!((*t, motion.series.coordinate[i]), (whole.series.time_s[i], whole.series.coordinate[i]));

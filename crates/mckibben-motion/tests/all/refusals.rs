@@ -62,7 +62,7 @@ fn a_run_ends_where_it_is_cancelled_too_long_or_too_slow() {
     }
     let many = Drive { output_step_s: 1e-12, ..drive.clone() };
     assert!(matches!(run(&many, &Silent), Err(MotionError::Large(_))));
-    drive.tolerance.steps = 20;
+    drive.most_steps = 20;
     let error = run(&drive, &Silent).unwrap_err();
     assert!(error.to_string().contains(" after 21 steps"), "{error}");
 }
