@@ -183,11 +183,11 @@ impl Losses {
     /// Q in mm³/s at a pressure difference in MPa, with its sign.
     fn flow(&self, difference_mpa: f64) -> f64 {
         let p = difference_mpa.abs();
-        let of = |linear: f64| {
+        let flow_with = |linear: f64| {
             let root = (linear * linear + 4.0 * self.square * p).sqrt();
             if p > 0.0 { 2.0 * p / (linear + root) } else { 0.0 }
         };
-        let laminar = of(self.linear + self.laminar);
+        let laminar = flow_with(self.linear + self.laminar);
         let pipe = |q: f64| self.turbulent * q.powf(1.75);
         let size = if pipe(laminar) <= self.laminar * laminar {
             laminar

@@ -79,9 +79,9 @@ impl Orifice {
 pub fn in_series(orifices: &[Orifice]) -> Option<Orifice> {
     // In units of the smallest, whose cube may be none.
     let least = orifices.iter().map(|o| o.conductance_l_per_s_bar).reduce(f64::min)?;
-    let of = |o: &Orifice| if least > 0.0 { least / o.conductance_l_per_s_bar } else { 1.0 };
-    let cubes: f64 = orifices.iter().map(|o| of(o).powi(3)).sum();
-    let squares: f64 = orifices.iter().map(|o| (1.0 - o.critical_ratio) * of(o).powi(2)).sum();
+    let ratio = |o: &Orifice| if least > 0.0 { least / o.conductance_l_per_s_bar } else { 1.0 };
+    let cubes: f64 = orifices.iter().map(|o| ratio(o).powi(3)).sum();
+    let squares: f64 = orifices.iter().map(|o| (1.0 - o.critical_ratio) * ratio(o).powi(2)).sum();
     let c = cubes.powf(-1.0 / 3.0);
     Some(Orifice {
         conductance_l_per_s_bar: least * c,

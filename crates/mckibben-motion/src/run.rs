@@ -89,7 +89,7 @@ impl<'s, 'd> Integration<'s, 'd> {
         let until = system.drive.until_s;
         let cycle = period.filter(|p| *p <= until).map(|p| Cycle { from_s: until - p, supplied_g: 0.0 });
         let series = MotionSeries {
-            of: mechanism.coordinate(),
+            kind: mechanism.coordinate(),
             liquid: system.drive.muscles.iter().any(|m| m.fluid.is_liquid()),
             muscles: vec![MuscleSeries::default(); system.members.len()],
             ..MotionSeries::default()

@@ -7,7 +7,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MotionSeries {
     /// What the coordinate is.
-    pub of: Coordinate,
+    pub kind: Coordinate,
     /// Whether the muscles are filled with a liquid.
     pub liquid: bool,
     /// Times in s.
@@ -78,7 +78,7 @@ impl MotionSeries {
     /// The angle of a joint in degrees, and its speed in °/s.
     pub fn degrees(&self) -> Option<[Vec<f64>; 2]> {
         let degrees = |list: &[f64]| -> Vec<f64> { list.iter().map(|v| v.to_degrees()).collect() };
-        match self.of {
+        match self.kind {
             Coordinate::Angle => Some([degrees(&self.coordinate), degrees(&self.velocity)]),
             Coordinate::Shortening { .. } => None,
         }
@@ -86,7 +86,7 @@ impl MotionSeries {
 
     /// The names of its columns, with their units.
     pub fn names(&self) -> Vec<String> {
-        let is_joint = self.of == Coordinate::Angle;
+        let is_joint = self.kind == Coordinate::Angle;
         let load: &[&str] =
             if is_joint { &["angle_deg", "velocity_deg_per_s"] } else { &["velocity_mm_per_s"] };
         let muscles = (0..self.muscles.len()).flat_map(|i| {
@@ -103,7 +103,7 @@ impl MotionSeries {
     /// A point, in the order of [`MotionSeries::names`]; `None` beyond the last one.
     pub fn row(&self, i: usize) -> Option<Vec<f64>> {
         let (time, q, v) = (*self.time_s.get(i)?, *self.coordinate.get(i)?, *self.velocity.get(i)?);
-        let mut row = match self.of {
+        let mut row = match self.kind {
             Coordinate::Angle => vec![time, q.to_degrees(), v.to_degrees()],
             Coordinate::Shortening { .. } => vec![time, v],
         };
@@ -145,9 +145,9 @@ impl schemars::JsonSchema for MotionSeries {
         let list = generator.subschema_for::<Vec<f64>>();
         let maybe = generator.subschema_for::<Option<Vec<f64>>>();
         let mut properties = serde_json::Map::new();
-        let mut property = |key: &str, of: &schemars::Schema, about: &str| {
+        let mut property = |key: &str, schema: &schemars::Schema, about: &str| {
             let mut value = serde_json::Map::from_iter([("description".to_owned(), about.into())]);
-            value.extend(of.as_object().cloned().unwrap_or_default());
+            value.extend(schema.as_object().cloned().unwrap_or_default());
             properties.insert(key.into(), value.into());
         };
         property("time_s", &list, "Time, s.");

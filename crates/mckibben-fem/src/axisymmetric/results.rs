@@ -68,11 +68,11 @@ impl MuscleBody for Body {
 
     fn middle_stretch(&self) -> f64 {
         let d = &self.discretisation;
-        let of = |(rest, u): &([[f64; 2]; NODES], Unknowns), xi: f64| {
+        let largest_at = |(rest, u): &([[f64; 2]; NODES], Unknowns), xi: f64| {
             d.point(rest, xi, -1.0).map(|p| largest(&p, u))
         };
         let first = elements(d, &self.state).take(d.layout.through);
-        first.flat_map(|e| [of(&e, -1.0), of(&e, 1.0)]).flatten().fold(1.0, f64::max)
+        first.flat_map(|e| [largest_at(&e, -1.0), largest_at(&e, 1.0)]).flatten().fold(1.0, f64::max)
     }
 
     fn sensitivities(&mut self, muscle: &Muscle) -> Result<Vec<Sensitivity>> {

@@ -43,7 +43,7 @@ impl Panel<'_> {
             if columns.start > 0 {
                 let part = |row| Matrix { values: &done[row..], stride };
                 let d = Matrix { values: &*done, stride: stride + 1 };
-                let of = Product {
+                let factors = Product {
                     a: part(top),
                     b: part(columns.start),
                     d: (self.form == Form::Indefinite).then_some(d),
@@ -53,7 +53,7 @@ impl Panel<'_> {
                     keep: true,
                     lower: rows.start == 0,
                 };
-                kernel.product((&mut strip[top..], stride), of);
+                kernel.product((&mut strip[top..], stride), factors);
             }
             let strip = &mut strip[columns.start..];
             let mut below = top - columns.start;

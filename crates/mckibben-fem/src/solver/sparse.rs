@@ -83,6 +83,6 @@ impl SparseCholesky {
 
 /// Negative pivots of L D Lᵀ.
 fn negative(symbolic: &Symbolic, factor: &[f64]) -> usize {
-    let of = |i: usize| factor[symbolic.values(i)].iter().step_by(symbolic.height(i) + 1);
-    (0..symbolic.count()).flat_map(of).filter(|pivot| **pivot < 0.0).count()
+    let diagonal = |i: usize| factor[symbolic.values(i)].iter().step_by(symbolic.height(i) + 1);
+    (0..symbolic.count()).flat_map(diagonal).filter(|pivot| **pivot < 0.0).count()
 }

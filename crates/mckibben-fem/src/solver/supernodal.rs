@@ -33,8 +33,8 @@ pub(super) struct Numeric {
     work: usize,
 }
 
-fn pieces(of: Range<usize>, size: usize) -> impl Iterator<Item = Range<usize>> + Clone {
-    of.clone().step_by(size).map(move |a| a..(a + size).min(of.end))
+fn pieces(all: Range<usize>, size: usize) -> impl Iterator<Item = Range<usize>> + Clone {
+    all.clone().step_by(size).map(move |a| a..(a + size).min(all.end))
 }
 
 impl Numeric {
@@ -111,8 +111,8 @@ impl Numeric {
                     let d = Matrix { stride: stride + 1, ..part(depth.start, depth.start) };
                     let d = (self.form == Form::Indefinite).then_some(d);
                     let (keep, depth) = (depth.start > 0, depth.len());
-                    let of = Product { a, b, d, rows: size, columns: count, depth, keep, lower };
-                    self.kernel.product((&mut self.product, size), of);
+                    let factors = Product { a, b, d, rows: size, columns: count, depth, keep, lower };
+                    self.kernel.product((&mut self.product, size), factors);
                     self.worked(count * size * depth)?;
                 }
                 self.places.clear();
@@ -143,8 +143,8 @@ impl Numeric {
                     let d = (form == Form::Indefinite).then_some(d);
                     let (a, b) = (part(rows.start, depth.start), part(first, depth.start));
                     let (size, depth, lower) = (rows.len(), depth.len(), rows.start == first);
-                    let of = Product { a, b, d, rows: size, columns: count, depth, keep: true, lower };
-                    self.kernel.product((&mut block[rows.start..], height), of);
+                    let factors = Product { a, b, d, rows: size, columns: count, depth, keep: true, lower };
+                    self.kernel.product((&mut block[rows.start..], height), factors);
                     self.worked(count * size * depth)?;
                 }
             }
@@ -198,9 +198,9 @@ mod tests {
     #[test]
     fn systems_are_solved_and_have_the_inertia_of_their_diagonal() {
         for (blocks, last, negative) in [(5, 20, 0), (4, 700, 0), (5, 20, 7), (4, 700, 7)] {
-            let of = matrix(blocks, last, negative);
-            let (pattern, values) = &of;
-            let mut cholesky = factorised(&of).unwrap();
+            let matrix = matrix(blocks, last, negative);
+            let (pattern, values) = &matrix;
+            let mut cholesky = factorised(&matrix).unwrap();
             let n = pattern.dimension();
             let wanted: Vec<f64> = (0..n).map(|i| (i as f64).sin()).collect();
             let mut b = vec![0.0; n];
@@ -225,12 +225,12 @@ mod tests {
     /// Some 10⁸ multiplications look at the flag more than once.
     #[test]
     fn a_factorisation_that_is_cancelled_ends() {
-        let of = matrix(4, 700, 0);
-        assert!(factorised(&of).is_ok());
+        let matrix = matrix(4, 700, 0);
+        assert!(factorised(&matrix).is_ok());
         let cancel = Cancel::default();
         cancel.cancel();
         let _entered = cancel.enter();
-        assert_eq!(factorised(&of).unwrap_err(), Stopped::Cancelled(Cancelled));
+        assert_eq!(factorised(&matrix).unwrap_err(), Stopped::Cancelled(Cancelled));
     }
 
     /// The lower half of a matrix where `meets(i, j)` says so; the diagonal dominates, its sign by row.
@@ -276,12 +276,12 @@ mod tests {
         let signs: [fn(usize) -> f64; 3] =
             [|_| 1.0, |i| if i % 3 == 1 { -1.0 } else { 1.0 }, |i| if i < 20 { 1.0 } else { -1.0 }];
         for ((n, meets), sign) in shapes.into_iter().flat_map(|s| signs.map(|sign| (s, sign))) {
-            let (of, full) = sparse(n, meets, sign);
+            let (matrix, full) = sparse(n, meets, sign);
             let b = DVector::from_fn(n, |i, _| 1.5 + ((i * i) as f64).sin());
             let wanted = full.clone().lu().solve(&b).unwrap();
             let negative = full.symmetric_eigenvalues().iter().filter(|x| **x < 0.0).count();
             each_width(|width| {
-                let mut cholesky = factorised(&of).unwrap();
+                let mut cholesky = factorised(&matrix).unwrap();
                 let mut x = b.as_slice().to_vec();
                 cholesky.solve(&mut x);
                 let off = x.iter().zip(&wanted).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);

@@ -284,10 +284,10 @@ mod tests {
 
     /// Rows of each column as the supernodes have them.
     fn columns(s: &Symbolic) -> Vec<Vec<u32>> {
-        let of = |i: usize| {
+        let supernode = |i: usize| {
             s.columns(i).map(move |j| (j as u32..s.columns(i).end as u32).chain(s.below(i).iter().copied()))
         };
-        (0..s.count()).flat_map(of).map(Iterator::collect).collect()
+        (0..s.count()).flat_map(supernode).map(Iterator::collect).collect()
     }
 
     #[test]

@@ -106,17 +106,17 @@ struct Piece<'a> {
 }
 
 /// Adds up bricks of one material until one is turned inside out.
-fn add<const TANGENT: bool>(of: Piece<'_>, work: &mut Assembled, totals: &mut Totals) -> Result<()> {
-    match of.d.problem.brick {
-        Brick::Linear => wide::<8, 1, TANGENT>(of.d.width, &POINTS8, of, work, totals),
-        Brick::Quadratic => wide::<27, 4, TANGENT>(of.d.width, &POINTS27, of, work, totals),
+fn add<const TANGENT: bool>(piece: Piece<'_>, work: &mut Assembled, totals: &mut Totals) -> Result<()> {
+    match piece.d.problem.brick {
+        Brick::Linear => wide::<8, 1, TANGENT>(piece.d.width, &POINTS8, piece, work, totals),
+        Brick::Quadratic => wide::<27, 4, TANGENT>(piece.d.width, &POINTS27, piece, work, totals),
     }
 }
 
 on_lanes! {
     fn wide[NN: usize, NM: usize, TANGENT: bool](
         points: &[ShapePoint],
-        of: Piece<'_>,
+        piece: Piece<'_>,
         work: &mut Assembled,
         totals: &mut Totals,
     ) -> Result<()> = all
@@ -125,11 +125,11 @@ on_lanes! {
 #[inline(always)]
 fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint],
-    of: Piece<'_>,
+    piece: Piece<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
 ) -> Result<()> {
-    let Piece { d, s, m, law, bricks: Range { start, end: count } } = of;
+    let Piece { d, s, m, law, bricks: Range { start, end: count } } = piece;
     let o = R::splat(0.0);
     let mut input = Input {
         rest: [[o; 3]; NN],

@@ -78,12 +78,12 @@ fn differences(muscle: &Muscle) -> Vec<String> {
 fn random_muscles_have_the_same_answers_on_two_grids_in_two_orders_and_two_tests() {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let muscles = rounds(MUSCLES);
-    let of = |thread: usize| {
+    let of_thread = |thread: usize| {
         let mine = (0..muscles).filter(|i| i % threads == thread).filter_map(|i| sweep::case(7, i));
         mine.flat_map(|case| differences(&case.muscle)).collect::<Vec<_>>()
     };
     let differences: Vec<String> = std::thread::scope(|scope| {
-        let handles: Vec<_> = (0..threads).map(|thread| scope.spawn(move || of(thread))).collect();
+        let handles: Vec<_> = (0..threads).map(|thread| scope.spawn(move || of_thread(thread))).collect();
         handles.into_iter().flat_map(|handle| handle.join().unwrap()).collect()
     });
     assert!(differences.is_empty(), "{} differences: {differences:#?}", differences.len());

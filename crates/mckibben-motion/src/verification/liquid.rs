@@ -126,10 +126,10 @@ pub fn liquid() -> Vec<VerificationRow> {
     let pumped_s = 0.3 * VOLUME_MM3 / (STIFF_MPA * 2.0);
     let hanging = Hanging::new();
     let (filled, pushed) = (hanging.filled(), hanging.pushed());
-    let last = |of: &dyn Fn(&Motion) -> Option<f64>| pushed.as_ref().and_then(of);
+    let last = |value: &dyn Fn(&Motion) -> Option<f64>| pushed.as_ref().and_then(value);
     let first = |m: &Motion| m.series.muscles.first().cloned();
-    let at = |of: &dyn Fn(&Fill) -> f64| filled.as_ref().map(of);
-    let still = |of: &dyn Fn(&Response) -> f64| at(&|f| of(&f.answer.response));
+    let at = |value: &dyn Fn(&Fill) -> f64| filled.as_ref().map(value);
+    let still = |value: &dyn Fn(&Response) -> f64| at(&|f| value(&f.answer.response));
     let pressure = last(&|m| first(m)?.pressure_mpa.last().copied());
     let contraction = last(&|m| first(m)?.contraction.last().copied());
     let work = last(&|m| Some(m.energies.exergy_j));

@@ -50,11 +50,11 @@ fn balances() -> Option<Vec<VerificationRow>> {
         muscle.rubber = Prony(vec![Branch { share: 0.2, time_constant_s: 0.05 }]);
         let steps = Command::Steps(vec![(0.0, 0.0), (0.1, 0.2), (0.8, 0.05)]);
         let motion = ran(&driven(&load, muscle, Target::Pressure(vec![steps]), (1.5, 1e-9)));
-        let of = |value: &dyn Fn(&crate::motion::Energies) -> f64| {
+        let share = |value: &dyn Fn(&crate::motion::Energies) -> f64| {
             motion.as_ref().map(|m| (value(&m.energies) / m.energies.work_j).abs())
         };
-        let air = of(&|e| e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j);
-        let work = of(&|e| {
+        let air = share(&|e| e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j);
+        let work = share(&|e| {
             let pulled = e.static_work_j + e.viscoelastic_j - e.friction_j;
             pulled - e.load_j - e.kinetic_j - e.damper_j - e.impacts_j
         });

@@ -67,7 +67,7 @@ fn without_a_damper_a_load_swings_and_with_one_it_rests() {
 fn the_largest_speed_does_not_follow_the_points_of_the_series() {
     let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
     let load = damped(&*model, 5.0, 100.0, (0.0, 90.0));
-    let of = |until_s: f64, output_step_s: f64| {
+    let moved = |until_s: f64, output_step_s: f64| {
         let target = steps(&[(0.0, 0.0), (0.1, 0.3)]);
         let drive = Drive {
             output_step_s,
@@ -75,11 +75,11 @@ fn the_largest_speed_does_not_follow_the_points_of_the_series() {
         };
         ran(&drive)
     };
-    let fine = of(2.0, 1e-4);
+    let fine = moved(2.0, 1e-4);
     let sampled = fine.series.velocity.iter().fold(0.0_f64, |a, v| a.max(v.abs()));
     close(fine.largest_speed, sampled, 1e-4);
     for (until_s, step_s) in [(2.0, 2.0), (20.0, 0.02), (200.0, 0.2), (1000.0, 1.0)] {
-        let motion = of(until_s, step_s);
+        let motion = moved(until_s, step_s);
         close(motion.largest_speed, fine.largest_speed, 2e-3);
         close(motion.rise_time_s.unwrap(), fine.rise_time_s.unwrap(), 1e-2);
     }
