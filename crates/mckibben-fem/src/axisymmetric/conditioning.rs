@@ -40,14 +40,14 @@ impl Memory {
         let mut memory = Self::new(softening, d);
         let mut c = Continuation::new(Body::of_muscle(Arc::new(d.clone()), endless.clone()));
         c.reach(pressure_mpa, 0.0).map_err(failed)?;
-        memory.see(d, &c.body.state);
+        memory.record(d, &c.body.state);
         c.reach_force(0.0, pressure_mpa).map_err(failed)?;
-        memory.see(d, &c.body.state);
+        memory.record(d, &c.body.state);
         Ok(Some(memory))
     }
 
-    /// Takes in what a state of the body shows.
-    pub fn see(&mut self, d: &Discretisation, state: &State) {
+    /// Records the energies of a state of the body.
+    pub fn record(&mut self, d: &Discretisation, state: &State) {
         let here = law::with(&d.problem.law, |law| energies(law.plane, d, state));
         for (seen, here) in self.seen_mpa.iter_mut().flatten().zip(here.iter().flatten()) {
             *seen = seen.max(*here);

@@ -105,7 +105,7 @@ impl<B: Body> Continuation<B> {
     }
 
     /// Notes an equilibrium that is not stable.
-    pub(super) fn note(&mut self) {
+    pub(super) fn note_unstable(&mut self) {
         let directions = self.body.unstable_directions();
         if directions > 0 && self.unstable.is_none() {
             let (step, pressure_mpa) = (self.steps.unwrap_or(0), self.body.state().pressure);
@@ -184,7 +184,7 @@ impl<B: Body> Continuation<B> {
         // Along a descent that was begun its next stations are near.
         let descending = self.descent.terminal == Some(terminal);
         if !descending && self.near_kept(pressure, terminal) {
-            self.note();
+            self.note_unstable();
             self.keep();
             return Ok(());
         }
@@ -296,7 +296,7 @@ impl<B: Body> Continuation<B> {
             attempt += 1;
             let solved = applies && self.solve(Control::Length(terminal)).is_ok();
             if solved && (B::SETTINGS.take_unstable || self.stable() && self.body.certain()) {
-                self.note();
+                self.note_unstable();
                 return Ok(());
             }
             if solved && self.stable() {

@@ -85,7 +85,7 @@ impl Test {
         order
     }
 
-    fn afresh<B: Body>(self, c: &mut Continuation<B>, value: f64) -> Result<()> {
+    fn solve_anew<B: Body>(self, c: &mut Continuation<B>, value: f64) -> Result<()> {
         match self {
             Self::Isometric(contraction) => c.reach(value, contraction),
             Self::Isotonic(force) => c.reach_force(force, value),
@@ -94,7 +94,7 @@ impl Test {
     }
 
     /// From the last points of the path to the next; whether that is the answer there.
-    fn go_on<B: Body>(self, c: &mut Continuation<B>, value: f64) -> bool {
+    fn follow_trail<B: Body>(self, c: &mut Continuation<B>, value: f64) -> bool {
         let half = c.body.half_length();
         let (place, held) = match self {
             Self::Isometric(contraction) => (value, Control::Length(-contraction * half)),
@@ -106,7 +106,7 @@ impl Test {
     }
 }
 
-/// Visits `values` in the order of the test: from what the last points predict where that works, else afresh. `complete` adds to a point.
+/// Visits `values` in the order of the test: from what the last points predict where that works, else anew. `complete` adds to a point.
 pub(crate) fn run<B: Body>(
     c: &mut Continuation<B>,
     values: &[f64],
@@ -127,9 +127,9 @@ pub(crate) fn run<B: Body>(
             continue;
         }
         let before = c.effort;
-        let gone_on = running && test.go_on(c, values[i]);
-        let point = if gone_on { Ok(()) } else { test.afresh(c, values[i]) };
-        if gone_on {
+        let followed = running && test.follow_trail(c, values[i]);
+        let point = if followed { Ok(()) } else { test.solve_anew(c, values[i]) };
+        if followed {
             c.trail_here();
         } else {
             // Where strands are slack the next point is none of this path.

@@ -105,13 +105,13 @@ impl<B: Body> Continuation<B> {
     /// From rest, continuously: a tube that has not reached its sleeve has no taut muscle that it continues.
     pub(super) fn inflate(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
         self.body.rest();
-        self.go(pressure, 0.0, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;
+        self.walk_in_steps(pressure, 0.0, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;
         self.follow(pressure, terminal)
     }
 
     /// Goes to a pressure in MPa and a displacement of the terminal in mm in continuous steps.
     fn follow(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
-        self.go(pressure, terminal, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;
+        self.walk_in_steps(pressure, terminal, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;
         if self.stable() { Ok(()) } else { Err(self.interrupted(Stopped::Unstable)) }
     }
 

@@ -15,7 +15,7 @@ use mckibben::cancel;
 use std::ops::Range;
 use std::sync::LazyLock;
 
-/// Bricks between two looks at the flag that ends work: some tenths of a second at the most. A multiple of all widths of lanes.
+/// Bricks between two checks of the cancel flag: some tenths of a second at the most. A multiple of all widths of lanes.
 const PIECE: usize = 1024;
 
 static POINTS8: LazyLock<Vec<ShapePoint>> = LazyLock::new(|| points(1));

@@ -198,11 +198,11 @@ impl Body {
         let scale = self.force_scale();
         let free = d.place.iter().map(|&i| self.assembled.force[i as usize].abs()).fold(0.0, f64::max);
         let held = self.control.missed(&self.state, self.totals.pull, d.radius, scale);
-        // Where the multipliers are iterated, what is left of the constraints counts as well.
+        // Where the multipliers are iterated, the defects of the constraints count as well.
         let rubber = &d.materials[0];
-        let left = if share(rubber.compliance, rubber.augment) > 0.0 { self.totals.defect } else { 0.0 };
+        let defect = if share(rubber.compliance, rubber.augment) > 0.0 { self.totals.defect } else { 0.0 };
         let scale = scale.max(d.rounding_n / ROUNDING);
-        (free / scale).max(held).max(left)
+        (free / scale).max(held).max(defect)
     }
 }
 

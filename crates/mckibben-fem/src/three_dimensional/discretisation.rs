@@ -16,7 +16,7 @@ use mckibben::rubber::{Law, RubberLaw};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Elements or unknowns between two looks at the flag that ends work.
+/// Elements or unknowns between two checks of the cancel flag.
 const PIECE: usize = 4096;
 /// γ over the shear modulus: the share of the bulk modulus that is condensed; what is above it is iterated.
 const AUGMENT: f64 = 2000.0;
@@ -213,7 +213,7 @@ impl Discretisation {
         let mut map = Vec::with_capacity(self.bricks() * self.per_map());
         let mut twice = Vec::new();
         for (e, nodes) in self.problem.bricks.iter().enumerate() {
-            look(e)?;
+            check_cancel(e)?;
             let start = map.len();
             for (a, b) in pairs(self.per_brick, 0) {
                 let [x, y] = [a, b].map(|a| self.unknown[nodes[a] as usize]);
@@ -248,8 +248,8 @@ fn pairs(count: usize, apart: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..count).flat_map(move |a| (a + apart..count).map(move |b| (a, b)))
 }
 
-/// Looks at the flag now and then.
-fn look(number: usize) -> Result<(), Cancelled> {
+/// Checks the cancel flag once in [`PIECE`] numbers.
+fn check_cancel(number: usize) -> Result<(), Cancelled> {
     if number.is_multiple_of(PIECE) { cancel::check() } else { Ok(()) }
 }
 
@@ -266,7 +266,7 @@ fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
 fn rest_modes(problem: &Problem) -> Result<Vec<Modes>> {
     let points = points(problem.brick.order());
     let element = |(e, nodes): (usize, &Vec<u32>)| {
-        look(e)?;
+        check_cancel(e)?;
         let places: Vec<[f64; 3]> = nodes.iter().map(|node| problem.rest(e, *node)).collect();
         modes(&points, &places, problem.brick.modes())
             .ok_or_else(|| FemError::Refused(format!("mesh: element {e} is turned inside out at rest")))
@@ -308,7 +308,7 @@ fn pattern(problem: &Problem, unknown: &[[u32; 3]], place: &[u32]) -> Result<Pat
     let free = place.len();
     let mut near: Vec<Vec<u32>> = vec![vec![]; problem.nodes.len()];
     for (e, nodes) in problem.bricks.iter().enumerate() {
-        look(e)?;
+        check_cancel(e)?;
         for &a in nodes {
             near[a as usize].extend(nodes);
         }
@@ -318,13 +318,13 @@ fn pattern(problem: &Problem, unknown: &[[u32; 3]], place: &[u32]) -> Result<Pat
         near[*b as usize].push(*a);
     }
     for (node, around) in near.iter_mut().enumerate() {
-        look(node)?;
+        check_cancel(node)?;
         around.sort_unstable();
         around.dedup();
     }
     let (mut columns, mut rows) = (vec![0], vec![]);
     for (c, &place) in place.iter().enumerate() {
-        look(c)?;
+        check_cancel(c)?;
         let all = near[place as usize / 3].iter().flat_map(|other| unknown[*other as usize]);
         rows.extend(all.filter(|r| (c..free).contains(&(*r as usize))));
         let start = columns[c] as usize;

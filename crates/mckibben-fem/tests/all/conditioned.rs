@@ -70,7 +70,7 @@ fn at_the_state_that_was_seen_the_muscle_is_that_of_the_first_inflation() {
         let mut virgin = Continuation::new(body());
         virgin.reach(p, e).unwrap();
         let mut memory = Memory::new(SOFTENING, d);
-        memory.see(d, &virgin.body.state);
+        memory.record(d, &virgin.body.state);
         let mut soft = d.clone();
         soft.memory = Some(memory);
         let mut soft = Continuation::new(Body::of_muscle(Arc::new(soft), endless.clone()));
