@@ -26,16 +26,10 @@ pub enum MotionError {
     NoAnswer(String),
     /// The load never leaves its stop.
     #[error(
-        "the load is never lifted: the largest net force from the stop was {net} (N, or N mm about a joint) at {time_s} s, at most {pressure_mpa} MPa; raise the pressure, take a larger muscle or a smaller load"
+        "the load is never lifted: the largest net force from the stop was {net} (N, or N mm about a joint) at {time_s} s, at most {pressure_mpa} MPa; raise the pressure, take a larger muscle or a smaller load",
+        net = .0.net, time_s = .0.time_s, pressure_mpa = .0.pressure_mpa
     )]
-    NeverLifted {
-        /// The largest net force away from the stop (negative).
-        net: f64,
-        /// When it was.
-        time_s: f64,
-        /// The largest pressure there was, in MPa.
-        pressure_mpa: f64,
-    },
+    NeverLifted(OnStop),
     /// A model has no answer on the way.
     #[error(
         "the motion ends at {time_s} s, muscle {muscle} at {pressure_mpa} MPa and contraction {contraction}: {error}"
@@ -61,6 +55,17 @@ pub enum MotionError {
     /// More points than are allowed.
     #[error(transparent)]
     Large(#[from] TooLarge),
+}
+
+/// The largest net force off a stop, while a load lies on it from the start on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OnStop {
+    /// The net force away from the stop (negative).
+    pub net: f64,
+    /// When it was, in s.
+    pub time_s: f64,
+    /// Gauge pressure of the first muscle there, in MPa.
+    pub pressure_mpa: f64,
 }
 
 impl MotionError {

@@ -68,7 +68,7 @@ pub use command::Command;
 pub use control::{Pid, PidOutput};
 pub use drive::{Actuated, Actuator, Drive, Supply, Target};
 pub use equilibrium::{Equilibrium, equilibrium};
-pub use error::{MotionError, Result};
+pub use error::{MotionError, OnStop, Result};
 pub use events::{Event, EventKind};
 pub use file::{DriveFile, Names, Subject, Tables, drive_names, parse_drive, with_value};
 pub use fluid::Fluid;

@@ -1,10 +1,10 @@
 //! When an event comes: the first guard that fails within a step, by its dense output.
 
-use crate::Result;
 use crate::events::Guard;
 use crate::integrate::Stepper;
-use crate::run::{Integration, OnStop};
+use crate::run::Integration;
 use crate::state::State;
+use crate::{OnStop, Result};
 use mckibben::analysis::find_root;
 
 /// Whether the function of a guard needs an answer of a model.
@@ -23,7 +23,7 @@ impl Integration<'_, '_> {
             let inside = if i == INSIDE { None } else { self.within(method, time) };
             let state = inside.as_ref().unwrap_or(end);
             let guards = self.system.guards(time, state, i == INSIDE)?;
-            if let (Some(on_stop), true) = (&mut self.on_stop, i == INSIDE)
+            if let Some(on_stop) = self.on_stop.as_mut().filter(|_| i == INSIDE)
                 && let Some((_, g)) = guards.iter().find(|g| g.0 == Guard::Release)
                 && -g > on_stop.net
             {

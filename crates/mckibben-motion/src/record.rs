@@ -102,9 +102,8 @@ impl Integration<'_, '_> {
             }
         }
         let moves = drive.target.commands().iter().any(|c| c.bounds().1 > c.bounds().0);
-        if let (Some(at), true, None) = (&self.on_stop, moves, &ended) {
-            let (net, time_s, pressure_mpa) = (at.net, at.time_s, at.pressure_mpa);
-            self.motion.never_lifted = Some(MotionError::NeverLifted { net, time_s, pressure_mpa });
+        if moves && ended.is_none() {
+            self.motion.never_lifted = self.on_stop.map(MotionError::NeverLifted);
         }
         let air = match system.fluid_mj_mm3(&self.state) {
             Err(_) if ended.is_some() => self.air,

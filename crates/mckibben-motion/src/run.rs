@@ -5,7 +5,7 @@ use crate::integrate::{Stepper, stepper};
 use crate::metrics::Passed;
 use crate::state::State;
 use crate::system::System;
-use crate::{Drive, EventKind, Motion, MotionError, MotionSeries, MuscleSeries, Result};
+use crate::{Drive, EventKind, Motion, MotionError, MotionSeries, MuscleSeries, OnStop, Result};
 use mckibben::progress::Progress;
 use mckibben::size;
 
@@ -37,13 +37,6 @@ pub fn run_as_far(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion> 
         Err(error) => return Err(error),
     };
     integration.end(ended)
-}
-
-/// The largest net force off a stop, while a load lies on it from the start on.
-pub(crate) struct OnStop {
-    pub net: f64,
-    pub time_s: f64,
-    pub pressure_mpa: f64,
 }
 
 /// The last whole period of a periodic command.

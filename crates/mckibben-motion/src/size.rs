@@ -63,7 +63,7 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
         match run(&drive, progress) {
             Ok(motion) => Ok((rise_time(&motion, from, to, (begin, end)), motion)),
             // With a small valve the load may not be lifted in time.
-            Err(MotionError::NeverLifted { .. }) => Ok((None, Motion::default())),
+            Err(MotionError::NeverLifted(_)) => Ok((None, Motion::default())),
             Err(error) => Err(error),
         }
     };

@@ -249,11 +249,11 @@ impl From<MotionError> for Problem {
             MotionError::Muscle(error) => return error.clone().into(),
             MotionError::Model { error: model, .. } => Self::from((**model).clone()).kind,
             MotionError::Diverged(_) => ProblemKind::NotConverged,
-            MotionError::NoAnswer(_) | MotionError::NeverLifted { .. } => ProblemKind::NoAnswer,
+            MotionError::NoAnswer(_) | MotionError::NeverLifted(_) => ProblemKind::NoAnswer,
             _ => ProblemKind::File,
         };
         let hint = match error {
-            MotionError::NeverLifted { .. } => "use the load `held` for a muscle with fixed ends",
+            MotionError::NeverLifted(_) => "use the load `held` for a muscle with fixed ends",
             _ => "",
         };
         Self::new(kind, error.to_string(), hint)
@@ -365,7 +365,7 @@ impl Moved {
     fn not_at_rest(&self, motion: &Motion, file: &DriveFile) -> Option<String> {
         let at_end = motion.end?;
         let degrees = |angle: f64| format!("{}°", number(angle, 4));
-        let shown = |q: f64| match motion.series.of {
+        let shown = |q: f64| match motion.series.kind {
             Coordinate::Shortening { rest_length_mm } => percent(q / rest_length_mm),
             Coordinate::Angle => degrees(q.to_degrees()),
         };

@@ -97,7 +97,7 @@ fn identity_random_drives_come_to_their_end_with_their_air_and_energy() {
         let said = format!("{actuator:?} {target:?} {load:?} {:?} {:?}", muscle.fluid, muscle.friction);
         let motion = match run(&Drive::new(&load, vec![muscle], target, 1.0), &Silent) {
             Ok(motion) => motion,
-            Err(MotionError::NeverLifted { .. }) => continue,
+            Err(MotionError::NeverLifted(_)) => continue,
             Err(error) => panic!("{error}: {said}"),
         };
         let e = motion.energies;
