@@ -1,6 +1,5 @@
 //! Where a drive rests.
 
-use crate::events::switches;
 use crate::state::State;
 use crate::system::{Switch, System};
 use crate::{ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Result, Target, ValveKind, error::within};
@@ -192,10 +191,11 @@ impl System<'_> {
                 Target::Pressure(c) => c.get(i).map(|c| c.value(0.0)),
                 _ => None,
             };
-            mode.switch = match (switches(&muscle.actuator), first) {
-                (Some((_, true)), _) | (None, _) => Switch::Hold,
-                (Some((h, false)), Some(first)) if first >= drive.supply.pressure_mpa - h => Switch::Fill,
-                (Some((_, false)), _) => Switch::Vent,
+            let full = |h: f64| first.is_some_and(|first| first >= drive.supply.pressure_mpa - h);
+            mode.switch = match muscle.actuator.kind() {
+                Some(ValveKind::OnOff { closed_centre: false, hysteresis_mpa: h }) if full(h) => Switch::Fill,
+                Some(ValveKind::OnOff { closed_centre: false, .. }) => Switch::Vent,
+                _ => Switch::Hold,
             };
             if let (Some(opening), Target::Opening(c)) = (&mut now.opening, &drive.target) {
                 *opening = c.get(i).map_or(0.0, |c| c.value(0.0));

@@ -167,15 +167,8 @@ impl Losses {
             out.laminar = 1e-15 * 128.0 * viscosity * l / (PI * d.powi(4));
             let speed = 4.0 / (PI * d * d);
             let reynolds = density * speed * d / viscosity;
-            out.turbulent = 0.3164
-                * reynolds.powf(-0.25)
-                * (l / d)
-                * 0.5
-                * density
-                * speed
-                * speed
-                * 1e-6
-                * 1e-9_f64.powf(1.75);
+            let blasius = 0.3164 * reynolds.powf(-0.25);
+            out.turbulent = blasius * (l / d) * 0.5 * density * speed * speed * 1e-6 * 1e-9_f64.powf(1.75);
         }
         out
     }

@@ -5,7 +5,7 @@ use crate::fluid::Medium as _;
 use crate::integrate::Equations;
 use crate::member::{Answer, Member, Moment, Substitute};
 use crate::state::{ControllerState, Layout, MuscleState, State};
-use crate::{ATMOSPHERE_MPA, Drive, Fluid, MotionError, PidOutput, Result, Target};
+use crate::{ATMOSPHERE_MPA, Actuated, Drive, Fluid, MotionError, PidOutput, Result, Target};
 use std::cell::{Cell, RefCell};
 
 /// What an on–off valve does.
@@ -159,28 +159,20 @@ impl<'a> System<'a> {
                 },
                 area_mm2: if medium.needs_area() { cavity_area_mm2(cavity.value, length) } else { 0.0 },
             };
-            let (model_n, excess, opposing, pull) = pull(member, mode, &at, now);
+            let wall_n = if muscle.rubber.0.is_empty() { 0.0 } else { member.wall_n(gauge, &at) };
+            let [model_n, excess, opposing, pull] =
+                if mode.slack { [0.0; 4] } else { pull(muscle, &at, now, wall_n) };
             net += pull * member.length_mm * lever.per_coordinate;
 
             let command = self.command(t, i, control);
             let fluid = self.flows(muscle, now, command, mode, &cavity);
-            let flows = [fluid.supply, fluid.exhaust];
-            let branches_n = if muscle.rubber.0.is_empty() {
-                vec![]
-            } else {
-                let wall = member.wall_n(gauge, &at);
-                let each = muscle.rubber.0.iter().zip(&now.branches_n);
-                each.map(|(branch, a)| (wall - a) / branch.time_constant_s).collect()
-            };
+            let (flows, friction) = ([fluid.supply, fluid.exhaust], muscle.friction.as_ref());
             rates.muscles.push(MuscleState {
                 absolute_mpa: fluid.pressure_rate,
                 mass_g: fluid.supply.mass_g_per_s + fluid.exhaust.mass_g_per_s,
                 opening: now.opening.map(|_| fluid.opening_rate),
-                bristles: muscle
-                    .friction
-                    .as_ref()
-                    .map_or_else(Vec::new, |friction| friction.rates(&now.bristles, speed, mode.sign)),
-                branches_n,
+                bristles: friction.map_or(vec![], |f| f.rates(&now.bristles, speed, mode.sign)),
+                branches_n: muscle.rubber.rates(wall_n, &now.branches_n),
                 supplied_g: fluid.supply.mass_g_per_s,
                 exhausted_g: -fluid.exhaust.mass_g_per_s,
             });
@@ -242,24 +234,17 @@ impl<'a> System<'a> {
     }
 }
 
-/// The model's pull, what viscoelasticity adds, what friction takes, and what is left at the muscle's end; all zero where it is slack.
-fn pull(member: &Member<'_>, mode: &Mode, at: &Answer, now: &MuscleState) -> (f64, f64, f64, f64) {
-    if mode.slack {
-        return (0.0, 0.0, 0.0, 0.0);
-    }
-    let (muscle, pressure, model_n) = (member.muscle, now.gauge_mpa(), at.force_n.value);
-    let excess = if now.branches_n.is_empty() {
-        0.0
-    } else {
-        muscle.rubber.excess_n(member.wall_n(pressure, at), &now.branches_n)
-    };
+/// Of a taut muscle: the pull of the model, the part of viscoelasticity, that of friction, and the pull at the muscle's end.
+fn pull(muscle: &Actuated<'_>, at: &Answer, now: &MuscleState, wall_n: f64) -> [f64; 4] {
+    let (pressure, model_n) = (now.gauge_mpa(), at.force_n.value);
+    let excess = muscle.rubber.excess_n(wall_n, &now.branches_n);
     let friction = muscle.friction.as_ref().map_or(0.0, |friction| {
         friction.level_n(pressure, at.pivoting_n_per_mm.value) * friction.presliding.share(&now.bristles)
     });
     // A rope cannot push, and its end is free of force where it goes slack: friction and overstress are no larger than the pull.
     let most = model_n.max(0.0);
     let pull = model_n + (excess - friction).clamp(-most, most);
-    (model_n, excess, model_n + excess - pull, pull)
+    [model_n, excess, model_n + excess - pull, pull]
 }
 
 /// The size of each number of the state.

@@ -33,6 +33,11 @@ impl Prony {
 
     /// Σ gᵢ (F_w − aᵢ) in N.
     pub(crate) fn excess_n(&self, wall_n: f64, states: &[f64]) -> f64 {
-        self.0.iter().zip(states).map(|(b, a)| b.share * (wall_n - a)).sum()
+        self.0.iter().zip(states).fold(0.0, |sum, (b, a)| sum + b.share * (wall_n - a))
+    }
+
+    /// ȧᵢ in N/s.
+    pub(crate) fn rates(&self, wall_n: f64, states: &[f64]) -> Vec<f64> {
+        self.0.iter().zip(states).map(|(b, a)| (wall_n - a) / b.time_constant_s).collect()
     }
 }

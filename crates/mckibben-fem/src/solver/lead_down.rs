@@ -84,10 +84,13 @@ impl<B: Body> Continuation<B> {
 
     /// An equilibrium with all strands in tension, from a guess.
     fn tight_guess(&mut self, pressure: f64, terminal: f64) -> bool {
-        self.body.guess_taut(pressure, terminal)
-            && self.solve(Control::Length(terminal)).is_ok()
-            && self.stable()
-            && self.body.taut()
+        self.stable_guess(pressure, terminal) && self.body.taut()
+    }
+
+    /// A stable equilibrium from a guess with taut strands.
+    pub(super) fn stable_guess(&mut self, pressure: f64, terminal: f64) -> bool {
+        let guessed = self.body.guess_taut(pressure, terminal);
+        guessed && self.solve(Control::Length(terminal)).is_ok() && self.stable()
     }
 
     /// An equilibrium with all strands in tension: from a guess, else from rest.

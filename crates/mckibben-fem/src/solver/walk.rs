@@ -25,12 +25,7 @@ impl<B: Body> Continuation<B> {
     pub(super) fn long_way(&mut self, pressure: f64, terminal: f64, guess: bool) -> Result<(), Interrupted> {
         let pulling = self.body.pulling_pressure(-terminal / self.body.half_length());
         let taut = pulling.map_or(pressure, |p| pressure.max(TAUT * p));
-        let there = guess
-            && taut > pressure
-            && self.body.guess_taut(taut, terminal)
-            && self.solve(Control::Length(terminal)).is_ok()
-            && self.stable();
-        if !there {
+        if !(guess && taut > pressure && self.stable_guess(taut, terminal)) {
             self.restart(taut, terminal)?;
         }
         // Strands go slack one after the other: small steps.
