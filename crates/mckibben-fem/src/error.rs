@@ -70,7 +70,7 @@ pub enum FemError {
         force_n: f64,
         /// Pressure in MPa.
         pressure_mpa: f64,
-        /// The nearest pull that was found, in N.
+        /// The nearest pull of an equilibrium, in N.
         nearest_force_n: f64,
         /// Contraction of that pull; below zero the muscle is stretched.
         contraction: f64,

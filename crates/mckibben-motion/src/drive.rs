@@ -103,7 +103,7 @@ impl<'a> Actuated<'a> {
         }
     }
 
-    /// Dead volume, hose and what is left in a syringe in mm³; `opening` is the share of the syringe that was pushed out.
+    /// Dead volume, hose and the rest in a syringe in mm³; `opening` is the share of the syringe that was pushed out.
     pub(crate) fn outside_mm3(&self, opening: Option<f64>) -> f64 {
         let syringe = match &self.actuator {
             Actuator::Syringe(syringe) => (1.0 - opening.unwrap_or(0.0)) * syringe.volume_mm3,

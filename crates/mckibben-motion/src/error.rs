@@ -46,7 +46,7 @@ pub enum MotionError {
         /// The model's reason.
         error: Box<ModelError>,
     },
-    /// Not a number, without bounds, steps that go to nothing, too many of them, or events without time in between: when, and what was found.
+    /// Not a number, without bounds, steps that go to nothing, too many of them, or events without time in between: when, and the values.
     #[error("{0}")]
     Diverged(String),
     /// The caller wanted the work to end.
@@ -85,7 +85,7 @@ impl MotionError {
         }
     }
 
-    /// That what was found at a time has no bounds.
+    /// That there is no equilibrium at the start.
     pub(crate) fn no_equilibrium(position: f64, net: f64) -> Self {
         Self::NoAnswer(format!(
             "no equilibrium at the start: at a position of {position} the net force is {net} (N, or N mm about a joint), and it does not change its sign up to there; change the load or the first command, or give a stop"

@@ -220,7 +220,7 @@ where
 {
     fn step(&mut self, equations: &dyn Equations, end: f64) -> Result<bool, String> {
         let left = end - self.method.t();
-        // A last step is not left over that would be a thousandth of this one.
+        // No last step is as short as a thousandth of this one.
         if self.method.h() > 0.999 * left {
             self.method.set_h(left);
         }

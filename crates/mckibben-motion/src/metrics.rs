@@ -121,7 +121,7 @@ pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Pas
                 from,
                 to,
                 rise_time_s: positions.rise_time(from, to, piece),
-                // Of the last tenth of the piece nothing can be said to have settled.
+                // What changes in the last tenth of the piece has not settled.
                 settling_time_s: left.filter(|t| *t < end - 0.1 * (end - begin)).map(|t| t - begin),
                 overshoot: if overshoot < 1e-4 { 0.0 } else { overshoot },
             });

@@ -156,7 +156,7 @@ pub struct StepFigures {
 pub struct Energies {
     /// Enthalpy of the air from the supply; of a liquid p V and stored energy at the pressure of the muscle, of a syringe the work of its piston.
     pub enthalpy_in_j: f64,
-    /// The same of what left.
+    /// The same of the outflow.
     pub enthalpy_out_j: f64,
     /// Heat from the walls to the air.
     pub heat_j: f64,

@@ -207,7 +207,7 @@ impl Discretisation {
 }
 
 /// The tube on plugs that are not as wide as its bore, in equilibrium without a braid and as long as before. The wall on a plug keeps its section,
-/// r² = R² + rp² − Ri². What draws the tube back from its plugs is left out: the muscle begins without stress in this shape.
+/// r² = R² + rp² − Ri². What draws the tube back from its plugs is omitted: the muscle begins without stress in this shape.
 fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh> {
     let tube = Problem { braid: None, prestretch: 1.0, ..problem.clone() };
     let mut path = Continuation::new(Body::new(Discretisation::new(cylinder.clone(), tube)?));

@@ -37,7 +37,7 @@ impl MeshSpec {
         Some(Self { through, along: Some(along), grading })
     }
 
-    /// Fills in what is not said, for a tube of outer radius, wall and half length in mm.
+    /// Fills in what is not given, for a tube of outer radius, wall and half length in mm.
     pub fn resolve(&self, outer: f64, wall: f64, half: f64) -> Result<(usize, usize, f64)> {
         let chosen = default_mesh(outer, wall, half);
         let through = self.through.unwrap_or(chosen.0);

@@ -29,7 +29,7 @@ pub struct MuscleSection {
     /// The unknowns and what they are made of.
     pub discretisation: Arc<Discretisation>,
     thick_wall: Arc<ThickWall>,
-    /// The default mesh, for one that was said.
+    /// The same with the default mesh, where another mesh is given.
     default: Option<Box<Axisymmetric>>,
 }
 
@@ -42,7 +42,7 @@ impl Axisymmetric {
         Self::with_mesh(muscle, &MeshSpec::default())
     }
 
-    /// The model of a muscle with a mesh that is said.
+    /// The model of a muscle with a given mesh.
     ///
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh; [`FemError::Refused`] of a muscle that was cycled at a pressure at which it has

@@ -5,7 +5,7 @@
 //!
 //! with gradients g of the shape functions in the present places. One pressure mode on eight nodes is the mean
 //! dilatation of Nagtegaal, Parks & Rice (1974) \[nagtegaal1974\], also called Q1P0; four on twenty-seven nodes are Q2/P−1. The pressure
-//! is condensed with the part γ of the bulk modulus (all of it where K ≤ γ, so that nothing is left over):
+//! is condensed with the part γ of the bulk modulus (all of it where K ≤ γ):
 //!
 //!   K_e = ∂²Π/∂u∂u + (γ/V) Σ G_k G_kᵀ,   r_e = r + (γ/V) Σ c_k G_k
 //!

@@ -83,7 +83,7 @@ impl Grid {
         Self { kind: HEXAHEDRON, points, connectivity, offsets, data, field: vec![] }
     }
 
-    /// The file; `about` is said in a comment at its head, `file` is named in errors.
+    /// The file; `about` is a comment at its head, `file` is named in errors.
     pub fn to_xml(&self, about: &str, file: &str) -> Result<String, VtuError> {
         let finite = |name: &'static str, ok: bool| {
             if ok { Ok(()) } else { Err(VtuError { file: file.into(), name }) }

@@ -3,7 +3,7 @@
 //! Steps are as large as Newton's method allows: a step that fails is halved, one that succeeds is followed by one twice as
 //! large; from the second step on the last two states extrapolate the next. Along a curve a polynomial through the last four does.
 //!
-//! Which equilibrium is the answer. A stable one with all strands in tension is the only one of its kind: it is taken wherever it was found
+//! Which equilibrium is the answer. A stable one with all strands in tension is the only one of its kind: it is taken from wherever it is reached
 //! ([`Body::certain`]). Where strands are slack a tube has several, folded ones among them. The answer then is the one that continues the
 //! taut muscle: at the contraction of the question, from the pressure that tightens all strands, the pressure is let down to that of the
 //! question; where no pressure tightens them, the muscle is shortened from rest length at the pressure of the question. On the way every

@@ -1,7 +1,7 @@
 //! Newton's method with a tangent that may serve twice.
 //!
-//! The last correction of a solve is usually so small that the next residual is below the tolerance: it is then looked at
-//! alone, and where a little is left the old tangent corrects once more. Nothing is allocated.
+//! The last correction of a solve is usually so small that the next residual is below the tolerance: it is then computed
+//! alone, and where it is a little above, the old tangent corrects once more. Nothing is allocated.
 
 use mckibben::cancel::Cancelled;
 use thiserror::Error;
@@ -46,7 +46,7 @@ pub enum Stopped {
     #[error("the equilibrium path from the taut muscle ends before this point")]
     Branch,
     /// The equilibrium is not stable.
-    #[error("the equilibrium that was found is unstable")]
+    #[error("the equilibrium is unstable")]
     Unstable,
     /// The work that a question may cost is spent.
     #[error("the iteration for the deformed shape was stopped because it took too long")]
@@ -93,7 +93,7 @@ pub struct NewtonOptions {
     pub tolerance: f64,
     /// Most corrections.
     pub iterations: usize,
-    /// Below this correction the residual is looked at before a new tangent is made.
+    /// Below this correction the residual is computed before a new tangent.
     pub small: f64,
     /// Above this sum of corrections the iteration is given up: the answer would not continue where it began.
     pub reach: f64,
@@ -104,7 +104,7 @@ pub struct NewtonOptions {
 }
 
 impl NewtonOptions {
-    /// What is taken where nothing else is said.
+    /// The defaults.
     pub const DEFAULT: Self = Self {
         tolerance: 1e-10,
         iterations: 20,

@@ -170,7 +170,7 @@ impl Symbolic {
 
     /// Merges supernodes with the parents right behind them.
     fn merge(&mut self) {
-        // Number of those that are left; first column, rows and zeros of the last one.
+        // Number of those that remain; first column, rows and zeros of the last one.
         let (mut kept, mut start, mut zeros) = (0_usize, 0, 0.0);
         for i in 0..self.count() {
             let (columns, rows) = (self.columns(i), self.first_row[i]..self.first_row[i + 1]);

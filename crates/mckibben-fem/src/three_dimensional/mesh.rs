@@ -227,7 +227,7 @@ impl BrickMesh {
     /// Most bricks around the quarter.
     pub(super) const MOST_AROUND: usize = MOST[1] as usize;
 
-    /// Whether numbers that are said make a mesh.
+    /// Whether given numbers make a mesh.
     pub fn check(spec: &BrickSpec) -> Result<()> {
         let names = ["through", "around", "along"];
         for ((name, value), high) in names.into_iter().zip([spec.through, spec.around, spec.along]).zip(MOST)

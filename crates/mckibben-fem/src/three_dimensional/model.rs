@@ -29,7 +29,7 @@ impl ThreeDimensional {
         Self::with_mesh(muscle, &BrickSpec::default())
     }
 
-    /// The model of a muscle with a mesh that is said.
+    /// The model of a muscle with a given mesh.
     ///
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh, or one of another braid.

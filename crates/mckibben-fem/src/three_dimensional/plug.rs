@@ -28,7 +28,7 @@ pub enum PlugMaterial {
 pub const ALUMINIUM_MPA: f64 = 70_000.0;
 /// Its Poisson's ratio.
 pub const ALUMINIUM_POISSON: f64 = 0.33;
-/// Radius of the nose over the inner radius, where none is said.
+/// Radius of the nose over the inner radius, where none is given.
 const NOSE: f64 = 0.25;
 /// Shortest insertion of an elastic plug over the inner radius.
 const SHORTEST: f64 = 1e-3;

@@ -59,7 +59,7 @@ pub fn endless_braid(rows: &mut Rows) {
     rows.add("slack strands, ε 0.1, P 0: F (N)", exact, ours, 1e-9);
 }
 
-/// Bonded muscles: what the ends cost falls like 1/L0, and without it the infinitely long muscle is left.
+/// Bonded muscles: what the ends cost falls like 1/L0, and the limit is the infinitely long muscle.
 pub fn long_muscles(rows: &mut Rows) {
     let (pressure, source) = (SECTION.3, rows.source);
     let mesh = MeshSpec { through: Some(2), along: Some(48), grading: Some(3.0) };

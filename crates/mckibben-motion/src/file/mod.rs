@@ -68,7 +68,7 @@ pub struct DriveFile {
     pub target: Target,
     /// The end in s.
     pub until_s: f64,
-    /// Time between two points of the series in s; a thousandth of the run where it is not said.
+    /// Time between two points of the series in s; a thousandth of the run where it is not given.
     pub output_step_s: f64,
 }
 

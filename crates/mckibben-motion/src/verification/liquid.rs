@@ -66,7 +66,7 @@ impl Hanging {
         Self { model, load: Load::Mass { mass_kg: 10.0, level: false } }
     }
 
-    /// Where the volume of the syringe brings it; what is left in the syringe counts as dead volume.
+    /// Where the volume of the syringe brings it; the rest in the syringe counts as dead volume.
     fn filled(&self) -> Option<Fill> {
         let liquid = Liquid::named("water", 0.0).ok()?;
         let filling = Filling {

@@ -25,7 +25,7 @@ fn incompressible(brick: Brick, law: Law) -> Option<f64> {
     let mut c = at_rest(&muscle, &coarse(brick))?;
     c.reach(0.2, 0.05).ok()?;
     let body = &mut c.body.bricks;
-    // Defects of the volume multiply second derivatives that the tangent leaves out: none may be left.
+    // Defects of the volume multiply second derivatives that the tangent omits: they must vanish.
     let terminal = body.state.terminal;
     solve(body, terminal)?;
     tangent_error(body)
