@@ -4,10 +4,9 @@ use crate::results::{Sensitivity, Solution};
 use crate::simulation::{Detail, Given, Simulation};
 use crate::solver::curve::{Curve, CurvePoint, Test};
 use crate::{FemError, Result};
-use mckibben::cancel::Cancelled;
+use mckibben::cancel::{self, Cancelled};
 use mckibben::model::{Response, Seated, Workspace};
 use mckibben::muscle::{EndState, Ends, InnerPull, Muscle};
-use mckibben::progress::{Progress, Silent};
 
 /// The elements themselves where `muscle` does not describe its ends, else the whole muscle; `model` is of [`Muscle::between_ends`].
 pub fn with_ends(muscle: &Muscle, model: Box<dyn Simulation>) -> Box<dyn Simulation> {
@@ -34,7 +33,7 @@ fn for_whole_muscle(muscle: &Whole, displacement_mm: f64, mut error: FemError) -
 
 /// One equilibrium of the muscle between its ends.
 fn inner(muscle: &Whole, w: &mut Workspace, p: f64, x: f64, detail: Detail) -> Result<CurvePoint> {
-    let points = muscle.inner().run(w, Test::Isometric(x), &[p], detail, &Silent);
+    let points = muscle.inner().run(w, Test::Isometric(x), &[p], detail);
     points.into_iter().next().unwrap_or(Err(FemError::Question { pressure_mpa: p, contraction: x }))
 }
 
@@ -154,21 +153,13 @@ impl Simulation for Whole {
         Ok(whole_point(self, Some(e), point))
     }
 
-    fn run(
-        &self,
-        workspace: &mut Workspace,
-        test: Test,
-        values: &[f64],
-        detail: Detail,
-        progress: &dyn Progress,
-    ) -> Curve {
+    fn run(&self, workspace: &mut Workspace, test: Test, values: &[f64], detail: Detail) -> Curve {
         let ends = self.ends();
         if ends.slip_mm_per_n > 0.0 && !matches!(test, Test::Isotonic(_)) {
             // Each with its end state: in the order of the test, as the elements go from one to the next.
             let mut out: Curve = vec![Err(Cancelled.into()); values.len()];
-            for (turn, i) in test.order(values).into_iter().enumerate() {
-                progress.report(turn, values.len());
-                if progress.cancelled() {
+            for i in test.order(values) {
+                if cancel::check().is_err() {
                     break;
                 }
                 let (p, e) = match test {
@@ -195,7 +186,7 @@ impl Simulation for Whole {
             Test::Isometric(e) => Some(e),
             Test::Isobaric(_) => values.get(i).copied(),
         };
-        let points = self.inner().run(workspace, between, &at, detail, progress);
+        let points = self.inner().run(workspace, between, &at, detail);
         let one = |(i, point): (usize, Result<CurvePoint>)| {
             let point = point.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
             Ok(whole_point(self, whole(i), point))

@@ -10,7 +10,6 @@ use mckibben::model::{
     Accuracy, ForceModel, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange, Response, Result, Workspace,
 };
 use mckibben::muscle::Muscle;
-use mckibben::progress::Progress;
 
 /// Error of the default mesh over the blocked force, of a muscle that pulls; of a stretched one over its pull. Both hold more than 95 % of
 /// random muscles, as `docs/finite-elements.md` counts them.
@@ -224,14 +223,7 @@ pub trait Simulation: ForceModel {
     fn reach(&self, workspace: &mut Workspace, given: Given) -> Result<CurvePoint, FemError>;
 
     /// A test: a point for each of `values`. Where the pull is above the blocked force an isotonic contraction is below zero.
-    fn run(
-        &self,
-        workspace: &mut Workspace,
-        test: Test,
-        values: &[f64],
-        detail: Detail,
-        progress: &dyn Progress,
-    ) -> Curve;
+    fn run(&self, workspace: &mut Workspace, test: Test, values: &[f64], detail: Detail) -> Curve;
 }
 
 impl<D: Divided> Simulation for FiniteElements<D> {
@@ -244,20 +236,13 @@ impl<D: Divided> Simulation for FiniteElements<D> {
         Ok(CurvePoint::here(self.led_to(workspace, given)?, before))
     }
 
-    fn run(
-        &self,
-        workspace: &mut Workspace,
-        test: Test,
-        values: &[f64],
-        detail: Detail,
-        progress: &dyn Progress,
-    ) -> Curve {
+    fn run(&self, workspace: &mut Workspace, test: Test, values: &[f64], detail: Detail) -> Curve {
         let muscle = self.muscle();
         let c = match self.continuation(workspace) {
             Ok(c) => c,
             Err(error) => return vec![Err(error); values.len()],
         };
-        run(c, values, test, progress, |c, point| {
+        run(c, values, test, |c, point| {
             if detail >= Detail::Tangent {
                 point.response = Some(c.body.response(muscle)?);
             }

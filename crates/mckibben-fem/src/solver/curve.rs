@@ -7,9 +7,8 @@ use super::newton::Effort;
 use super::trail::Along;
 use crate::results::Sensitivity;
 use crate::{FemError, Result};
-use mckibben::cancel::Cancelled;
+use mckibben::cancel::{self, Cancelled};
 use mckibben::model::Response;
-use mckibben::progress::Progress;
 
 /// A point of a curve.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,17 +110,15 @@ pub(crate) fn run<B: Body>(
     c: &mut Continuation<B>,
     values: &[f64],
     test: Test,
-    progress: &dyn Progress,
     complete: impl Fn(&mut Continuation<B>, &mut CurvePoint) -> Result<()>,
 ) -> Curve {
     let order = test.order(values);
     let mut out: Curve = vec![Err(FemError::Cancelled(Cancelled)); values.len()];
     let mut running = false;
     for (turn, &i) in order.iter().enumerate() {
-        if progress.cancelled() {
+        if cancel::check().is_err() {
             break;
         }
-        progress.report(turn, values.len());
         if turn > 0 && values[i] == values[order[turn - 1]] {
             out[i] = out[order[turn - 1]].clone();
             continue;
@@ -143,9 +140,6 @@ pub(crate) fn run<B: Body>(
             complete(c, &mut here)?;
             Ok(here)
         });
-    }
-    if !progress.cancelled() {
-        progress.report(values.len(), values.len());
     }
     if running {
         c.keep();

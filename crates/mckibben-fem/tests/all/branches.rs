@@ -3,7 +3,6 @@
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::read_muscle;
-use mckibben::progress::Silent;
 use mckibben::random::rounds;
 use mckibben::status::Status;
 use mckibben_fem::FemError;
@@ -31,7 +30,7 @@ fn ended(point: Result<f64, FemError>) -> Ended {
 }
 
 fn isometric(model: &Axisymmetric, workspace: &mut Workspace, e: f64, pressures: &[f64]) -> Vec<Ended> {
-    let curve = model.run(workspace, Test::Isometric(e), pressures, Detail::Point, &Silent);
+    let curve = model.run(workspace, Test::Isometric(e), pressures, Detail::Point);
     curve.into_iter().map(|point| ended(point.map(|p| p.force_n))).collect()
 }
 
@@ -65,7 +64,7 @@ fn differences(muscle: &Muscle) -> Vec<String> {
         }
     }
     let p = PRESSURES[1];
-    let isobaric = model.run(&mut Workspace::new(), Test::Isobaric(p), &contractions, Detail::Point, &Silent);
+    let isobaric = model.run(&mut Workspace::new(), Test::Isobaric(p), &contractions, Detail::Point);
     for (k, point) in isobaric.into_iter().enumerate() {
         let (scale, what) =
             (p * PI * muscle.tube().outer_radius_mm().powi(2), format!("isobaric, ε {:.4}", contractions[k]));
