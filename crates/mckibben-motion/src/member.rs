@@ -102,7 +102,6 @@ pub(crate) struct Member<'a> {
     near: f64,
     ideal: Ideal,
     pub memory: Memory,
-    pub answers: Cell<usize>,
     /// In place of the model, where there is one.
     pub substitute: Cell<Option<Substitute>>,
 }
@@ -137,7 +136,6 @@ impl<'a> Member<'a> {
             length_mm: shape.length_mm(),
             ideal: Ideal::new(shape),
             memory: Memory::default(),
-            answers: Cell::new(0),
             substitute: Cell::new(None),
         }
     }
@@ -218,7 +216,6 @@ impl<'a> Member<'a> {
 
     fn evaluate(&self, p: f64, e: f64) -> Result<Answer, ModelError> {
         let w = &mut *self.memory.workspace.borrow_mut();
-        self.answers.set(self.answers.get() + 1);
         let model = self.muscle.model;
         let not_finite = || ModelError::NotFinite {
             model: model.info().name.to_string(),

@@ -130,9 +130,6 @@ impl Integration<'_, '_> {
             motion.air_normal_litres_per_cycle =
                 cycle.as_ref().map(|c| normal_litres(supplied - c.supplied_g));
         }
-        motion.integration_steps = self.steps;
-        motion.evaluations = system.evaluations.get();
-        motion.model_answers = system.members.iter().map(|m| m.answers.get()).sum();
         let mut equilibrium = None;
         if ended.is_none() {
             // A step before an event was taken twice, the second time up to the event.

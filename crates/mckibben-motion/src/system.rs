@@ -75,7 +75,6 @@ pub(crate) struct System<'a> {
     /// A time within the piece of the command that holds.
     pub within: Cell<f64>,
     pub failed: RefCell<Option<MotionError>>,
-    pub evaluations: Cell<usize>,
     /// For [`Equations::rates`].
     room: RefCell<(State, Point)>,
     /// Added to the commands, for the linear system: to those of muscles that turn a joint to −, the negative.
@@ -101,7 +100,6 @@ impl<'a> System<'a> {
             modes: RefCell::new(modes),
             within: Cell::new(0.0),
             failed: RefCell::new(None),
-            evaluations: Cell::new(0),
             room: RefCell::new(room),
             offset: Cell::new(0.0),
         })
@@ -116,7 +114,6 @@ impl<'a> System<'a> {
 
     /// The same into the memory of another point.
     fn point_within(&self, t: f64, state: &State, point: &mut Point) -> Result<()> {
-        self.evaluations.set(self.evaluations.get() + 1);
         let modes = self.modes.borrow();
         let mechanism = self.drive.mechanism;
         let (q, v) = (state.coordinate, if modes.stop.is_some() { 0.0 } else { state.velocity });

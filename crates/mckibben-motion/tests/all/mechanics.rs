@@ -248,10 +248,6 @@ fn a_muscle_lifts_a_mass_from_its_stop() {
     // And comes to rest where it is in equilibrium.
     close(last(&motion.series.coordinate), equilibrium(&drive, &[0.3]).unwrap().coordinate, 1e-5);
     assert!(motion.rise_time_s.is_some() && motion.settling_time_s > motion.rise_time_s);
-    println!(
-        "{} steps, {} rates, {} answers",
-        motion.integration_steps, motion.evaluations, motion.model_answers
-    );
 }
 
 #[test]
