@@ -82,6 +82,6 @@ pub use orifice::{LINEAR_SHARE, Orifice, in_series};
 pub use run::{run, run_as_far};
 pub use series::{MotionSeries, MuscleSeries};
 pub use simulation::Simulation;
-pub use size::{Sized, size};
+pub use size::{SizedValve, size};
 pub use valve::{Valve, ValveKind};
 pub use viscoelastic::{Branch, Prony};

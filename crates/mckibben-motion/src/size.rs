@@ -6,13 +6,11 @@ use mckibben::progress::Progress;
 
 /// A valve that is large enough.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sized {
+pub struct SizedValve {
     /// C of the supply path of the first valve in L/(s bar); all conductances were changed by the same factor.
     pub conductance_l_per_s_bar: f64,
     /// Rise time with it in s.
     pub rise_time_s: f64,
-    /// Runs that were made.
-    pub runs: usize,
     /// The motion with it.
     pub motion: Motion,
 }
@@ -26,7 +24,7 @@ const LARGEST: f64 = 100.0;
 /// # Errors
 /// [`MotionError::NoAnswer`] where even 100 L/(s bar) is too slow; [`MotionError::Refused`] without a step that moves it; those of
 /// [`run`].
-pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Result<Sized> {
+pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Result<SizedValve> {
     let no_rise =
         || MotionError::Refused("the command has no rise, so that no valve can be sized by it".into());
     MotionError::positive("the rise time in s", rise_time_s)?;
@@ -51,9 +49,7 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
     if from == to {
         return Err(no_rise());
     }
-    let mut runs = 0;
-    let mut rise = |c: f64| -> Result<(Option<f64>, Motion)> {
-        runs += 1;
+    let rise = |c: f64| -> Result<(Option<f64>, Motion)> {
         let mut drive = drive.clone();
         for muscle in &mut drive.muscles {
             if let Actuator::Valve(v) = &mut muscle.actuator {
@@ -103,5 +99,5 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
         }
     }
     let rise_time_s = reached.unwrap_or(rise_time_s);
-    Ok(Sized { conductance_l_per_s_bar: high, rise_time_s, runs, motion })
+    Ok(SizedValve { conductance_l_per_s_bar: high, rise_time_s, motion })
 }
