@@ -54,23 +54,23 @@ impl System<'_> {
         let mut q = 0.0_f64.max(low).min(high);
         let mut before = self.net(pressures, q)?;
         // Rounding about a muscle without pressure at its rest length is no force.
-        let nothing = 1e-9 / lever.per_coordinate.abs().max(1e-9);
-        if before.abs() <= nothing && (q == low || q == high) {
+        let negligible = 1e-9 / lever.per_coordinate.abs().max(1e-9);
+        if before.abs() <= negligible && (q == low || q == high) {
             return Ok(equilibrium(q, Some(if q == low { -1.0 } else { 1.0 })));
         }
-        let way = before.signum();
+        let direction = before.signum();
         // Steps of a hundredth of the contraction, up to one and a half.
         for _ in 0..150 {
-            if way > 0.0 && q >= high || way < 0.0 && q <= low {
-                return Ok(equilibrium(q, Some(way)));
+            if direction > 0.0 && q >= high || direction < 0.0 && q <= low {
+                return Ok(equilibrium(q, Some(direction)));
             }
-            let next = (q + way * stride).max(low).min(high);
+            let next = (q + direction * stride).max(low).min(high);
             let after = match self.net(pressures, next) {
                 Ok(after) => after,
                 Err(MotionError::Cancelled(e)) => return Err(e.into()),
                 Err(_) => return Err(MotionError::no_equilibrium(q, before)),
             };
-            if after * way <= 0.0 {
+            if after * direction <= 0.0 {
                 let root = find_root(|x| self.net(pressures, x), q, next, 1e-12 * stride)?;
                 let none = MotionError::no_equilibrium(q, before);
                 return root.map(|coordinate| equilibrium(coordinate, None)).ok_or(none);
@@ -80,11 +80,11 @@ impl System<'_> {
         Err(MotionError::no_equilibrium(q, before))
     }
 
-    /// The stop on which a net force holds the load; forces below `nothing` are none.
-    fn stop(&self, q: f64, net: f64, nothing: f64) -> Option<f64> {
+    /// The stop on which a net force holds the load; forces below `negligible` are none.
+    fn stop(&self, q: f64, net: f64, negligible: f64) -> Option<f64> {
         let (low, high) = self.drive.mechanism.stops();
-        let side = if q <= low && net <= nothing { -1.0 } else { 1.0 };
-        (side < 0.0 || q >= high && net >= -nothing).then_some(side)
+        let side = if q <= low && net <= negligible { -1.0 } else { 1.0 };
+        (side < 0.0 || q >= high && net >= -negligible).then_some(side)
     }
 
     /// The equilibrium at the first command.
@@ -143,12 +143,12 @@ impl System<'_> {
             _ => find_root(at, least, most, 1e-14)?.unwrap_or(least),
         };
         let pressures_mpa = given(pressures(u));
-        let left = self.net(&pressures_mpa, q)?;
-        let nothing = 1e-6 / drive.mechanism.lever(0, q).per_coordinate.abs().max(1e-9);
-        let stop = self.stop(q, left, nothing);
-        let is_balanced = left.abs() <= nothing || drive.initial_coordinate.is_some();
+        let imbalance = self.net(&pressures_mpa, q)?;
+        let negligible = 1e-6 / drive.mechanism.lever(0, q).per_coordinate.abs().max(1e-9);
+        let stop = self.stop(q, imbalance, negligible);
+        let is_balanced = imbalance.abs() <= negligible || drive.initial_coordinate.is_some();
         if stop.is_none() && !is_balanced {
-            return Err(MotionError::no_equilibrium(q, left));
+            return Err(MotionError::no_equilibrium(q, imbalance));
         }
         Ok(Equilibrium { coordinate: drive.initial_coordinate.unwrap_or(q), pressures_mpa, stop })
     }

@@ -29,9 +29,9 @@ pub(crate) fn check(presliding: &Presliding) -> Result<()> {
         within("the share of a presliding length", element.share, 0.0, 1.0)?;
     }
     let sum = presliding.0.iter().fold(0.0, |sum, element| sum + element.share);
-    let whole = (sum - 1.0).abs() <= 1e-9;
+    let is_one = (sum - 1.0).abs() <= 1e-9;
     let what = "the sum of the shares of the presliding lengths";
-    if whole { Ok(()) } else { Err(MotionError::value(what, sum, "1")) }
+    if is_one { Ok(()) } else { Err(MotionError::value(what, sum, "1")) }
 }
 
 impl Hysteresis {

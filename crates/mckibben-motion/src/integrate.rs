@@ -219,10 +219,10 @@ where
     M: OrdinaryNumericalMethod<f64, [f64; N]> + Interpolation<f64, [f64; N]>,
 {
     fn step(&mut self, equations: &dyn Equations, end: f64) -> Result<bool, String> {
-        let left = end - self.method.t();
+        let remaining = end - self.method.t();
         // No last step is as short as a thousandth of this one.
-        if self.method.h() > 0.999 * left {
-            self.method.set_h(left);
+        if self.method.h() > 0.999 * remaining {
+            self.method.set_h(remaining);
         }
         self.method.set_status(Status::Solving);
         let padded = Padded::<N>::new(equations);

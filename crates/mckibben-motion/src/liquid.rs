@@ -186,8 +186,8 @@ impl Losses {
             laminar
         } else {
             // Less than the laminar flow and more than none.
-            let left = |q: f64| Ok::<f64, ()>(self.square * q * q + self.linear * q + pipe(q) - p);
-            find_root(left, 0.0, laminar, 1e-13 * laminar).ok().flatten().unwrap_or(laminar)
+            let excess = |q: f64| Ok::<f64, ()>(self.square * q * q + self.linear * q + pipe(q) - p);
+            find_root(excess, 0.0, laminar, 1e-13 * laminar).ok().flatten().unwrap_or(laminar)
         };
         size.copysign(difference_mpa)
     }
@@ -230,8 +230,8 @@ pub struct Syringe {
 impl LiquidValve {
     /// Flow in mm³/s at atmospheric pressure at an opening from −1 to 1 other than 0, in the direction of the pressure difference in MPa.
     pub(crate) fn flow(&self, opening: f64, difference_mpa: f64, liquid: &Liquid) -> f64 {
-        let way = if opening > 0.0 { self.supply } else { self.tank };
-        Losses::in_series(Some(way), opening.abs().min(1.0), self.line, liquid).flow(difference_mpa)
+        let restriction = if opening > 0.0 { self.supply } else { self.tank };
+        Losses::in_series(Some(restriction), opening.abs().min(1.0), self.line, liquid).flow(difference_mpa)
     }
 }
 
@@ -291,18 +291,18 @@ mod tests {
     /// Kv of water at 1 bar by definition, less the laminar term's 0.05 %; four times the pressure, twice the flow.
     #[test]
     fn a_flow_coefficient_is_the_flow_at_one_bar() {
-        let way = Restriction::new(1e5).unwrap();
+        let restriction = Restriction::new(1e5).unwrap();
         let water = Liquid { density_kg_per_m3: 1000.0, ..water() };
-        let flow = |p: f64| Losses::in_series(Some(way), 1.0, None, &water).flow(p);
+        let flow = |p: f64| Losses::in_series(Some(restriction), 1.0, None, &water).flow(p);
         assert!((flow(0.1) / 1e5 - 0.9995).abs() < 1e-6, "{}", flow(0.1));
         assert!((flow(0.4) / 2e5 - 0.99975).abs() < 1e-6);
         // With a line behind it the sum of both losses is the difference.
         let line = Hose::new(4.0, 1000.0).unwrap();
-        let both = Losses::in_series(Some(way), 1.0, Some(line), &water).flow(0.3);
+        let both = Losses::in_series(Some(restriction), 1.0, Some(line), &water).flow(0.3);
         let loss = |l: Losses, q: f64| {
             l.square * q * q + l.linear * q + (l.laminar * q).max(l.turbulent * q.powf(1.75))
         };
-        let sum = loss(Losses::in_series(Some(way), 1.0, None, &water), both)
+        let sum = loss(Losses::in_series(Some(restriction), 1.0, None, &water), both)
             + loss(Losses::in_series(None, 1.0, Some(line), &water), both);
         assert!((sum / 0.3 - 1.0).abs() < 1e-9, "{sum}");
     }

@@ -116,8 +116,8 @@ impl<B: Body> Continuation<B> {
     /// The refusal of a pull that lies beyond what the muscle reaches when it is stretched or shortened as far as it goes.
     fn out_of_reach(&mut self, force_n: f64, pressure_mpa: f64) -> Option<FemError> {
         self.reach(pressure_mpa, 0.0).ok()?;
-        let way = if force_n > self.pull() { 1.0 } else { -1.0 };
-        let terminal = way * LARGEST_CONTRACTION * self.body.half_length();
+        let sign = if force_n > self.pull() { 1.0 } else { -1.0 };
+        let terminal = sign * LARGEST_CONTRACTION * self.body.half_length();
         self.allow(Some(BUDGET_TO_THE_END));
         let end = self.walk(pressure_mpa, terminal, SEARCH_CONTRACTION);
         self.allow(None);
@@ -125,7 +125,7 @@ impl<B: Body> Continuation<B> {
             Ok(()) => (self.pull(), self.contraction()),
             Err(Interrupted { last, .. }) => (last.force_n, last.contraction),
         };
-        (way * force_n > way * nearest_force_n).then_some(FemError::OutOfReach {
+        (sign * force_n > sign * nearest_force_n).then_some(FemError::OutOfReach {
             force_n,
             pressure_mpa,
             nearest_force_n,

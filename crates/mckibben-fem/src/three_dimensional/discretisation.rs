@@ -209,7 +209,7 @@ impl Discretisation {
     }
 
     fn map(&mut self) -> Result<(), Cancelled> {
-        let nothing = (self.pattern().entries() + self.free + 1) as u32;
+        let unread = (self.pattern().entries() + self.free + 1) as u32;
         let mut map = Vec::with_capacity(self.bricks() * self.per_map());
         let mut twice = Vec::new();
         for (e, nodes) in self.problem.bricks.iter().enumerate() {
@@ -224,14 +224,14 @@ impl Discretisation {
                         twice.push((e as u32, (map.len() - start) as u32));
                     }
                     // Of blocks on the diagonal only one half.
-                    map.push(if a == b && i > j { nothing } else { entry });
+                    map.push(if a == b && i > j { unread } else { entry });
                 }
             }
         }
         let truss = |&([a, b], _): &([u32; 2], Truss)| {
             let [at_a, at_b] = [a, b].map(|n| self.block(n, n)).map(|all| PAIRS.map(|(i, j)| all[3 * i + j]));
             let mut entries = at_a.into_iter().chain(at_b).chain(self.block(a, b));
-            std::array::from_fn(|_| entries.next().unwrap_or(nothing))
+            std::array::from_fn(|_| entries.next().unwrap_or(unread))
         };
         let face = |nodes: &Vec<u32>| {
             pairs(nodes.len(), 1).flat_map(|(a, b)| self.block(nodes[a], nodes[b])).collect::<Vec<u32>>()

@@ -49,9 +49,9 @@ fn vessel(actuator: Actuator, until_s: f64) -> Option<f64> {
 
 /// A valve as wide in both directions.
 fn valve() -> Option<Actuator> {
-    let way = Restriction::new(KV_MM3_PER_S).ok()?;
+    let restriction = Restriction::new(KV_MM3_PER_S).ok()?;
     let kind = ValveKind::DEFAULT;
-    Some(Actuator::LiquidValve(LiquidValve { kind, supply: way, tank: way, line: None }))
+    Some(Actuator::LiquidValve(LiquidValve { kind, supply: restriction, tank: restriction, line: None }))
 }
 
 /// The muscle with 10 kg of both comparisons.
