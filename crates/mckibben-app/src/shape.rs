@@ -71,7 +71,7 @@ pub fn shape(request: &ShapeRequest, _progress: &dyn Progress) -> Result<ShapeAn
         .map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
     let workspace = &mut Workspace::new();
     let (point, shape_contraction, section) = at((&fe, &muscle), workspace, pressure_mpa, request)?;
-    let stations = Stations::of(&section);
+    let stations = Stations::from_section(&section);
     let count = stations.nodes.first().map_or(0, |(_, list)| list.len()) / stations.across.max(1);
     let arrays = stations.nodes.into_iter().chain(stations.strands);
     Ok(ShapeAnswer {

@@ -1,4 +1,4 @@
-//! The lanes of the processor, in an executable of its own: their limit is that of a whole process.
+//! The lanes of the processor, in a separate executable: their limit is that of a whole process.
 
 #![allow(clippy::unwrap_used)]
 
@@ -27,7 +27,7 @@ fn answers(model: &dyn ForceModel) -> Vec<f64> {
 }
 
 /// Without fused products the axisymmetric elements give the same bits on any processor; the bricks, whose products are
-/// fused in wide lanes, the same to rounding. Wider lanes than this processor has are not asked.
+/// fused in wide lanes, the same to rounding. Wider lanes than this processor has are not tried.
 #[test]
 fn every_width_gives_the_same_answers() {
     let spec = BrickSpec::parse("1x4").unwrap();

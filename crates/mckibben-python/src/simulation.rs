@@ -73,7 +73,7 @@ impl Simulation {
         let (rows, width) = py.detach(|| {
             let drive = self.drive();
             let series = &drive.motion().series;
-            let rows: Vec<f64> = (0..series.len()).filter_map(|i| series.row(i)).flatten().collect();
+            let rows: Vec<f64> = (0..series.points()).filter_map(|i| series.row(i)).flatten().collect();
             (rows, series.names().len())
         });
         let shape = [rows.len() / width.max(1), width];
@@ -100,5 +100,5 @@ impl Simulation {
 
 fn last(drive: &SimulatedDrive) -> Vec<f64> {
     let series = &drive.motion().series;
-    series.len().checked_sub(1).and_then(|i| series.row(i)).unwrap_or_default()
+    series.points().checked_sub(1).and_then(|i| series.row(i)).unwrap_or_default()
 }

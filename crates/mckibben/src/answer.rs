@@ -3,7 +3,7 @@
 pub use crate::analysis::Options;
 
 use crate::analysis::{AnalysisError, Evaluation};
-use crate::model::{ModelError, Response, Result, notes_of};
+use crate::model::{ModelError, Response, Result};
 use crate::muscle::Direction;
 use crate::rubber::RubberLaw;
 use crate::uncertainty::UncertaintyParts;
@@ -112,7 +112,7 @@ impl Evaluation<'_> {
         let said = self.check_range(pressure_mpa, contraction)?;
         let mut warnings: Vec<Warning> = said.into_iter().map(Warning::from).collect();
         warnings.extend(model.muscle().warnings().into_iter().map(Warning::from));
-        warnings.extend(notes_of(model, self.workspace).into_iter().map(Warning::from));
+        warnings.extend(model.notes(self.workspace).into_iter().map(Warning::from));
         let beyond = |h: &SlackState| contraction > h.free_contraction && !options.two_sided;
         let found = match hanging {
             Some(known) if beyond(known) => None,

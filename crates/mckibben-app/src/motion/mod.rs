@@ -24,8 +24,8 @@ use mckibben::{
 };
 use mckibben_motion::{
     Actuated, Command, Coordinate, Drive, DriveFile, Hysteresis, Linear, Mechanism, Motion, MotionError,
-    Moves, Names, SingleMuscle, Subject, Tables, Target, Tolerance, drive_names, parse_drive, run_as_far,
-    size, with_value,
+    Moves, Names, SingleMuscle, Subject, Tables, Target, drive_names, parse_drive, run_as_far, size,
+    with_value,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -188,14 +188,13 @@ impl Moved {
     ) -> Drive<'a> {
         let muscles = self.models.iter().map(|model| Actuated {
             fluid: file.fluid.clone(),
-            friction: model.muscle().friction().map(|f| Hysteresis::of(f, file.presliding.as_ref())),
+            friction: model.muscle().friction().map(|f| Hysteresis::new(f, file.presliding.as_ref())),
             rubber: file.rubber.clone(),
             ..Actuated::new(&**model, file.actuator)
         });
         Drive {
             supply: file.supply,
             output_step_s: file.output_step_s,
-            tolerance: Tolerance::default(),
             initial_coordinate: single.zip(file.held).map(|(s, e)| e * s.length_mm),
             ..Drive::new(mechanism, muscles.collect(), target, file.until_s)
         }
@@ -250,11 +249,11 @@ impl From<MotionError> for Problem {
             MotionError::Muscle(error) => return error.clone().into(),
             MotionError::Model { error: model, .. } => Self::from((**model).clone()).kind,
             MotionError::Diverged(_) => ProblemKind::NotConverged,
-            MotionError::NoAnswer(_) | MotionError::NeverLifted { .. } => ProblemKind::NoAnswer,
+            MotionError::NoAnswer(_) | MotionError::NeverLifted(_) => ProblemKind::NoAnswer,
             _ => ProblemKind::File,
         };
         let hint = match error {
-            MotionError::NeverLifted { .. } => "use the load `held` for a muscle with fixed ends",
+            MotionError::NeverLifted(_) => "use the load `held` for a muscle with fixed ends",
             _ => "",
         };
         Self::new(kind, error.to_string(), hint)
@@ -366,7 +365,7 @@ impl Moved {
     fn not_at_rest(&self, motion: &Motion, file: &DriveFile) -> Option<String> {
         let at_end = motion.end?;
         let degrees = |angle: f64| format!("{}°", number(angle, 4));
-        let shown = |q: f64| match motion.series.of {
+        let shown = |q: f64| match motion.series.kind {
             Coordinate::Shortening { rest_length_mm } => percent(q / rest_length_mm),
             Coordinate::Angle => degrees(q.to_degrees()),
         };

@@ -12,7 +12,7 @@ use crate::{
 };
 use files::ShapeFiles;
 use mckibben::analysis::Evaluation;
-use mckibben::model::{ModelError, Response, Workspace, notes_of};
+use mckibben::model::{ModelError, Response, Workspace};
 use mckibben::muscle::{Ends, Muscle};
 use mckibben::{
     answer::Options, cancel, curve::Test, progress::Progress, status::Status, warning::overloaded,
@@ -179,7 +179,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         model: name.into(),
         test: request.test,
         muscle: summary,
-        notes: notes_of(&*simulation, workspace),
+        notes: simulation.notes(workspace),
         warnings,
         limits: (&burst).into(),
         figure,

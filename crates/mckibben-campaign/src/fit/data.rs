@@ -4,7 +4,6 @@ use crate::PointRow;
 use mckibben::formula::{Coefficients, Formula};
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
-use mckibben::progress::Silent;
 use mckibben::threads;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::simulation::{Detail, Simulation};
@@ -126,7 +125,7 @@ impl Grid<'_> {
         let mut out = vec![];
         for &contraction in self.contractions {
             let (test, w) = (Test::Isometric(contraction), &mut Workspace::new());
-            let curve = model.run(w, test, self.pressures, Detail::Point, &Silent);
+            let curve = model.run(w, test, self.pressures, Detail::Point);
             for (&pressure_mpa, point) in self.pressures.iter().zip(curve) {
                 out.extend(point.ok().map(|p| FitPoint {
                     outer_diameter_mm: muscle.outer_diameter_mm(),

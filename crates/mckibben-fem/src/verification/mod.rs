@@ -1,7 +1,7 @@
 //! Cases with exact values: are the equations solved right?
 //!
 //! Each case is a row of the table that `mckibben validate` prints. The letters of the sources are
-//! those of `docs/verification.md`, which says for each problem what is loaded and held. Where nothing else is said the rubber is Mooney–Rivlin with C1 = 0.10, C2 = 0.02 MPa, incompressible; mm, MPa, N.
+//! those of `docs/verification.md`, which says for each problem what is loaded and held. Unless stated otherwise the rubber is Mooney–Rivlin with C1 = 0.10, C2 = 0.02 MPa, incompressible; mm, MPa, N.
 
 pub mod bricks;
 mod endless;

@@ -21,12 +21,12 @@ pub fn identities(rows: &mut Rows) {
     for (d0, s, p, e) in
         [(30.0, 3.0, 0.2, 0.0), (30.0, 3.0, 0.2, 0.1), (50.0, 1.0, 0.15, 0.15), (40.0, 5.0, 0.25, 0.05)]
     {
-        let found = maxwell(d0, s, p, e);
-        let by_volume = found.map_or(f64::INFINITY, |f| f.1);
+        let slopes = maxwell(d0, s, p, e);
+        let by_volume = slopes.map_or(f64::INFINITY, |f| f.1);
         let what = "against −∂V/∂L (mm²)";
         let begins = format!("D0 {d0}, s {s}, P {p}, ε {e}: ∂F/∂P ");
-        rows.add(format!("{begins}by differences {what}"), by_volume, found.map(|f| f.0), 1e-7);
-        rows.add(format!("{begins}of the tangent {what}"), by_volume, found.map(|f| f.2), 1e-7);
+        rows.add(format!("{begins}by differences {what}"), by_volume, slopes.map(|f| f.0), 1e-7);
+        rows.add(format!("{begins}of the tangent {what}"), by_volume, slopes.map(|f| f.2), 1e-7);
     }
     rows.source = "I: outer-diameter limit of strands that do not stretch";
     let stiff = BraidStiffness::NewtonPerMm(1e6);

@@ -31,9 +31,9 @@ fn a_slice_of_a_long_muscle_is_the_thick_wall() {
             Evaluation::new(&model, &mut Workspace::new(), Options::default()).contraction_at(at, p).unwrap()
                 * m.length_mm()
         };
-        let own = (shortened(&longer) - shortened(&long)) / 100.0;
+        let limit = (shortened(&longer) - shortened(&long)) / 100.0;
         // The stations of the mesh are set by the length: what that changes is some 1e-6 of the slice.
-        assert!((own - e).abs() < 5e-6, "{angle} {e}: {own}");
+        assert!((limit - e).abs() < 5e-6, "{angle} {e}: {limit}");
     }
 }
 
@@ -55,7 +55,7 @@ fn bricks_agree() {
     }
 }
 
-/// Inverses give back what was asked, and an unloaded muscle extends.
+/// Inverses give back the given point, and an unloaded muscle extends.
 #[test]
 fn inverses_come_back_and_free_muscles_are_longer_than_at_rest() {
     for angle in [57.0, 60.0, 70.0] {

@@ -108,8 +108,8 @@ fn universal_leaves_out_the_plugs_of_finite_elements() {
         for _ in 0..3 {
             let e = r.unit() * muscle.max_ideal_contraction();
             let Some(force) = fe.force_n(w, p, e).ok().filter(|f| *f > 0.0) else { continue };
-            let own = universal.force_n(&mut Workspace::new(), p, e).unwrap();
-            ratios.push((own - force).abs() / blocked / share);
+            let ours = universal.force_n(&mut Workspace::new(), p, e).unwrap();
+            ratios.push((ours - force).abs() / blocked / share);
         }
     }
     ratios.sort_by(f64::total_cmp);

@@ -37,8 +37,8 @@ fn errors(count: usize, seed: u64) -> Vec<Point> {
         for share_of_ideal in shares {
             let e = share_of_ideal * muscle.max_ideal_contraction();
             let Some(force) = fe.force_n(w, p, e).ok().filter(|f| *f > 0.0) else { continue };
-            let own = small.force_n(&mut Workspace::new(), p, e).unwrap();
-            out.push((muscle.clone(), by_mu, (own - force).abs() / (share * blocked)));
+            let ours = small.force_n(&mut Workspace::new(), p, e).unwrap();
+            out.push((muscle.clone(), by_mu, (ours - force).abs() / (share * blocked)));
         }
     }
     out

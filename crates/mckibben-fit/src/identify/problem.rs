@@ -220,7 +220,7 @@ impl<'a> Problem<'a> {
             let model = (self.request.build)(&candidate.of_section(&point.section).ok()?).ok()?;
             let e = point.at.contraction + candidate.contraction_offset;
             let w = &mut Workspace::new();
-            model.extensions().slopes?.force_by(w, point.at.pressure_mpa, e, &names)?.ok()
+            model.force_by(w, point.at.pressure_mpa, e, &names)?.ok()
         };
         probe().is_some()
     }
@@ -250,8 +250,7 @@ impl<'a> Problem<'a> {
     ) -> Result<Vec<f64>> {
         let not_known =
             || ModelError::NotFinite { model: m.info().name.to_string(), pressure_mpa: p, contraction: e };
-        let own = m.extensions().slopes.and_then(|own| own.force_by(w, p, e, names));
-        let by = own.ok_or_else(not_known)??;
+        let by = m.force_by(w, p, e, names).ok_or_else(not_known)??;
         let of =
             |name: &str| names.iter().position(|n| n == name).and_then(|i| by.get(i)).copied().unwrap_or(0.0);
         let muscle = m.muscle();

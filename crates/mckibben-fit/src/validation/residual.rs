@@ -4,7 +4,7 @@ use super::case::CaseFit;
 use crate::identify::{Build, Identification, Identified, Request, Result, identify};
 use crate::measured::{DataPoint, MeasuredPoint, Quantity, Section};
 use mckibben::analysis::Evaluation;
-use mckibben::model::{BlockedAt, ForceModel, Reference, Workspace, blocked_scale_n};
+use mckibben::model::{BlockedAt, ForceModel, Reference, Workspace};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben::uncertainty::{length_n, measured_n, transfer_n};
@@ -48,7 +48,7 @@ fn half_width_n(evaluation: &mut Evaluation<'_>, point: &DataPoint, blocked_n: f
     let (accuracy, muscle) = (model.info().accuracy, model.muscle());
     let scale_n = match accuracy.blocked_at {
         BlockedAt::SamePressure => blocked_n,
-        BlockedAt::Pressure(p) => blocked_scale_n(model, evaluation.workspace, p).ok()?,
+        BlockedAt::Pressure(p) => model.blocked_scale_n(evaluation.workspace, p).ok()?,
     };
     let own_n = accuracy.share_of_blocked? * scale_n;
     if matches!(accuracy.reference, Reference::ForceMap(_)) {

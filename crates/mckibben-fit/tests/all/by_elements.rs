@@ -87,13 +87,7 @@ fn derivatives_of_the_elements_are_those_of_differences() {
         "braid.angle",
     ];
     let names = names.map(str::to_owned);
-    let by = model
-        .extensions()
-        .slopes
-        .unwrap()
-        .force_by(&mut Workspace::new(), 0.2, 0.1, &names)
-        .unwrap()
-        .unwrap();
+    let by = model.force_by(&mut Workspace::new(), 0.2, 0.1, &names).unwrap().unwrap();
     let changed = |i: usize, h: f64| {
         let (mut tube, mut braid) = (m.tube().clone(), m.braid().clone());
         match i {
@@ -111,14 +105,8 @@ fn derivatives_of_the_elements_are_those_of_differences() {
         let difference = (changed(i, h) - changed(i, -h)) / (2.0 * h);
         assert!((by[i] / difference - 1.0).abs() < 2e-4, "{}: {} {difference}", names[i], by[i]);
     }
-    assert!(
-        model
-            .extensions()
-            .slopes
-            .unwrap()
-            .force_by(&mut Workspace::new(), 0.2, 0.1, &["friction.coefficient".into()])
-            .is_none()
-    );
+    let friction = ["friction.coefficient".into()];
+    assert!(model.force_by(&mut Workspace::new(), 0.2, 0.1, &friction).is_none());
 }
 
 #[test]

@@ -63,8 +63,7 @@ fn sensitivities_are_those_of_differences() {
         "braid.stiffness".into(),
         "braid.crimp".into(),
     ];
-    let known =
-        fe(all).extensions().slopes.unwrap().force_by(&mut Workspace::new(), p, e, &names).unwrap().unwrap();
+    let known = fe(all).force_by(&mut Workspace::new(), p, e, &names).unwrap().unwrap();
     let pull = |change: &dyn Fn(&mut Braid)| {
         let changed = |b: &mut Braid| {
             all(b);

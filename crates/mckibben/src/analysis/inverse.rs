@@ -106,7 +106,7 @@ impl Evaluation<'_> {
         let (lowest, limit) = info.range.pressure_mpa;
         let highest =
             if options.extrapolate { HIGHEST_PRESSURE_MPA } else { limit.min(HIGHEST_PRESSURE_MPA) };
-        if let Some(companion) = model.extensions().companion {
+        if let Some(companion) = model.companion() {
             let nearly =
                 Evaluation::new(companion, &mut Workspace::new(), options).pressure_at(force_n, contraction);
             refused(nearly, &info.name)?;
@@ -212,7 +212,7 @@ impl Evaluation<'_> {
             (false, true) => straight,
             (false, false) => start,
         };
-        if let Some(companion) = model.extensions().companion {
+        if let Some(companion) = model.companion() {
             let ws = &mut Workspace::new();
             let nearly =
                 Evaluation::new(companion, ws, options).contraction_down_to(force_n, pressure_mpa, stretches);

@@ -51,7 +51,7 @@ pub fn pulls_within(
     bounds: &Bounds,
     out: &mut [f64],
 ) -> bool {
-    if let Some(own) = model.extensions().lists {
+    if let Some(own) = model.lists() {
         return own.pulls_within(BatchPath::widest(), bounds, lists, out);
     }
     let [pressures_mpa, contractions] = lists;

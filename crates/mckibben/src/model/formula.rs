@@ -1,8 +1,8 @@
 //! A formula as a force model.
 
 use super::{
-    Accuracy, BlockedAt, Extensions, ForceModel, Interval, ModelError, ModelInfo, ModelRange, Quantity,
-    Reference, Response, Result, Workspace, notes,
+    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelInfo, ModelRange, Quantity, Reference,
+    Response, Result, Workspace, notes,
 };
 use crate::formula::{Body, Formula, GlobalSection, Made, Section};
 use crate::muscle::Muscle;
@@ -99,8 +99,8 @@ impl ForceModel for FormulaModel {
         self.section()?.contraction(force_n, pressure_mpa)
     }
 
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { lists: self.section(), ..Extensions::default() }
+    fn lists(&self) -> Option<&Section> {
+        self.section()
     }
 }
 

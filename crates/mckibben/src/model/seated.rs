@@ -6,8 +6,7 @@
 //! lengths can.
 
 use super::{
-    Contact, Extensions, ForceModel, Mesh, ModelError, ModelId, ModelInfo, ModelRange, Response, Result,
-    Slopes, Workspace, blocked_scale_n, pivoting_n_per_mm,
+    ForceModel, ModelError, ModelId, ModelInfo, ModelRange, Response, Result, Workspace, pivoting_n_per_mm,
 };
 use crate::differences::slope;
 use crate::muscle::{EndState, Ends, InnerPull, Muscle};
@@ -196,18 +195,10 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         Some(self.ends.whole(x, self.ends.end_displacement_mm(p, force_n)))
     }
 
-    fn extensions(&self) -> Extensions<'_> {
-        let inner = self.inner.extensions();
-        Extensions {
-            slopes: inner.slopes.map(|_| self as &dyn Slopes),
-            mesh: Some(self),
-            contact: Some(self),
-            ..Extensions::default()
-        }
+    fn has_slopes(&self) -> bool {
+        self.inner.has_slopes()
     }
-}
 
-impl<M: ForceModel + ?Sized> Slopes for Seated<M> {
     fn force_by(
         &self,
         workspace: &mut Workspace,
@@ -215,6 +206,9 @@ impl<M: ForceModel + ?Sized> Slopes for Seated<M> {
         e: f64,
         names: &[String],
     ) -> Option<Result<Vec<f64>>> {
+        if !self.has_slopes() {
+            return None;
+        }
         let (state, found) = match self.end_state(workspace, p, e) {
             Ok(found) => found,
             Err(error) => return Some(Err(error)),
@@ -222,7 +216,7 @@ impl<M: ForceModel + ?Sized> Slopes for Seated<M> {
         found.stiffness_n_per_mm?;
         let inside: Vec<String> =
             names.iter().filter_map(|n| Ends::inner_name(n)).map(str::to_owned).collect();
-        let known = match self.inner.extensions().slopes?.force_by(workspace, p, state.between, &inside)? {
+        let known = match self.inner.force_by(workspace, p, state.between, &inside)? {
             Ok(known) => known,
             Err(error) => return Some(Err(self.for_whole_muscle(error, e, state.between))),
         };
@@ -233,38 +227,28 @@ impl<M: ForceModel + ?Sized> Slopes for Seated<M> {
         };
         names.iter().map(one).collect::<Option<Vec<f64>>>().map(Ok)
     }
-}
 
-impl<M: ForceModel + ?Sized> Mesh for Seated<M> {
     fn blocked_scale_n(&self, workspace: &mut Workspace, p: f64) -> Result<f64> {
-        blocked_scale_n(&*self.inner, workspace, p)
+        self.inner.blocked_scale_n(workspace, p)
     }
 
-    fn mesh_error_n(
-        &self,
-        workspace: &mut Workspace,
-        p: f64,
-        e: f64,
-        force_n: f64,
-        blocked_n: f64,
-    ) -> Option<f64> {
-        let x = self.between(p, e, force_n);
-        self.inner.extensions().mesh?.mesh_error_n(workspace, p, x, force_n, blocked_n)
+    fn mesh_error_n(&self, w: &mut Workspace, p: f64, e: f64, force_n: f64, scale_n: f64) -> Option<f64> {
+        self.inner.mesh_error_n(w, p, self.between(p, e, force_n), force_n, scale_n)
     }
 
-    fn findings(&self, workspace: &Workspace) -> Vec<String> {
-        self.inner.extensions().mesh.map_or_else(Vec::new, |mesh| mesh.findings(workspace))
+    fn notes(&self, workspace: &Workspace) -> Vec<String> {
+        self.inner.notes(workspace)
     }
-}
 
-impl<M: ForceModel + ?Sized> Contact for Seated<M> {
-    fn pivoting_n_per_mm(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<f64> {
-        let state = self.end_state(workspace, p, e)?.0;
+    fn contact_n_per_mm(&self, workspace: &mut Workspace, p: f64, e: f64) -> Option<Result<f64>> {
+        let state = match self.end_state(workspace, p, e) {
+            Ok((state, _)) => state,
+            Err(error) => return Some(Err(error)),
+        };
         let inner = pivoting_n_per_mm(&*self.inner, workspace, p, state.between);
         // Of the whole muscle's change of length the strands get a share.
-        inner
-            .map(|g| g / self.ends.series_factor(state.stiffness_n_per_mm))
-            .map_err(|error| self.for_whole_muscle(error, e, state.between))
+        let whole = inner.map(|g| g / self.ends.series_factor(state.stiffness_n_per_mm));
+        Some(whole.map_err(|error| self.for_whole_muscle(error, e, state.between)))
     }
 }
 

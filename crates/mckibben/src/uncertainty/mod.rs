@@ -45,7 +45,7 @@ mod shifts;
 pub use shifts::{ONE_AXIS, Shifts};
 
 use crate::analysis::Evaluation;
-use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, blocked_scale_n};
+use crate::model::{Accuracy, BlockedAt, ForceModel, Reference};
 use crate::muscle::{Bench, Direction, Muscle};
 use crate::rubber::RubberLaw;
 use serde::{Deserialize, Serialize};
@@ -217,7 +217,7 @@ impl Evaluation<'_> {
 
     /// The blocked force that shares are taken of.
     fn blocked_n(&mut self, pressure_mpa: f64) -> Option<f64> {
-        blocked_scale_n(self.model, self.workspace, pressure_mpa).ok().map(f64::abs)
+        self.model.blocked_scale_n(self.workspace, pressure_mpa).ok().map(f64::abs)
     }
 }
 
@@ -271,11 +271,9 @@ impl<'a> Pull<'_, 'a> {
         let (p, e, muscle) = (self.pressure_mpa, self.contraction, self.model().muscle());
         let blocked = self.evaluation.blocked_n(p)?;
         let shifts = Shifts::of(self.evaluation.workspace, muscle, (p, e));
-        let mesh = self.model().extensions().mesh;
         Some(UncertaintyParts {
             formula,
-            mesh: mesh
-                .and_then(|mesh| mesh.mesh_error_n(self.evaluation.workspace, p, e, self.force_n, blocked)),
+            mesh: self.model().mesh_error_n(self.evaluation.workspace, p, e, self.force_n, blocked),
             rubber: shifts.rubber(),
             braid: shifts.braid(),
             measured: Some(measured_n(muscle, blocked, e)),

@@ -39,7 +39,7 @@ pub fn muscle(rows: &mut Rows) {
     }
 }
 
-/// F and V of the program's own mesh against the axisymmetric ones, where the strands are taut.
+/// F and V of the default mesh against the axisymmetric ones, where the strands are taut.
 fn limit(rows: &mut Rows, d: f64, s: f64) {
     let models = Muscle::prototype()
         .with_section(d, s)

@@ -44,7 +44,7 @@ pub(super) fn overloaded(
     bears: f64,
     up_to_mpa: f64,
 ) -> Result<(FailurePressure, bool)> {
-    let answers = model.extensions().companion.unwrap_or(model);
+    let answers = model.companion().unwrap_or(model);
     let blocked = || Blocked { model: answers, workspace: Workspace::new(), load, bears };
     if up_to_mpa < HIGHEST_MPA && blocked().over(up_to_mpa).is_ok_and(|over| over < 0.0) {
         return Ok((FailurePressure::None, false));
