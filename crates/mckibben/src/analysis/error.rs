@@ -1,5 +1,6 @@
 //! Why a question about a model has no answer.
 
+use crate::cancel::Cancelled;
 use crate::model::ModelError;
 use crate::status::Status;
 use thiserror::Error;
@@ -70,6 +71,12 @@ pub enum AnalysisError {
         /// What is missing.
         quantity: &'static str,
     },
+}
+
+impl From<Cancelled> for AnalysisError {
+    fn from(cancelled: Cancelled) -> Self {
+        Self::Model(cancelled.into())
+    }
 }
 
 impl AnalysisError {

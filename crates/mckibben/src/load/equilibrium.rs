@@ -1,7 +1,7 @@
 //! Where muscle and load are in balance.
 
 use super::Load;
-use crate::analysis::{AnalysisError, Evaluation, Options, find_root, straight_strands};
+use crate::analysis::{AnalysisError, Evaluation, Options, Sweep, straight_strands};
 use crate::answer::Answer;
 use crate::model::ModelError;
 use serde::Serialize;
@@ -9,8 +9,6 @@ use thiserror::Error;
 
 /// Parts into which the way of the muscle is cut in search of every crossing.
 const SCAN: usize = 48;
-/// A contraction is known to this.
-const TOLERANCE: f64 = 1e-12;
 
 /// An equilibrium with the load.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -95,47 +93,35 @@ impl Evaluation<'_> {
             (0.95, "what any muscle reaches"),
         ];
         let (end, limit) = ends.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, ""));
-        let mut left_n = |e: f64| -> Result<f64, ModelError> {
+        let excess_n = |e: f64| {
             let pull = if Some(e) == free { 0.0 } else { self.force_n(pressure_mpa, e)? };
             let pull = if extends { pull } else { pull.max(0.0) };
-            Ok(pull - load.force_n(e * length))
+            Ok::<_, ModelError>(pull - load.force_n(e * length))
         };
-        // Past straight strands there may be no answer.
-        let at_start = if options.two_sided { left_n(start).unwrap_or(f64::NAN) } else { left_n(start)? };
-        if at_start < 0.0 && !options.two_sided {
-            let load_n = load.force_n(start * length);
-            return Err(LoadError::NotLifted { pressure_mpa, pull_n: at_start + load_n, load_n });
+        let mut sweep = Sweep::new(false, 0.0, excess_n);
+        let not_lifted = |excess_n: f64, e: f64| {
+            let load_n = load.force_n(e * length);
+            LoadError::NotLifted { pressure_mpa, pull_n: excess_n + load_n, load_n }
+        };
+        match (sweep.sample(start)?, sweep.refused.take()) {
+            (None, Some(error)) if !options.two_sided => return Err(error.into()),
+            (Some(excess), _) if excess < 0.0 && !options.two_sided => return Err(not_lifted(excess, start)),
+            _ => {}
         }
-        let mut roots = vec![];
-        let mut before = (start, at_start);
-        if at_start == 0.0 {
-            roots.push(start);
-        }
-        for i in 1..=SCAN {
-            let e = if i == SCAN { end } else { start + (end - start) * i as f64 / SCAN as f64 };
-            // Where the model has no answer no crossing is sought.
-            let left = left_n(e).unwrap_or(f64::NAN);
-            if left == 0.0 {
-                roots.push(e);
-            } else if before.1 * left < 0.0
-                && let Ok(Some(root)) = find_root(&mut left_n, before.0, e, TOLERANCE)
-            {
-                roots.push(root);
-            }
-            before = (e, left);
-        }
-        if roots.is_empty() {
-            let (at_rest, load_n) = (left_n(0.0)?, load.force_n(0.0));
-            return Err(if at_rest < 0.0 {
-                LoadError::NotLifted { pressure_mpa, pull_n: at_rest + load_n, load_n }
-            } else {
-                LoadError::Beyond { pressure_mpa, contraction: end, limit }
+        sweep.fill((start, end), SCAN)?;
+        let zeros = sweep.zeros(0)?;
+        if zeros.is_empty() {
+            return Err(match (sweep.sample(0.0)?, sweep.refused) {
+                (Some(excess), _) if excess < 0.0 => not_lifted(excess, 0.0),
+                (None, Some(error)) => error.into(),
+                _ => LoadError::Beyond { pressure_mpa, contraction: end, limit },
             });
         }
         let mass = load.moving_mass_kg();
-        roots
+        zeros
             .into_iter()
-            .map(|e| {
+            .map(|zero| {
+                let e = zero.at;
                 let answer = self.answer(pressure_mpa, e)?;
                 // A muscle at its free contraction is as stiff as one that pulls a little.
                 let response = self.response(pressure_mpa, e)?;
