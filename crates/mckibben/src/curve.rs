@@ -33,14 +33,14 @@ impl Test {
     }
 }
 
-/// One point of a curve: what was asked, and the answer or why there is none.
+/// One point of a curve: the question, and the answer or why there is none.
 #[derive(Debug, Clone)]
 pub struct CurvePoint {
     /// Pressure in MPa.
     pub pressure_mpa: f64,
-    /// Contraction asked for (isometric, isobaric).
+    /// Given contraction (isometric, isobaric).
     pub contraction: Option<f64>,
-    /// Pull asked for in N (isotonic).
+    /// Given pull in N (isotonic).
     pub force_n: Option<f64>,
     /// The answer.
     pub answer: Result<Answer, AnalysisError>,
@@ -51,14 +51,14 @@ pub struct CurvePoint {
 pub struct Curve {
     /// What is fixed along it: ε, F in N, or P in MPa.
     pub fixed: f64,
-    /// Its points in the order asked.
+    /// Its points in the given order.
     pub points: Vec<CurvePoint>,
 }
 
 impl Evaluation<'_> {
     /// A family of curves: `fixed` holds ε, F or P of each curve, `along` the P or ε of its points.
     ///
-    /// Points without an answer carry their reason; the others stand.
+    /// Points without an answer carry their reason; the others keep theirs.
     pub fn curves(&mut self, test: Test, fixed: &[f64], along: &[f64]) -> Vec<Curve> {
         let curve = |&fixed: &f64| {
             // Along an isobaric curve it is sought once how the muscle hangs, at the first slack point.

@@ -2,7 +2,7 @@
 //! ([`ForceModel::pressure_at_pull`]); else samples of the range, with the extrema between them, up to the first two that enclose the answer
 //! ([`Sweep`]).
 //!
-//! Friction is no part of a model: with it only samples are left.
+//! Friction is no part of a model: with it only samples remain.
 
 use super::error::{AnalysisError, Result};
 use super::evaluation::{Evaluation, Options};
@@ -148,7 +148,7 @@ impl Evaluation<'_> {
     }
 
     /// [`Evaluation::contraction_at`] of a muscle that may be stretched: a pull above the blocked force has a contraction below zero, wherever the model's
-    /// range goes there, down to where the strands are straight and give way a little (with `two_sided` down to the end of the range).
+    /// range goes there, down to where the strands are straight and stretch a little (with `two_sided` down to the end of the range).
     pub fn contraction_or_stretch_at(&mut self, force_n: f64, pressure_mpa: f64) -> Result<f64> {
         self.contraction_down_to(force_n, pressure_mpa, true)
     }

@@ -1,4 +1,4 @@
-//! What can be asked of any [`ForceModel`](crate::model::ForceModel): inverses, blocked force, free contraction, dead pressure, work, air, burst and what wears.
+//! What any [`ForceModel`](crate::model::ForceModel) gives: inverses, blocked force, free contraction, dead pressure, work, air, burst and what wears.
 
 mod air;
 pub mod burst;

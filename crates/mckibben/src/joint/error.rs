@@ -76,7 +76,7 @@ impl JointError {
         move |error| Self::Muscle { muscle: muscle + 1, error: error.into() }
     }
 
-    /// Whether a muscle has no state at the pressures and the angle asked for: others may have one.
+    /// Whether a muscle has no state at the pressures and the angle of the question: others may have one.
     pub fn is_of_point(&self) -> bool {
         matches!(self, Self::Muscle { error: AnalysisError::Model(error), .. } if error.is_of_point())
     }

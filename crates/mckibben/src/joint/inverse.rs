@@ -17,7 +17,7 @@ pub struct JointTarget {
     pub angle_deg: f64,
     /// τ in N m that it shall have for the world outside: muscles, spring and weight together; 0 where it shall rest there.
     pub torque_nm: f64,
-    /// −dτ/dφ in N m/rad; the lowest pressures where it is left open.
+    /// −dτ/dφ in N m/rad; the lowest pressures where it is not given.
     pub stiffness_nm_per_rad: Option<f64>,
 }
 

@@ -108,7 +108,7 @@ impl<'m> JointModel<'m> {
         self.joint
     }
 
-    pub(super) fn of(&self, muscle: usize) -> &'m dyn ForceModel {
+    pub(super) fn model(&self, muscle: usize) -> &'m dyn ForceModel {
         self.models[muscle]
     }
 
@@ -237,7 +237,7 @@ impl<'m> JointModel<'m> {
     }
 
     /// The free contraction of a muscle at a pressure; `None` where it pulls up to the end of its model's range, or has no state on the way to it: whether it
-    /// is slack is then asked at each angle.
+    /// is slack is then computed at each angle.
     pub(super) fn free(
         &self,
         muscle: usize,

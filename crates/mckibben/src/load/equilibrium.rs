@@ -157,14 +157,14 @@ mod tests {
     fn a_weight_hangs_where_the_inverse_formula_says() {
         let (model, w) = (ideal(), &mut Workspace::new());
         let load = Load::Mass { mass_kg: 20.0, level: false };
-        let found = Evaluation::new(&model, w, Options::default()).balances(&load, 0.25).unwrap();
+        let balances = Evaluation::new(&model, w, Options::default()).balances(&load, 0.25).unwrap();
         let exact = model.contraction_at_pull(&mut Workspace::new(), 20.0 * 9.80665, 0.25).unwrap();
-        assert_eq!(found.len(), 1);
-        assert!((found[0].answer.response.contraction - exact).abs() < 1e-11 && found[0].stable);
+        assert_eq!(balances.len(), 1);
+        assert!((balances[0].answer.response.contraction - exact).abs() < 1e-11 && balances[0].stable);
         // f = √(K/M)/2π with the formula's own K.
         let k = model.response(w, 0.25, exact).unwrap().stiffness_n_per_mm.unwrap();
         let f = (1e3 * k / 20.0).sqrt() / std::f64::consts::TAU;
-        assert!((found[0].frequency_hz.unwrap() / f - 1.0).abs() < 1e-9);
+        assert!((balances[0].frequency_hz.unwrap() / f - 1.0).abs() < 1e-9);
     }
 
     #[test]
@@ -172,9 +172,9 @@ mod tests {
         let (model, w) = (ideal(), &mut Workspace::new());
         // Its pull falls faster than the muscle's, from above 300 N at rest.
         let load = Load::Lever(Lever::new(30.0, 50.0, 14.0, -60.0).unwrap());
-        let found = Evaluation::new(&model, w, Options::default()).balances(&load, 0.2).unwrap();
-        let signs: Vec<bool> = found.iter().map(|b| b.stable).collect();
-        for b in &found {
+        let balances = Evaluation::new(&model, w, Options::default()).balances(&load, 0.2).unwrap();
+        let signs: Vec<bool> = balances.iter().map(|b| b.stable).collect();
+        for b in &balances {
             let left = b.answer.response.force_n - load.force_n(b.shortening_mm);
             assert!(left.abs() < 1e-7, "{b:?}");
         }
@@ -190,11 +190,11 @@ mod tests {
         assert!(matches!(error, LoadError::NotLifted { load_n, .. } if load_n == blocked + 1.0), "{error}");
         // It stretches the muscle instead.
         let options = Options { two_sided: true, extrapolate: true, ..Options::default() };
-        let found = Evaluation::new(&model, w, options).balances(&load, 0.1).unwrap();
-        assert!(found[0].answer.response.contraction < 0.0);
+        let balances = Evaluation::new(&model, w, options).balances(&load, 0.1).unwrap();
+        assert!(balances[0].answer.response.contraction < 0.0);
     }
 
-    /// What holds the load is the slope of (load − pull) in x = ε L0, on the branch that is asked for: on one of shortening or lengthening the
+    /// What holds the load is the slope of (load − pull) in x = ε L0, on the chosen branch: on one of shortening or lengthening the
     /// friction of the strands' contact, μw G(P, ε), has its part, ∂G/∂ε. Against differences of both lines.
     #[test]
     fn the_stiffness_is_the_slope_of_load_less_pull_on_every_branch() {
@@ -217,8 +217,8 @@ mod tests {
         for load in &loads {
             for direction in Direction::ALL {
                 let options = Options { direction, ..Options::default() };
-                let found = Evaluation::new(&model, w, options).balances(load, p).unwrap();
-                for b in found {
+                let balances = Evaluation::new(&model, w, options).balances(load, p).unwrap();
+                for b in balances {
                     let mut left = |x: f64| {
                         load.force_n(x)
                             - Evaluation::new(&model, w, direction).force_n(p, x / length).unwrap()
@@ -241,8 +241,8 @@ mod tests {
     fn without_a_load_the_muscle_ends_at_its_free_contraction() {
         let (model, w) = (ideal(), &mut Workspace::new());
         let load = Load::Mass { mass_kg: 3.0, level: true };
-        let found = Evaluation::new(&model, w, Options::default()).balances(&load, 0.2).unwrap();
+        let balances = Evaluation::new(&model, w, Options::default()).balances(&load, 0.2).unwrap();
         let free = Muscle::prototype().max_ideal_contraction();
-        assert!((found[0].answer.response.contraction - free).abs() < 1e-9, "{found:?}");
+        assert!((balances[0].answer.response.contraction - free).abs() < 1e-9, "{balances:?}");
     }
 }

@@ -118,8 +118,8 @@ impl Load {
             Self::Mass { .. } => self.force_n(0.0) * x,
             Self::Spring { rate_n_per_mm: c, preload_n: f } => {
                 // Of the part in which it pulls.
-                let of = |x: f64| 0.5 * (f + c * x).max(0.0).powi(2) / c;
-                if *c > 0.0 { of(x) - of(0.0) } else { f.max(0.0) * x }
+                let energy = |x: f64| 0.5 * (f + c * x).max(0.0).powi(2) / c;
+                if *c > 0.0 { energy(x) - energy(0.0) } else { f.max(0.0) * x }
             }
             Self::Lever(lever) => lever.energy_n_mm(x),
             Self::Table(table) => table.energy_n_mm(x),

@@ -123,7 +123,7 @@ fn range(formula: &Formula, m: &Muscle) -> ModelRange {
 
 /// What of a muscle's parts differs from those of a formula, in words.
 fn differences(made: &Made, muscle: &Muscle) -> Vec<String> {
-    let theirs = Made::of(muscle);
+    let theirs = Made::from_muscle(muscle);
     let mut parts = vec![];
     if !made.rubber.is_like(&theirs.rubber, TOLERANCE) {
         let (ours, theirs) = (made.rubber.text(), theirs.rubber.text());

@@ -64,7 +64,7 @@ impl ConstantValue {
 }
 
 /// A law as something that is made of constants. This and [`InvariantLaw`](super::InvariantLaw) (or [`RubberLaw`])
-/// are all that a law is asked for.
+/// are all that a law needs.
 pub trait LawConstants: RubberLaw + Sized {
     /// Name as written in muscle files.
     const NAME: &'static str;
@@ -128,7 +128,7 @@ impl PartialEq for LawKind {
 }
 
 impl LawKind {
-    pub(super) const fn of<L: LawConstants + Into<Law>>() -> Self {
+    pub(super) const fn new<L: LawConstants + Into<Law>>() -> Self {
         Self {
             name: L::NAME,
             constants: L::CONSTANTS,

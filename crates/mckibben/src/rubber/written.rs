@@ -17,10 +17,10 @@ impl Serialize for Law {
         let mut map = serializer.serialize_map(Some(1 + count))?;
         map.serialize_entry("law", kind.name)?;
         for (i, constant) in kind.constants.iter().enumerate() {
-            let own: Vec<f64> = values.iter().copied().skip(i).step_by(count).collect();
-            match own.first() {
+            let terms: Vec<f64> = values.iter().copied().skip(i).step_by(count).collect();
+            match terms.first() {
                 Some(value) if !kind.is_sum => map.serialize_entry(constant.name, value)?,
-                _ => map.serialize_entry(constant.name, &own)?,
+                _ => map.serialize_entry(constant.name, &terms)?,
             }
         }
         map.end()

@@ -33,8 +33,8 @@ pub fn tearing(muscle: &Muscle, below_mpa: f64) -> Result<FailurePressure> {
     let Some(breaks) = stretch_at_break(muscle) else {
         return Ok(FailurePressure::Unknown(NoBurst::NoElongation));
     };
-    // At the neutral angle, with strands that give way.
-    if Radii::of(muscle).largest_stretch(NEUTRAL_ANGLE_DEG.to_radians(), 1.0 + STRAND_STRAIN) < breaks {
+    // At the neutral angle, with elastic strands.
+    if Radii::new(muscle).largest_stretch(NEUTRAL_ANGLE_DEG.to_radians(), 1.0 + STRAND_STRAIN) < breaks {
         return Ok(FailurePressure::None);
     }
     let (model, mut workspace) = (ModelKind::ThickWall.build(muscle)?, Workspace::new());
