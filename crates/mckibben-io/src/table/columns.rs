@@ -2,7 +2,7 @@
 
 use super::error::{TableError, short};
 use super::find::Column;
-use super::heading::{self, MINUS, plain};
+use super::heading::{self, Heading, MINUS, plain};
 use super::vocabulary::{Entry, Meaning, Vocabulary};
 use crate::units::nearest::{meant, nearest};
 use serde::{Deserialize, Serialize};
@@ -136,17 +136,10 @@ impl Choice {
             }
             None => stated,
         };
-        Ok(Some(Column {
-            meaning: given.map_or(self.entry.meaning, |f| f.0),
-            index,
-            heading: short(headings[index]),
-            unit: given.map(|f| f.1),
-            unknown_unit: false,
-            negated: heading::is_negated(headings[index]),
-            chosen: true,
-            label: String::new(),
-            rank: 0,
-        }))
+        let (meaning, unit) =
+            given.map_or((self.entry.meaning, None), |(meaning, unit)| (meaning, Some(unit)));
+        let known = Heading { meaning, unit, unknown_unit: false, label: String::new(), rank: 0 };
+        Ok(Some(Column::new(index, headings[index], known, true)))
     }
 
     /// The heading that is meant: letter by letter, then without regard to case and marks, then without its unit.

@@ -4,7 +4,7 @@ use super::Table;
 use super::columns::{Choice, Columns, listed};
 use super::delimited::{Separator, Sheet, TableRow};
 use super::error::{TableError, short};
-use super::heading;
+use super::heading::{self, Heading};
 use super::number::{self, Decimal};
 use super::vocabulary::{Meaning, Need, Vocabulary};
 use crate::units::Unit;
@@ -31,6 +31,12 @@ pub struct Column {
 }
 
 impl Column {
+    pub(super) fn new(index: usize, text: &str, known: Heading, chosen: bool) -> Self {
+        let Heading { meaning, unit, unknown_unit, label, rank } = known;
+        let (heading, negated) = (short(text), heading::is_negated(text));
+        Self { meaning, index, heading, unit, unknown_unit, negated, chosen, label, rank }
+    }
+
     /// What is wrong with its value in a line.
     pub(super) fn refused(&self, line: u64, what: String) -> TableError {
         TableError::Refused(format!("line {line}, column {}: {what}", self.heading))
@@ -291,17 +297,7 @@ impl Search {
             if decided.contains(&known.meaning) {
                 continue;
             }
-            columns.push(Column {
-                meaning: known.meaning,
-                index,
-                heading: short(text),
-                unit: known.unit,
-                unknown_unit: known.unknown_unit,
-                negated: heading::is_negated(text),
-                chosen: false,
-                label: known.label,
-                rank: known.rank,
-            });
+            columns.push(Column::new(index, text, known, false));
         }
         // Volts beside bar are no second column of pressures.
         let understood: Vec<Meaning> =

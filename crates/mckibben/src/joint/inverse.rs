@@ -141,7 +141,7 @@ impl Line<'_, '_> {
             }
             let pull = pull.min(here.most_n);
             let mut muscle = self.model.evaluation(i, workspace, Direction::Mean);
-            muscle.pressure_at(pull, here.contraction).map_err(JointError::analysis(i))
+            muscle.pressure_at(pull, here.contraction).map_err(JointError::in_muscle(i))
         })
         .collect()
     }
@@ -152,9 +152,9 @@ impl Line<'_, '_> {
         let mut sum = 0.0;
         for (i, (here, p)) in self.here.iter().zip(pressures).enumerate() {
             let mut muscle = self.model.evaluation(i, &mut workspaces[i], Direction::Mean);
-            let r = muscle.response(p, here.contraction).map_err(JointError::model(i))?;
+            let r = muscle.response(p, here.contraction).map_err(JointError::in_muscle(i))?;
             if r.force_n > 0.0 {
-                let k = muscle.stiffness_n_per_mm(&r).map_err(JointError::model(i))?;
+                let k = muscle.stiffness_n_per_mm(&r).map_err(JointError::in_muscle(i))?;
                 sum += k * here.arm_mm * here.arm_mm - r.force_n * here.arm_by_angle_mm;
             }
         }

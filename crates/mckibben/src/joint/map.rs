@@ -154,7 +154,7 @@ impl JointModel<'_> {
             let model = self.model(i).info().name.to_string();
             let error = ModelError::OutOfRange { model, violations, make: range.make.clone() };
             if !self.extrapolate {
-                return Err(JointError::model(i)(error));
+                return Err(JointError::in_muscle(i)(error));
             }
             said.push(format!("extrapolated: {error}"));
         }

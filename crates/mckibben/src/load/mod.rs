@@ -15,11 +15,17 @@ pub use cycle::{Cycle, cycle};
 pub use equilibrium::{Balance, LoadError};
 pub use fill::{Fill, FillError, FillState, Filling, LiquidStroke};
 pub use lever::Lever;
-pub use parse::LoadTextError;
-pub use table::{LoadTable, LoadTableError};
+pub use table::LoadTable;
+
+use crate::refused::Refused;
 
 /// Standard gravity in m/s² (CGPM 1901).
 pub const GRAVITY_M_PER_S2: f64 = 9.806_65;
+
+/// That a load is invalid.
+fn refused(message: String) -> Refused {
+    Refused::new(["load"], message)
+}
 
 /// A pull in N over the shortening x of the muscle in mm.
 ///
