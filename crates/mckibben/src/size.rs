@@ -35,13 +35,8 @@ pub fn points(field: &'static str, estimate: f64) -> Result<(), TooLarge> {
 
 /// Refuses more than [`MAX_ELEMENTS`].
 pub fn elements(field: &'static str, estimate: f64) -> Result<(), TooLarge> {
-    at_most(TooLarge {
-        field,
-        estimate,
-        unit: "elements",
-        limit: MAX_ELEMENTS,
-        advice: "take a coarser mesh",
-    })
+    let advice = "take a coarser mesh";
+    at_most(TooLarge { field, estimate, unit: "elements", limit: MAX_ELEMENTS, advice })
 }
 
 /// Refuses more than [`MAX_BYTES`].

@@ -95,10 +95,10 @@ impl AnalysisError {
 }
 
 /// A number with at most so many decimals, without trailing zeros.
-fn short(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    if text == "-0" { "0".into() } else { text.to_owned() }
+fn short(value: f64, decimals: i32) -> f64 {
+    let scale = 10_f64.powi(decimals);
+    // Adding zero takes the sign from a negative one.
+    (value * scale).round() / scale + 0.0
 }
 
 fn percent(contraction: f64) -> String {

@@ -53,7 +53,7 @@ pub use formula::FormulaModel;
 pub use ideal::Ideal;
 pub use info::{ModelEntry, ModelInfo};
 pub use interval::{Interval, Quantity, RangeViolation};
-pub use kind::{ModelKind, UnknownModel};
+pub use kind::{ModelKind, unknown_model};
 pub use klute_hannaford::KluteHannaford;
 pub use range::ModelRange;
 pub use response::Response;

@@ -80,7 +80,7 @@ fn law(kind: &LawKind, mut written: Vec<(String, Numbers)>) -> Result<Law, Strin
         }
     };
     let lists = kind.names().into_iter().map(&mut list).collect::<Result<Vec<_>, _>>()?;
-    kind.of_lists(&lists).map_err(|e| format!("{} {e}", e.name))
+    kind.law_of_terms(&lists).map_err(|e| format!("{} {e}", e.fields[0]))
 }
 
 impl<'de> Deserialize<'de> for Law {

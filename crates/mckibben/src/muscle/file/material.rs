@@ -51,5 +51,5 @@ fn law(section: &Section<'_>) -> Result<Law, FileError> {
         read.ok_or_else(|| section.missing(c.name, Some("law"), NEEDS_ALL))
     };
     let lists = kind.constants.iter().map(list).collect::<Result<Vec<Vec<f64>>, _>>()?;
-    kind.of_lists(&lists).map_err(|e| section.error(e.name, e.to_string()))
+    kind.law_of_terms(&lists).map_err(|e| section.error(e.fields[0], e.message.clone()))
 }
