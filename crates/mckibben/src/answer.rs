@@ -60,9 +60,8 @@ pub(crate) struct SlackState {
 impl Evaluation<'_> {
     /// Checks the model's range; with `extrapolate` a violation becomes a warning.
     pub fn check_range(&self, pressure_mpa: f64, contraction: f64) -> Result<Vec<String>> {
-        let Err(mut error) =
-            self.model.info().range.check(&self.model.info().name, pressure_mpa, contraction)
-        else {
+        let info = self.model.info();
+        let Err(mut error) = info.range.check(&info.name, pressure_mpa, contraction) else {
             return Ok(vec![]);
         };
         let straight = 1.0 - 1.0 / self.model.muscle().braid().angle_rad().cos();

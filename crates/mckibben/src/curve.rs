@@ -5,9 +5,8 @@
 //! - isobaric: P fixed, F(ε).
 
 use crate::analysis::{AnalysisError, Evaluation};
-use crate::answer::{Answer, SlackState};
+use crate::answer::Answer;
 use crate::cancel;
-use crate::model::ModelError;
 use serde::{Deserialize, Serialize};
 
 /// Which test.
@@ -64,39 +63,21 @@ impl Evaluation<'_> {
             // Along an isobaric curve it is sought once how the muscle hangs, at the first slack point.
             let mut hanging = None;
             let mut one = |&x: &f64| {
-                if test != Test::Isobaric {
+                let open = cancel::check().map_err(AnalysisError::from);
+                if test == Test::Isotonic {
+                    let answer = open.and_then(|()| self.contraction(fixed, x));
+                    return CurvePoint { pressure_mpa: x, contraction: None, force_n: Some(fixed), answer };
+                }
+                if test == Test::Isometric {
                     hanging = None;
                 }
-                self.curve_point(test, fixed, x, &mut hanging)
+                let (p, e) = if test == Test::Isobaric { (fixed, x) } else { (x, fixed) };
+                let answer = open.and_then(|()| Ok(self.point_beyond(p, e, &mut hanging)?));
+                CurvePoint { pressure_mpa: p, contraction: Some(e), force_n: None, answer }
             };
             Curve { fixed, points: along.iter().map(&mut one).collect() }
         };
         fixed.iter().map(curve).collect()
-    }
-
-    fn curve_point(
-        &mut self,
-        test: Test,
-        fixed: f64,
-        x: f64,
-        hanging: &mut Option<SlackState>,
-    ) -> CurvePoint {
-        // A search asks the model many times before it gives up: of what is to end, not once.
-        let open = cancel::check().map_err(|e| AnalysisError::from(ModelError::Cancelled(e)));
-        match test {
-            Test::Isotonic => CurvePoint {
-                pressure_mpa: x,
-                contraction: None,
-                force_n: Some(fixed),
-                answer: open.and_then(|()| self.contraction(fixed, x)),
-            },
-            Test::Isometric | Test::Isobaric => {
-                let (p, e) = if test == Test::Isobaric { (fixed, x) } else { (x, fixed) };
-                let answer =
-                    open.and_then(|()| self.point_beyond(p, e, hanging).map_err(AnalysisError::from));
-                CurvePoint { pressure_mpa: p, contraction: Some(e), force_n: None, answer }
-            }
-        }
     }
 }
 

@@ -3,10 +3,9 @@
 //! Words are in plain form: lower case, without accents, everything that is no letter or digit as an underscore
 //! ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other spelling (`ue`) is beside them.
 
+use crate::named;
 use crate::units::Dimension;
 use serde::Deserialize;
-use serde::de::IntoDeserializer;
-use serde::de::value::{Error as ValueError, StrDeserializer};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 use std::sync::LazyLock;
@@ -153,12 +152,6 @@ pub(crate) struct Need {
 /// As in `ContractionRatio` and `restlength`.
 fn joined(label: &str) -> String {
     label.replace('_', "")
-}
-
-/// The meaning of a word of the data files.
-fn named<'a, T: Deserialize<'a>>(word: &'a str) -> Option<T> {
-    let word: StrDeserializer<'a, ValueError> = word.into_deserializer();
-    T::deserialize(word).ok()
 }
 
 /// The words of `data/words.toml`, of all languages together.

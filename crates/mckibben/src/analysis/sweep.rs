@@ -39,6 +39,8 @@ pub(crate) struct Sweep<F, E> {
     at: F,
     samples: Vec<Sample>,
     costly: bool,
+    /// Steps towards an extremum or an edge.
+    closing: usize,
     /// A value below this is zero.
     tiny: f64,
     /// Why the first place without a value has none.
@@ -50,11 +52,8 @@ pub(crate) struct Sweep<F, E> {
 impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
     /// No samples yet of a function whose errors are a share of `scale`.
     pub fn new(costly: bool, scale: f64, at: F) -> Self {
-        Self { at, samples: vec![], costly, tiny: SAME * scale, refused: None, lost: None }
-    }
-
-    fn closing(&self) -> usize {
-        if self.costly { CLOSING.1 } else { CLOSING.0 }
+        let closing = if costly { CLOSING.1 } else { CLOSING.0 };
+        Self { at, samples: vec![], costly, closing, tiny: SAME * scale, refused: None, lost: None }
     }
 
     /// Takes a sample.
@@ -151,7 +150,7 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
             if self.costly && next.is_some_and(|next| next.abs() < end.abs()) {
                 continue;
             }
-            for _ in 0..self.closing() {
+            for _ in 0..self.closing {
                 let middle = 0.5 * (with + without);
                 *(if self.sample(middle)?.is_some() { &mut with } else { &mut without }) = middle;
             }
@@ -168,7 +167,7 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
             if !towards || a == b && b == c {
                 continue;
             }
-            let steps = self.closing();
+            let steps = self.closing;
             let mut tried = |x: f64| (x, (self.at)(x).unwrap_or(sign * f64::INFINITY));
             let best = golden(left, (middle, b), right, steps, |s| sign * s.1, &mut tried);
             cancel::check()?;

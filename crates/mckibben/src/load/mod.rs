@@ -102,14 +102,8 @@ impl Load {
     pub fn slope_n_per_mm(&self, shortening_mm: f64) -> f64 {
         let x = shortening_mm;
         match self {
-            Self::Force { .. } | Self::Mass { .. } => 0.0,
-            Self::Spring { rate_n_per_mm, preload_n } => {
-                if preload_n + rate_n_per_mm * x > 0.0 {
-                    *rate_n_per_mm
-                } else {
-                    0.0
-                }
-            }
+            Self::Spring { rate_n_per_mm: c, preload_n: f } if f + c * x > 0.0 => *c,
+            Self::Force { .. } | Self::Mass { .. } | Self::Spring { .. } => 0.0,
             Self::Lever(lever) => lever.slope_n_per_mm(x),
             Self::Table(table) => table.slope_n_per_mm(x),
             Self::Sum(loads) => loads.iter().map(|l| l.slope_n_per_mm(x)).sum(),

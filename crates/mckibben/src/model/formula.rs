@@ -65,7 +65,7 @@ impl FormulaModel {
         if all.iter().all(|v| v.is_finite()) {
             Ok(all)
         } else {
-            Err(ModelError::NotFinite { model: self.info.name.to_string(), pressure_mpa, contraction })
+            Err(ModelError::not_finite(&self.info.name, pressure_mpa, contraction))
         }
     }
 }

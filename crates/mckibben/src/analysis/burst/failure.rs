@@ -152,16 +152,8 @@ impl Burst {
     /// One of which nothing is known.
     pub fn unknown(why: NoBurst) -> Self {
         let none = FailurePressure::Unknown(why);
-        let (rated_mpa, safety) = (None, Safety::default());
-        Self {
-            strands: none,
-            mesh: none,
-            bladder: none,
-            ends: none,
-            rated_mpa,
-            safety,
-            from_thick_wall: false,
-        }
+        let (rated_mpa, safety, from_thick_wall) = (None, Safety::default(), false);
+        Self { strands: none, mesh: none, bladder: none, ends: none, rated_mpa, safety, from_thick_wall }
     }
 
     /// All failure modes.
