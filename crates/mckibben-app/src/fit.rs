@@ -250,7 +250,7 @@ impl FitRequest {
             stiffness: self.stiffness,
             ..NamedFields::default()
         });
-        Ok(Made::of(&fields.resolve()?))
+        Ok(Made::from_muscle(&fields.resolve()?))
     }
 
     fn points(&self) -> Result<Points> {

@@ -27,13 +27,13 @@ pub struct JointFields {
 impl JointFields {
     /// The names of the muscle files that a joint file names.
     pub fn files_of(joint: &TextFile) -> Result<Vec<String>> {
-        let file = parse_joint(&joint.text).map_err(|e| Problem::from(e.of(Path::new(&joint.name))))?;
+        let file = parse_joint(&joint.text).map_err(|e| Problem::from(e.in_file(Path::new(&joint.name))))?;
         Ok(file.files().map(str::to_owned).collect())
     }
 
     pub(crate) fn resolve(&self) -> Result<Joint> {
         let text = self.joint.as_ref().ok_or_else(|| Problem::missing("joint", "a joint file (TOML)"))?;
-        let file = parse_joint(&text.text).map_err(|e| Problem::from(e.of(Path::new(&text.name))))?;
+        let file = parse_joint(&text.text).map_err(|e| Problem::from(e.in_file(Path::new(&text.name))))?;
         let muscle = |name: &str| -> Result<Muscle> {
             let of = self.muscles.iter().find(|m| m.name == name).ok_or_else(|| {
                 let message = format!("{}: its muscle file {name} is missing", text.name);

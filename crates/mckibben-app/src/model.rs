@@ -3,7 +3,7 @@
 use crate::{Direction, MeshFields, ModelFields, Problem, ProblemKind, Result, TextFile};
 use mckibben::formula::{Document, Formula, UniversalFormula};
 use mckibben::model::{
-    ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Universal, UnknownModel, with_ends,
+    ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Universal, unknown_model, with_ends,
 };
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::MeshSpec;
@@ -58,8 +58,8 @@ impl Model {
         if let Ok(kind) = name.parse::<ModelKind>() {
             return Ok(Self::ClosedForm(kind));
         }
-        let names = Self::all().into_iter().map(|entry| entry.name).collect();
-        let message = UnknownModel::new(name, names).to_string();
+        let names: Vec<_> = Self::all().into_iter().map(|entry| entry.name).collect();
+        let message = unknown_model(name, &names).to_string();
         Err(Problem::new(ProblemKind::Model, message, ""))
     }
 

@@ -100,7 +100,7 @@ pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
 
 /// The muscle of a muscle file, or that of the library whose name replaces one: `lib:dmsp-20-300`.
 pub fn muscle_of(file: &TextFile) -> Result<Muscle, Problem> {
-    Ok(parse_muscle(&text_of(file)?).map_err(|e| e.of(Path::new(&file.name)))?)
+    Ok(parse_muscle(&text_of(file)?).map_err(|e| e.in_file(Path::new(&file.name)))?)
 }
 
 /// A rubber of the library.

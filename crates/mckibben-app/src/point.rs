@@ -299,6 +299,6 @@ impl AskFields {
         check_direction(self.direction, muscle)?;
         let options =
             Options { extrapolate: self.extrapolate, two_sided: self.two_sided, direction: self.direction };
-        Ok(options.of(muscle))
+        Ok(options.for_muscle(muscle))
     }
 }

@@ -177,7 +177,7 @@ impl RubberFitAnswer {
             fitted_to_stretch: Some((self.fitted_to_stretch * 1e4).round() / 1e4),
             softening: softening.map(|s| OgdenRoxburgh { r: s.r, m_mpa: s.m_mpa, beta: s.beta }),
             prony: relaxation.map(PronyFit::prony),
-            ..Rubber::of(over_time.unwrap_or(&law.law).clone())
+            ..Rubber::new(over_time.unwrap_or(&law.law).clone())
         };
         readable(to_toml(&muscle.with_tube(tube)?))
     }

@@ -9,7 +9,7 @@ use std::path::Path;
 
 /// A file written by hand: a joint, a plan.
 pub fn text(path: &Path) -> Result<TextFile, Problem> {
-    let text = file::read_text(path).map_err(|e| Problem::from(e.of(path)))?;
+    let text = file::read_text(path).map_err(|e| Problem::from(e.in_file(path)))?;
     Ok(TextFile { name: path.display().to_string(), text })
 }
 

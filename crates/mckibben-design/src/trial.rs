@@ -78,7 +78,7 @@ impl<'a> Trial<'a> {
             };
         let burst = Burst { safety, ..found };
         let allowed = burst.allowed().map(|(mpa, by)| match by {
-            Some(by) => (mpa, Below::Failure(by, mpa * safety.of(by))),
+            Some(by) => (mpa, Below::Failure(by, mpa * safety.factor(by))),
             None => (mpa, Below::Rated),
         });
         // Where no model answers, nothing fails up to the last answer.

@@ -5,8 +5,9 @@ use crate::seated::with_ends;
 use crate::simulation::Simulation;
 use crate::three_dimensional::{self, BrickMesh, BrickSpec, ThreeDimensional, estimate};
 use crate::{FemError, Result};
-use mckibben::model::{ModelEntry, UnknownModel};
+use mckibben::model::{ModelEntry, unknown_model};
 use mckibben::muscle::Muscle;
+use mckibben::refused::Refused;
 use std::str::FromStr;
 
 /// Which finite elements, and how fine.
@@ -89,12 +90,12 @@ pub fn section(muscle: &Muscle, spec: &MeshSpec) -> Result<Box<dyn Simulation>> 
 }
 
 impl FromStr for Elements {
-    type Err = UnknownModel;
+    type Err = Refused;
 
     /// By their name, with the usual mesh.
-    fn from_str(word: &str) -> Result<Self, UnknownModel> {
+    fn from_str(word: &str) -> Result<Self, Refused> {
         let all = [Self::Axisymmetric(MeshSpec::default()), Self::ThreeDimensional(BrickSpec::default())];
         let named = all.into_iter().find(|e| e.name() == word.trim());
-        named.ok_or_else(|| UnknownModel::new(word, Self::ENTRIES.map(|entry| entry.name).to_vec()))
+        named.ok_or_else(|| unknown_model(word, &Self::ENTRIES.map(|entry| entry.name)))
     }
 }

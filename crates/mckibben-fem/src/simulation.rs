@@ -119,7 +119,7 @@ impl<D: Divided> FiniteElements<D> {
         &self,
         workspace: &'w mut Workspace,
     ) -> Result<&'w mut Continuation<D::Body>, FemError> {
-        workspace.try_of(&self.id, || self.divided.at_rest().map(Continuation::new))
+        workspace.try_state(&self.id, || self.divided.at_rest().map(Continuation::new))
     }
 
     /// The same where the workspace has them already.

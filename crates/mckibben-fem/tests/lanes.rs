@@ -11,7 +11,7 @@ use mckibben_fem::three_dimensional::{BrickSpec, ThreeDimensional};
 
 /// The prototype, and a thin one of another law.
 fn muscles() -> [Muscle; 2] {
-    let yeoh = Rubber::of(Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: -0.0007, c30_mpa: 2e-5 }));
+    let yeoh = Rubber::new(Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: -0.0007, c30_mpa: 2e-5 }));
     let prototype = Muscle::prototype();
     let tube = prototype.with_section(20.0, 1.0).unwrap().tube().clone();
     [prototype.clone(), prototype.with_tube(mckibben::muscle::Tube { rubber: yeoh, ..tube }).unwrap()]

@@ -12,7 +12,7 @@ use toml_edit::{DocumentMut, Item, Table};
 /// A file written by hand: a muscle, a plan, a joint.
 #[pyfunction]
 pub fn read_text(path: PathBuf) -> PyResult<String> {
-    Ok(muscle::file::read_text(&path).map_err(|e| Wrong::from(Problem::from(e.of(&path))))?)
+    Ok(muscle::file::read_text(&path).map_err(|e| Wrong::from(Problem::from(e.in_file(&path))))?)
 }
 
 /// A table, whatever program wrote it. Such files may be long.

@@ -67,8 +67,8 @@ pub fn named<'a, T>(
     name: &str,
 ) -> Result<&'a T, String> {
     let sought = plain(name);
-    let found = parts.iter().find(|part| names(part).0 == sought || names(part).1.contains(&sought));
-    found.ok_or_else(|| {
+    let part = parts.iter().find(|part| names(part).0 == sought || names(part).1.contains(&sought));
+    part.ok_or_else(|| {
         let all = parts.iter().map(&names);
         let spellings = all.clone().flat_map(|(name, also)| also.iter().map(String::as_str).chain([name]));
         let given: String = name.chars().take(60).collect();

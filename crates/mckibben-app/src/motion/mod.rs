@@ -44,7 +44,7 @@ struct Moved {
 
 impl MotionRequest {
     pub fn names_of(drive: &TextFile) -> Result<Names> {
-        drive_names(&drive.text).map_err(|e| Problem::from(e.of(Path::new(&drive.name))))
+        drive_names(&drive.text).map_err(|e| Problem::from(e.in_file(Path::new(&drive.name))))
     }
 
     fn moved(&self) -> Result<Moved> {
@@ -85,7 +85,7 @@ impl MotionRequest {
             Some((key, value)) => with_value(&text, key, value).and_then(|text| parse_drive(&text, &tables)),
             None => parse_drive(&text, &tables),
         };
-        let one = |changed| one(changed).map_err(|error| Problem::from(error.of(name)));
+        let one = |changed| one(changed).map_err(|error| Problem::from(error.in_file(name)));
         let Some(sweep) = &self.sweep else { return Ok(vec![(None, one(None)?)]) };
         if sweep.values.is_empty() || sweep.values.len() > MOST_RUNS {
             let message = format!("a sweep has 1 to {MOST_RUNS} values, not {}", sweep.values.len());

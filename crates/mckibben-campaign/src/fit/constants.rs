@@ -63,7 +63,7 @@ impl Constants {
         let k = self.stiffness_at_40_n_per_mm * (outer_diameter_mm / 40.0).powf(self.exponent);
         let braid = Braid { stiffness: BraidStiffness::NewtonPerMm(k), ..base.braid().clone() };
         let mut tube = base.tube().clone();
-        tube.rubber = Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: self.c10_mpa, c01_mpa: 0.0 }));
+        tube.rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin { c10_mpa: self.c10_mpa, c01_mpa: 0.0 }));
         base.with_braid(braid).ok()?.with_tube(tube).ok()
     }
 }

@@ -163,7 +163,7 @@ fn numbers(points: &[FitPoint]) -> impl Iterator<Item = f64> {
 
 /// A formula of the paper's muscles from points.
 pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<Formula> {
-    let made_for = Made::of(&Muscle::prototype());
+    let made_for = Made::from_muscle(&Muscle::prototype());
     let name = if method == Method::Paper(Rules::default()) { "paper-method" } else { "global" };
     let (name, from) = (name.into(), Provenance::default());
     let request = Request { points, made_for, method, hold_out, name, from };
@@ -197,7 +197,7 @@ pub fn made_for(rows: &[PointRow]) -> Result<Made> {
     if let Some((column, _)) = rows.iter().find_map(|r| r.measures.first()) {
         return Err(FitError::varies(column));
     }
-    let paper = Made::of(&Muscle::prototype()).rubber;
+    let paper = Made::from_muscle(&Muscle::prototype()).rubber;
     let name = paper.name.clone().filter(|_| paper.is_like(&ours, TOLERANCE));
     let made = Made {
         length_mm: first.length_mm,

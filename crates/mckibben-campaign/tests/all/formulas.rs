@@ -37,7 +37,7 @@ fn published() -> Vec<FitPoint> {
 }
 
 fn request(points: &[FitPoint], method: Method) -> Request<'_> {
-    let (made_for, from) = (Made::of(&Muscle::prototype()), Provenance::default());
+    let (made_for, from) = (Made::from_muscle(&Muscle::prototype()), Provenance::default());
     Request { points, made_for, method, hold_out: &[], name: "f".into(), from }
 }
 
@@ -190,10 +190,10 @@ fn the_make_of_a_table_is_found_or_refused() {
         constants: vec![("c10_mpa".into(), c10), ("c01_mpa".into(), 0.0)],
         ..row(Some(1.0), Status::Ok)
     };
-    let paper = |d: f64| Made::of(&Muscle::prototype()).stiffness_n_per_mm(d);
+    let paper = |d: f64| Made::from_muscle(&Muscle::prototype()).stiffness_n_per_mm(d);
     let braid = |rows: &[PointRow]| made_for(rows).map(|m| m.braid);
     let found = made_for(&[with(30.0, paper(30.0), 0.112), with(50.0, paper(50.0), 0.112)]).unwrap();
-    assert_eq!(found, Made::of(&Muscle::prototype()));
+    assert_eq!(found, Made::from_muscle(&Muscle::prototype()));
     assert_eq!(
         braid(&[with(30.0, None, 0.1), with(50.0, None, 0.1)]),
         Ok(MadeBraid::Named(NamedBraid::Inextensible))

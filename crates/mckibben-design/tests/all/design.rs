@@ -22,6 +22,7 @@ fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben::model::ModelE
 fn spec(force_n: f64, contraction: f64) -> Spec {
     Spec {
         wanted: vec![OperatingPoint { force_n, contraction }].into(),
+        count: 1,
         max_pressure_mpa: 0.25,
         liquid: None,
         base: Muscle::prototype(),

@@ -97,7 +97,7 @@ pub fn case(seed: u64, index: usize) -> Option<SweepCase> {
     let length_mm = outer_diameter_mm * r.log(3.0, 25.0);
     let angle_deg = r.log(15.0, 45.0);
     let mu = r.log(0.05, 1.5);
-    let rubber = Rubber::of(law(index % 5, mu, &mut r));
+    let rubber = Rubber::new(law(index % 5, mu, &mut r));
     let stiffness = if r.unit() < 0.2 {
         BraidStiffness::Inextensible
     } else {

@@ -149,7 +149,7 @@ const THROUGH: usize = 8;
 
 /// A muscle of radii `inner` and `outer` in mm.
 fn muscle([inner, outer]: [f64; 2], length_mm: f64, law: Law, braid: Braid) -> Option<Muscle> {
-    let tube = Tube::new(2.0 * outer, outer - inner, length_mm, Rubber::of(law));
+    let tube = Tube::new(2.0 * outer, outer - inner, length_mm, Rubber::new(law));
     Muscle::new(tube, braid, Terminals::default(), None).ok()
 }
 

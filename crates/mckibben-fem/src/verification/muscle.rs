@@ -55,7 +55,7 @@ fn maxwell(d0: f64, s: f64, p: f64, e: f64) -> Option<(f64, f64, f64)> {
 /// An independent axisymmetric code, and the limit of bricks and trusses in FElupe 11.3.
 pub fn prototype(rows: &mut Rows) {
     let muscle = changed(|tube, braid| {
-        tube.rubber = Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.03 }));
+        tube.rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.03 }));
         tube.length_mm = 287.83;
         braid.strands = Some(Strands { count: 48, section: Some((0.3, 2500.0)), strength_n: None });
         braid.stiffness = BraidStiffness::OfStrands;

@@ -20,7 +20,7 @@ fn yeoh() -> Law {
 
 fn muscle(law: Law, conditioned_mpa: Option<f64>) -> Muscle {
     let conditioned = conditioned_mpa.map(Conditioned::Pressure);
-    let rubber = Rubber { softening: Some(SOFTENING), conditioned, ..Rubber::of(law) };
+    let rubber = Rubber { softening: Some(SOFTENING), conditioned, ..Rubber::new(law) };
     Muscle::prototype().with_tube(Tube { rubber, ..Tube::prototype() }).unwrap()
 }
 
@@ -34,7 +34,7 @@ fn at(model: &Axisymmetric, p: f64, e: f64) -> Response {
 
 #[test]
 fn a_first_inflation_has_the_digits_of_rubber_without_softening() {
-    let tube = Tube { rubber: Rubber::of(yeoh()), ..Tube::prototype() };
+    let tube = Tube { rubber: Rubber::new(yeoh()), ..Tube::prototype() };
     let plain = Axisymmetric::new(&Muscle::prototype().with_tube(tube).unwrap()).unwrap();
     let first = fe(None);
     for (p, e) in [(0.25, 0.0), (0.25, 0.2), (0.05, 0.1), (0.02, 0.2)] {
@@ -128,7 +128,7 @@ fn rubber_conditioned_far_beyond_the_muscle_is_a_softer_law() {
     let softening = OgdenRoxburgh { r: 1.5, m_mpa: 0.05, beta: 0.0 };
     let model = |law: Law, strain: Option<f64>| {
         let conditioned = strain.map(|strain| Conditioned::Strain { strain });
-        let rubber = Rubber { softening: Some(softening), conditioned, ..Rubber::of(law) };
+        let rubber = Rubber { softening: Some(softening), conditioned, ..Rubber::new(law) };
         Axisymmetric::new(&Muscle::prototype().with_tube(Tube { rubber, ..Tube::prototype() }).unwrap())
             .unwrap()
     };

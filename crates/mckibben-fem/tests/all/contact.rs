@@ -7,7 +7,7 @@ use mckibben_fem::axisymmetric::Axisymmetric;
 use std::f64::consts::PI;
 
 fn muscle(length_mm: f64, mu_mpa: f64, stiffness: BraidStiffness) -> Muscle {
-    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa }));
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
     let tube = Tube::new(14.0, 0.5, length_mm, rubber);
     let braid = Braid { angle_deg: 20.0, stiffness, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()

@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 
 fn muscle(law: Law, prestretch: f64) -> Muscle {
     let braid = Braid { angle_deg: 25.0, stiffness: BraidStiffness::NewtonPerMm(300.0), ..Braid::paper() };
-    let tube = Tube::new(19.0, 1.5, 120.0, Rubber::of(law));
+    let tube = Tube::new(19.0, 1.5, 120.0, Rubber::new(law));
     let plain = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
     plain.with(&PRESTRETCH, prestretch).unwrap()
 }

@@ -21,7 +21,7 @@ fn muscle(
     [outer_diameter_mm, wall_mm, length_mm, angle_deg, mu_mpa]: [f64; 5],
     stiffness: BraidStiffness,
 ) -> Option<Muscle> {
-    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa }));
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
     let tube = Tube::new(outer_diameter_mm, wall_mm, length_mm, rubber);
     Muscle::new(tube, Braid { angle_deg, stiffness, ..Braid::paper() }, Terminals::default(), None).ok()
 }

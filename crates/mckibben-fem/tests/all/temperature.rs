@@ -13,7 +13,7 @@ fn muscle(moduli: f64, stiffness: f64) -> Muscle {
     let stiffness = BraidStiffness::NewtonPerMm(300.0 * stiffness);
     let braid = Braid { angle_deg: 25.0, stiffness, ..Braid::paper() };
     let law = Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: 0.004, c30_mpa: 0.0 }).scaled(moduli);
-    Muscle::new(Tube::new(19.0, 1.5, 120.0, Rubber::of(law)), braid, Terminals::default(), None).unwrap()
+    Muscle::new(Tube::new(19.0, 1.5, 120.0, Rubber::new(law)), braid, Terminals::default(), None).unwrap()
 }
 
 /// Identities: the pull is that of moduli in proportion to the absolute temperature, and F(k P, k µ, k times the strands' stiffness) = k F; the derivative by a

@@ -56,7 +56,7 @@ fn trial(request: &Request<'_>, kind: &'static LawKind) -> Option<LawTrial> {
         example.scaled(own.shear_modulus_mpa() / example.shear_modulus_mpa())
     };
     let constants = law.values().len();
-    let rubber = Rubber { bulk: tube.rubber.bulk, ..Rubber::of(law) };
+    let rubber = Rubber { bulk: tube.rubber.bulk, ..Rubber::new(law) };
     let muscle = request.muscle.with_tube(Tube { rubber, ..tube.clone() }).ok()?;
     let of_law = |target: &Target| matches!(target, Target::Law(_) | Target::Modulus);
     let rest = request.free.iter().filter(|p| !of_law(&p.target)).copied();

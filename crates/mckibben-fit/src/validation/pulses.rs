@@ -192,7 +192,7 @@ mod tests {
         let build =
             |m: &Muscle| -> Result<Box<dyn ForceModel>, ModelError> { Ok(Box::new(ThickWall::new(m))) };
         for (angle_deg, bias) in [(25.0, 0.077), (28.6, 0.027), (31.0, 0.003), (34.0, -0.020)] {
-            let rubber = mckibben::muscle::Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 1.5 }));
+            let rubber = mckibben::muscle::Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1.5 }));
             let braid = Braid { angle_deg, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
             let muscle =
                 Muscle::new(Tube::new(13.6, 1.8, 281.0, rubber), braid, Terminals::default(), None).unwrap();

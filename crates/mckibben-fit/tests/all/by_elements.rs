@@ -37,7 +37,7 @@ fn bare(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
 
 fn muscle(d: f64, k: f64) -> Muscle {
     let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.02 });
-    let tube = Tube::new(d, 2.0, 200.0, Rubber::of(law));
+    let tube = Tube::new(d, 2.0, 200.0, Rubber::new(law));
     let braid = Braid { angle_deg: 27.0, stiffness: BraidStiffness::NewtonPerMm(k), ..Braid::paper() };
     let friction = Friction::power_law(30.0, 0.7);
     Muscle::new(tube, braid, Terminals::default(), Some(friction)).unwrap()

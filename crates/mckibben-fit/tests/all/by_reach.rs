@@ -82,7 +82,7 @@ fn windows_are_sound() {
             assert!(w.points >= 10 && w.up_to_stretch.is_none_or(|end| w.fitted_to_stretch <= end));
             for l in &w.laws {
                 l.law.clone().validated().unwrap();
-                assert!(warnings(&Rubber::of(l.law.clone())).is_empty(), "{} {}", entry.name, l.name);
+                assert!(warnings(&Rubber::new(l.law.clone())).is_empty(), "{} {}", entry.name, l.name);
                 if l.standing == Standing::Equal {
                     assert!(l.delta_aicc >= 0.0 && l.delta_aicc < DECIDED_AICC);
                     let (n, k) = (w.points as f64, |l: &WindowLaw| l.law.values().len() as f64);

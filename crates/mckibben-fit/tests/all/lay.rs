@@ -9,7 +9,7 @@ use mckibben_fit::compare::MeasuredPoint;
 use mckibben_fit::identify::{DataPoint, Parameter, Request, identify};
 
 fn muscle(change: impl FnOnce(&mut Braid)) -> Muscle {
-    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.2 }));
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.2 }));
     let tube = Tube::new(14.0, 1.5, 150.0, rubber);
     let stiffness = BraidStiffness::NewtonPerMm(100.0);
     let mut braid = Braid { angle_deg: 20.0, stiffness, ..Braid::paper() };

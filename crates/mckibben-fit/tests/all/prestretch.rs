@@ -8,7 +8,7 @@ use mckibben_fit::identify::{Parameter, Request, Target, identify};
 use mckibben_fit::measured::{DataPoint, MeasuredPoint};
 
 fn prestretched(wall_mm: f64, mu_mpa: f64, stiffness: BraidStiffness, prestretch: f64) -> Muscle {
-    let rubber = Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.5 * mu_mpa, c01_mpa: 0.0 }));
+    let rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.5 * mu_mpa, c01_mpa: 0.0 }));
     let braid = Braid { angle_deg: 25.0, stiffness, ..Braid::paper() };
     let tube = Tube::new(19.0, wall_mm, 200.0, rubber);
     Muscle::new(tube, braid, Terminals::default(), None).unwrap().with(&PRESTRETCH, prestretch).unwrap()

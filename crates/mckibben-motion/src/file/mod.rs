@@ -192,7 +192,7 @@ pub fn with_value(text: &str, dotted: &str, value: &str) -> Result<String, FileE
 fn presliding(section: &Section<'_>) -> Result<Option<Presliding>, FileError> {
     const KEY: &str = "presliding";
     let Some(pairs) = section.get::<Vec<(f64, f64)>>(KEY) else {
-        return Ok(section.get(KEY).map(Presliding::of));
+        return Ok(section.get(KEY).map(Presliding::from_length));
     };
     let elements = pairs.into_iter().map(|(share, length_mm)| PreslidingElement { share, length_mm });
     let presliding = Presliding(elements.collect());

@@ -140,7 +140,7 @@ fn loops() -> Vec<VerificationRow> {
         let until = |periods: f64| {
             let mut muscle = Actuated::new(&model, Actuator::Regulator { time_constant_s: 0.02 });
             let level = Friction::power_law(LEVEL_N, 0.0);
-            muscle.friction = Some(Hysteresis::new(&level, Some(&Presliding::of(PRESLIDING_MM))));
+            muscle.friction = Some(Hysteresis::new(&level, Some(&Presliding::from_length(PRESLIDING_MM))));
             let sine = Command::Sine { mean: 0.15, amplitude: 0.08, frequency_hz: hz, phase_rad: 0.0 };
             ran(&driven(&spring, muscle, Target::Pressure(vec![sine]), (periods / hz, 1e-8)))
         };

@@ -13,7 +13,7 @@ const RELEASE: &str = include_str!("../../../../data/tondu2012_motion/quick_rele
 
 /// The static muscle of the same paper, 14 mm and 20°, of a modulus and length.
 fn muscle(outer_diameter_mm: f64, mu_mpa: f64, length_mm: f64) -> Muscle {
-    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa }));
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
     let tube = Tube::new(outer_diameter_mm, 0.49, length_mm, rubber);
     let braid = Braid { angle_deg: 20.0, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()

@@ -116,7 +116,7 @@ fn identity_shares_of_one_length_are_one_element() {
         last(&ran(&drive).series.coordinate)
     };
     let half = PreslidingElement { share: 0.5, length_mm: 0.7 };
-    close(end(Presliding(vec![half; 2])), end(Presliding::of(0.7)), 1e-7);
+    close(end(Presliding(vec![half; 2])), end(Presliding::from_length(0.7)), 1e-7);
 }
 
 /// Small oscillations: the springs of presliding add F_c Σ sᵢ/xᵢ to the stiffness, F_c with the strands' contact.

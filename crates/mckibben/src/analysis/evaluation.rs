@@ -1,4 +1,4 @@
-//! A model with its memory and how it is asked, and what it says on a branch of the hysteresis loop.
+//! A model with its memory and options, and what it says on a branch of the hysteresis loop.
 
 use crate::cancel;
 use crate::model::{ForceModel, ModelError, Response, Result, Workspace, pivoting_n_per_mm};
@@ -19,7 +19,7 @@ pub struct Options {
 
 impl Options {
     /// The same for a muscle: one that extends pushes, and is not slack where it does.
-    pub fn of(self, muscle: &Muscle) -> Self {
+    pub fn for_muscle(self, muscle: &Muscle) -> Self {
         Self { two_sided: self.two_sided || muscle.is_extensile(), ..self }
     }
 
@@ -49,7 +49,7 @@ pub struct Evaluation<'a> {
 impl<'a> Evaluation<'a> {
     /// A model with its memory, and options or a branch of the hysteresis loop.
     pub fn new(model: &'a dyn ForceModel, workspace: &'a mut Workspace, options: impl Into<Options>) -> Self {
-        Self { model, workspace, options: options.into().of(model.muscle()) }
+        Self { model, workspace, options: options.into().for_muscle(model.muscle()) }
     }
 
     /// The same with other options.
@@ -80,9 +80,9 @@ impl<'a> Evaluation<'a> {
     /// Everything that the model has at a pressure in MPa and a contraction, and its slopes in both with those of G.
     pub fn response(&mut self, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         cancel::check().map_err(ModelError::Cancelled)?;
-        let found = self.model.response(self.workspace, pressure_mpa, contraction)?;
-        // The point is the one that was asked for, to the last bit: a model may compute with 1 − ε.
-        let mut response = Response { pressure_mpa, contraction, ..found };
+        let response = self.model.response(self.workspace, pressure_mpa, contraction)?;
+        // The point is the given one, to the last bit: a model may compute with 1 − ε.
+        let mut response = Response { pressure_mpa, contraction, ..response };
         if let Some(friction) = self.friction() {
             /// Of the pressure (relative) and the contraction, for differences of G.
             const STEP: f64 = 1e-4;
@@ -191,7 +191,7 @@ mod tests {
         use crate::model::ThickWall;
         use crate::muscle::{Braid, BraidStiffness, Rubber, Tube};
         use crate::rubber::{Law, NeoHookean};
-        let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 1e-9 }));
+        let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1e-9 }));
         let m = Muscle::prototype();
         let m = m.with_tube(Tube { rubber, ..m.tube().clone() }).unwrap();
         let braid = Braid { stiffness: BraidStiffness::Inextensible, ..m.braid().clone() };

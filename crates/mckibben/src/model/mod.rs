@@ -51,7 +51,7 @@ pub use formula::FormulaModel;
 pub use ideal::Ideal;
 pub use info::{ModelEntry, ModelInfo};
 pub use interval::{Interval, Quantity, RangeViolation};
-pub use kind::{ModelKind, UnknownModel};
+pub use kind::{ModelKind, unknown_model};
 pub use klute_hannaford::KluteHannaford;
 pub use range::ModelRange;
 pub use response::Response;
@@ -77,7 +77,7 @@ pub(crate) fn gauss(points: usize) -> &'static [(f64, f64)] {
 /// A model is bound to its muscle when it is built. Answers are two-sided: where the muscle would have to push, the
 /// force is negative; [`crate::answer`] turns that into slack. A model never answers NaN: it answers a finite force
 /// or a [`ModelError`]. It is immutable: what changes while it answers lies in the [`Workspace`] that the caller holds, and an
-/// answer does not depend on the questions asked with it before.
+/// answer does not depend on the questions before.
 pub trait ForceModel: Send + Sync {
     /// What it is: name, source, range, error.
     fn info(&self) -> &ModelInfo;

@@ -12,7 +12,7 @@ use crate::differences::slope;
 use crate::muscle::{EndState, Ends, InnerPull, Muscle};
 use std::sync::Arc;
 
-/// A model of a muscle whose ends give way.
+/// A model of a muscle whose ends yield.
 pub struct Seated<M: ForceModel + ?Sized> {
     inner: Box<M>,
     id: ModelId,
@@ -40,7 +40,7 @@ impl<M: ForceModel + ?Sized> Seated<M> {
     pub fn new(inner: Box<M>, muscle: &Muscle) -> Self {
         let ends = muscle.ends();
         let of_inner = inner.info();
-        // The displacement of a slip is left out of the contractions.
+        // The contractions do not contain the displacement of a slip.
         let whole = |x: f64| ends.whole(x, ends.seating_mm);
         let (low, high) = of_inner.range.contraction;
         let contraction = (whole(low).max(-1.0), whole(high));
@@ -90,24 +90,24 @@ impl<M: ForceModel + ?Sized> Seated<M> {
     fn end_state(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<(EndState, Response)> {
         let mut last = None;
         let slips = self.ends.slip_mm_per_n > 0.0;
-        let found = self.solve_ends(workspace, p, e, |workspace, x| {
-            let mut ask =
+        let ends = self.solve_ends(workspace, p, e, |workspace, x| {
+            let mut respond =
                 |x| self.inner.response(workspace, p, x).map_err(|error| self.for_whole_muscle(error, e, x));
-            let found = ask(x)?;
-            let stiffness_n_per_mm = match found.stiffness_n_per_mm {
+            let response = respond(x)?;
+            let stiffness_n_per_mm = match response.stiffness_n_per_mm {
                 Some(k) => k,
-                None if slips => -slope(H, |h| ask(x + h).map(|r| r.force_n))? / self.ends.active_mm(),
+                None if slips => -slope(H, |h| respond(x + h).map(|r| r.force_n))? / self.ends.active_mm(),
                 None => 0.0,
             };
-            last = Some(found);
-            let force_per_pressure_mm2 = found.force_per_pressure_mm2;
+            last = Some(response);
+            let force_per_pressure_mm2 = response.force_per_pressure_mm2;
             Ok::<_, ModelError>(InnerPull {
-                force_n: found.force_n,
+                force_n: response.force_n,
                 stiffness_n_per_mm,
                 force_per_pressure_mm2,
             })
         })?;
-        found.zip(last).ok_or(ModelError::NotConverged { pressure_mpa: p, contraction: e })
+        ends.zip(last).ok_or(ModelError::NotConverged { pressure_mpa: p, contraction: e })
     }
 
     /// The state of the ends at a point, where the muscle between them answers by `pull`: from the last state of this workspace, or without one.
@@ -121,15 +121,16 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         let start = workspace.last_ends(&self.id).map(|last| self.ends.displacement_near_mm(last, p, e));
         let mut from =
             |start, w: &mut Workspace| self.ends.solve_end_displacement(p, e, start, |x| pull(w, x));
-        let mut found = from(start, workspace);
-        if start.is_some() && !matches!(found, Ok(Some(_))) {
-            found = from(None, workspace);
+        let mut state = from(start, workspace);
+        if start.is_some() && !matches!(state, Ok(Some(_))) {
+            state = from(None, workspace);
         }
-        if let Some(state) = found.as_ref().ok().copied().flatten().filter(|_| self.ends.slip_mm_per_n > 0.0)
+        if self.ends.slip_mm_per_n > 0.0
+            && let Ok(Some(state)) = &state
         {
-            workspace.keep_ends(&self.id, state);
+            workspace.keep_ends(&self.id, *state);
         }
-        found
+        state
     }
 
     /// x of a point with its pull.
@@ -170,8 +171,8 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
     }
 
     fn response(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<Response> {
-        let (state, found) = self.end_state(workspace, p, e)?;
-        Ok(self.whole(&state, found))
+        let (state, inner) = self.end_state(workspace, p, e)?;
+        Ok(self.whole(&state, inner))
     }
 
     fn force_n(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<f64> {
@@ -209,11 +210,11 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         if !self.has_slopes() {
             return None;
         }
-        let (state, found) = match self.end_state(workspace, p, e) {
-            Ok(found) => found,
+        let (state, response) = match self.end_state(workspace, p, e) {
+            Ok(state) => state,
             Err(error) => return Some(Err(error)),
         };
-        found.stiffness_n_per_mm?;
+        response.stiffness_n_per_mm?;
         let inside: Vec<String> =
             names.iter().filter_map(|n| Ends::inner_name(n)).map(str::to_owned).collect();
         let known = match self.inner.force_by(workspace, p, state.between, &inside)? {

@@ -37,7 +37,7 @@ impl Sleeve {
     /// let braid = sleeve.on(12.0)?;
     /// assert!((braid.angle_deg - 17.79).abs() < 0.01);
     /// assert!(sleeve.on(60.0).unwrap_err().to_string().contains("from 9.525"));
-    /// # Ok::<(), mckibben::sleeve::SleeveError>(())
+    /// # Ok::<(), mckibben::refused::Refused>(())
     /// ```
     pub fn on(&self, outer_diameter_mm: f64) -> Result<Braid, MuscleError> {
         let angle_deg = self.shape.angle_deg_on(outer_diameter_mm)?;

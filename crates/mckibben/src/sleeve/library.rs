@@ -90,8 +90,7 @@ pub fn materials() -> Result<&'static [Material], Refused> {
 
 /// The entry of a name or alias, without regard to case; spaces and underscores are as good as hyphens.
 pub fn entry(name: &str) -> Result<&'static SleeveEntry, Refused> {
-    let found = named("sleeve", entries()?, |e| (e.sleeve.name(), &e.aliases), name);
-    found.map_err(refused)
+    named("sleeve", entries()?, |e| (e.sleeve.name(), &e.aliases), name).map_err(refused)
 }
 
 /// The sleeve of a name, or of a material with the two diameters at which its strands touch, such as `pet:6..18mm`.
@@ -269,9 +268,9 @@ fn read_entry(
 
 /// A sleeve with what its source does not state taken from its material.
 fn estimated(mut sleeve: Sleeve, material: &Material, factor: Option<f64>) -> Sleeve {
-    let mut fill = |key: &'static str, own: &mut Option<f64>, value: Option<f64>| {
-        if own.is_none() && value.is_some() {
-            *own = value;
+    let mut fill = |key: &'static str, stated: &mut Option<f64>, value: Option<f64>| {
+        if stated.is_none() && value.is_some() {
+            *stated = value;
             sleeve.estimated.push(key);
         }
     };

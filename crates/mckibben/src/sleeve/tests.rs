@@ -136,7 +136,7 @@ fn what_is_not_stated_is_an_estimate_and_can_be_given() {
         (thick.estimated.clone(), thick.stiffness_factor()),
         (vec!["strand_modulus", "strands_per_carrier", "strand_strength"], 3.0)
     );
-    // Measured: what is left is that the strands may not touch all along.
+    // Measured: the rest is that the strands may not touch all along.
     let measured = sleeve.clone().with(None, Some(0.25), Some(8530.0), None);
     assert_eq!((measured.strand_count(), measured.stiffness_factor()), (Some(346), 1.25));
     assert_eq!(measured.with(Some(300), None, None, Some(30.0)).stiffness_factor(), 1.0);

@@ -65,7 +65,7 @@ fn factors_of_estimates_are_parts() {
     let latex = crate::rubber::library::find("latex").unwrap();
     let mu = |mu_mpa: f64| Rubber {
         name: None,
-        ..Rubber::of(crate::rubber::Law::NeoHookean(crate::rubber::NeoHookean { mu_mpa }))
+        ..Rubber::new(crate::rubber::Law::NeoHookean(crate::rubber::NeoHookean { mu_mpa }))
     };
     let [soft, own, stiff] = [0.37 / 1.25, 0.37, 0.37 * 1.25].map(|m| pull(&of(1000.0, 1.0, mu(m))));
     let parts = |m: &Muscle| parts_of(m, 0.25, 0.1, Direction::Mean);

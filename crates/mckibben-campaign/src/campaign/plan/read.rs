@@ -42,7 +42,7 @@ impl Plan {
     /// Reads a plan file.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
         let path = path.as_ref();
-        read_text(path).and_then(|text| Self::parse(&text)).map_err(|e| e.of(path))
+        read_text(path).and_then(|text| Self::parse(&text)).map_err(|e| e.in_file(path))
     }
 }
 

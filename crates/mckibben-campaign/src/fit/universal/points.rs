@@ -34,7 +34,7 @@ pub struct Sample {
 
 fn muscle(row: &PointRow) -> Option<Muscle> {
     let constants: Vec<f64> = row.constants.iter().map(|c| c.1).collect();
-    let rubber = Rubber::of(Law::named(&row.law, &constants)?.validated().ok()?);
+    let rubber = Rubber::new(Law::named(&row.law, &constants)?.validated().ok()?);
     let stiffness =
         row.stiffness_of_braid_n_per_mm.map_or(BraidStiffness::Inextensible, BraidStiffness::NewtonPerMm);
     let tube = Tube::new(row.outer_diameter_mm, row.wall_mm, row.length_mm, rubber);

@@ -13,7 +13,7 @@ use mckibben::rubber::{Law, MooneyRivlin};
 pub(super) fn peers() -> Option<Muscle> {
     changed(|tube, braid| {
         let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.03 });
-        tube.rubber = Rubber { bulk: Bulk::Modulus(300.0), ..Rubber::of(law) };
+        tube.rubber = Rubber { bulk: Bulk::Modulus(300.0), ..Rubber::new(law) };
         braid.strands = Some(Strands { count: 48, section: Some((0.3, 2500.0)), strength_n: None });
         (braid.stiffness, braid.compression) = (BraidStiffness::OfStrands, true);
     })

@@ -375,7 +375,7 @@ fn a_modulus_of_no_rubber_is_named() {
     let thin = |mu_mpa: f64| {
         let tube = Tube {
             wall_mm: 0.1,
-            rubber: Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa })),
+            rubber: Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa })),
             ..soft().tube().clone()
         };
         soft().with_tube(tube).unwrap()

@@ -19,7 +19,7 @@ fn with_ends(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
 }
 
 fn muscle(law: Law, stiffness: BraidStiffness) -> Muscle {
-    let tube = Tube::new(20.0, 1.5, 200.0, Rubber::of(law));
+    let tube = Tube::new(20.0, 1.5, 200.0, Rubber::new(law));
     let braid = Braid { angle_deg: 25.0, stiffness, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
@@ -326,7 +326,7 @@ fn of_all_laws_the_points_prefer_the_one_that_made_them() {
     let m = soft();
     let law = |law: Law| {
         let tube = m.tube().clone();
-        m.with_tube(Tube { rubber: Rubber::of(law), ..tube }).unwrap()
+        m.with_tube(Tube { rubber: Rubber::new(law), ..tube }).unwrap()
     };
     let truth = law(Law::Gent(Gent { mu_mpa: 0.35, jm: 6.0 }));
     let mut points = curves(&truth, &[0.1, 0.2, 0.3, 0.4], 0.02);

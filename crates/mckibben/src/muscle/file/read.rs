@@ -35,7 +35,7 @@ pub fn muscle_of(source: &Source<'_>) -> Result<Muscle, FileError> {
         strand_diameter_mm: braid.get("strand_diameter"),
         ..Stated::default()
     };
-    // What has rules of its own is read where these are.
+    // What has special rules is read where these are.
     let plain = |m: &&Measure| ![&END_FACTOR, &CONE_FACTOR, &STIFFNESS].contains(m);
     for (name, measure) in SECTIONS.into_iter().flat_map(|name| of_section(name).map(move |m| (name, m))) {
         if let Some(value) = root.at(name).get(measure.name()).filter(|_| plain(&measure)) {
