@@ -6,6 +6,7 @@ use mckibben_fit::validation::case::{self, CaseError, Measurement, MuscleCase};
 pub use mckibben_fit::validation::case::{CaseFiles as MeasuredFolder, Facts as MeasuredFacts};
 pub use mckibben_fit::validation::report::{FitResult as MeasuredFit, MeasuredBranch};
 use mckibben_fit::validation::report::{Group, ReportError, report};
+use mckibben_fit::validation::residual::Fitter;
 pub use mckibben_fit::validation::rubber::RubberFitResult as MeasuredRubberFit;
 use mckibben_fit::validation::rubber::{self, RubberCase, RubberGroup};
 use mckibben_report::Figure;
@@ -112,7 +113,7 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
     size::points("cases", (points + stresses) as f64)?;
     let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &MeshFields::default())?;
     let build = |muscle: &Muscle| model.build(muscle);
-    let found = report(&cases, &build, progress)?;
+    let found = report(&cases, Fitter { build: &build, progress })?;
     let (rubbers, stresses) = rubbers(&stretched, progress)?;
     let name = model.name().to_owned();
     let figure = request.figure.as_ref().map(|u| figure::measured(&cases, &found, (&name, &build), u));

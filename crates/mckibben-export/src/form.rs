@@ -15,7 +15,7 @@
 //! ```
 //!
 //! Between two of 0, 0.15, 0.45 and 1 the pull is of second degree in q, so that the pressure of a pull is a root of a quadratic equation.
-//! Outside of the box stands what the nearest point of the box has, and a status says so. For simulators each function of q and each function of ε continues
+//! Outside of the box the values are those of its nearest point, with a status. For simulators each function of q and each function of ε continues
 //! along its tangent ([`Form::beyond`]): value, slope and potential are continuous there.
 //! Where F would be negative the muscle is slack: F = 0, and V is that at its free contraction.
 
@@ -99,8 +99,8 @@ pub(crate) fn functions(q: f64) -> ([f64; FUNCTIONS], [f64; FUNCTIONS]) {
     (value, slope)
 }
 
-fn sum(c: &[f64; FUNCTIONS], of: &[f64; FUNCTIONS]) -> f64 {
-    c.iter().zip(of).map(|(c, f)| c * f).sum()
+fn sum(c: &[f64; FUNCTIONS], functions: &[f64; FUNCTIONS]) -> f64 {
+    c.iter().zip(functions).map(|(c, f)| c * f).sum()
 }
 
 impl Form {
@@ -152,7 +152,7 @@ impl Form {
         sum(&self.v, &functions(q).0) + self.potential_volume_m3(q, contraction)
     }
 
-    /// What the potential of the pull adds to the volume of the muscle at rest length, m³.
+    /// The part of the potential of the pull in the volume of the muscle at rest length, m³.
     pub(crate) fn potential_volume_m3(&self, q: f64, contraction: f64) -> f64 {
         self.length_m / self.supply_pa * sum(&self.coefficients(contraction).integral, &functions(q).1)
     }

@@ -136,7 +136,7 @@ fn fit(
     let x_axis =
         if isobaric { "contraction ratio ε [–]".into() } else { u.pressure.heading("pressure P") };
     let mut panel = Panel::new(Axis::new(x_axis).from_zero(), pull(u));
-    let muscle = found.candidate.of_section(section);
+    let muscle = found.candidate.section_muscle(section);
     if named && let Ok(m) = &muscle {
         let [diameter, wall] = [m.outer_diameter_mm(), m.wall_mm()].map(|mm| u.length.show(mm));
         panel = panel.title(format!("D0 {diameter}, s {wall}"));

@@ -2,7 +2,7 @@
 
 use super::common;
 use crate::template::{list, lists, number, render};
-use crate::{Artefact, ExportError, ExportedMuscle, File, Target};
+use crate::{Artefact, ExportedMuscle, File, Result, Target};
 
 pub(super) const TARGET: Target = Target {
     name: "c",
@@ -44,7 +44,7 @@ const EXAMPLES: [Source; 4] = [
     ),
 ];
 
-fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
+fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     Ok(Artefact { files: files(muscle, &[&SOURCES[..], &EXAMPLES].concat()), notes: vec![] })
 }
 

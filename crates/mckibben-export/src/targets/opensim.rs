@@ -10,7 +10,7 @@
 use super::fit;
 use crate::muscle::LIMIT;
 use crate::template::{number, render};
-use crate::{Artefact, ExportError, ExportedMuscle, File, Target};
+use crate::{Artefact, ExportError, ExportedMuscle, File, Result, Target};
 use std::f64::consts::PI;
 
 pub(super) const TARGET: Target = Target {
@@ -21,7 +21,7 @@ pub(super) const TARGET: Target = Target {
     make,
 };
 
-fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
+fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     let (form, blocked_n) = (&muscle.form, muscle.blocked_force_n);
     let refused = || {
         ExportError::Host("the pull of this muscle is not of the form that OpenSim's actuator has; the targets c and python have all of it".into())

@@ -2,7 +2,7 @@
 
 use super::common;
 use crate::template::{list, lists, number, render};
-use crate::{Artefact, ExportError, ExportedMuscle, File, Target};
+use crate::{Artefact, ExportedMuscle, File, Result, Target};
 
 pub(super) const TARGET: Target = Target {
     name: "python",
@@ -12,7 +12,7 @@ pub(super) const TARGET: Target = Target {
     make,
 };
 
-fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
+fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     let (f, round) = (&muscle.form, ["(", ")"]);
     let mut values = common(muscle);
     values.extend([

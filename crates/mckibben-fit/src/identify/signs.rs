@@ -103,7 +103,7 @@ fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
 /// By how much a straight line through a curve rises from its smallest to its largest contraction, in N; `None` where there is but one.
 fn rise(curve: &[&DataPoint]) -> Option<f64> {
     let n = curve.len() as f64;
-    let mean = |of: fn(&DataPoint) -> f64| curve.iter().map(|p| of(p)).sum::<f64>() / n;
+    let mean = |value: fn(&DataPoint) -> f64| curve.iter().map(|p| value(p)).sum::<f64>() / n;
     let (e, f) = (mean(|p| p.at.contraction), mean(|p| p.at.force_n));
     let together: f64 = curve.iter().map(|p| (p.at.contraction - e) * (p.at.force_n - f)).sum();
     let square: f64 = curve.iter().map(|p| (p.at.contraction - e).powi(2)).sum();

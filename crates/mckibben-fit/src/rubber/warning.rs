@@ -1,4 +1,4 @@
-//! What to mind about tests and laws.
+//! Warnings about tests and laws.
 
 use super::problem::Problem;
 use super::runs::Sorted;
@@ -12,7 +12,7 @@ pub(crate) const MODULI: (f64, f64) = (0.005, 20.0);
 /// Tests of rubber stretch it by more, and by less: else the strains are in another unit than that of the heading.
 const STRETCHES: (f64, f64) = (1.01, 12.0);
 
-pub(super) fn of_runs(sorted: &Sorted) -> Vec<String> {
+pub(super) fn for_runs(sorted: &Sorted) -> Vec<String> {
     let rupture = |(mode, points): &(Mode, usize)| {
         format!("{mode}: the specimen failed; {points} points after the largest stress are left out")
     };
@@ -41,7 +41,7 @@ fn units(modulus_mpa: f64, fitted_to_stretch: f64) -> String {
     }
 }
 
-pub(super) fn of_points(problem: &Problem, fitted_to_stretch: f64, hoop: f64) -> Vec<String> {
+pub(super) fn for_points(problem: &Problem, fitted_to_stretch: f64, hoop: f64) -> Vec<String> {
     let mut out = vec![];
     let modulus_mpa = problem.modulus_mpa;
     if !(MODULI.0..=MODULI.1).contains(&modulus_mpa) {
@@ -71,7 +71,7 @@ pub(super) fn of_points(problem: &Problem, fitted_to_stretch: f64, hoop: f64) ->
     out
 }
 
-pub(super) fn of_law(fitted: &FittedLaw, hoop: f64) -> Vec<String> {
+pub(super) fn for_law(fitted: &FittedLaw, hoop: f64) -> Vec<String> {
     let mut out = vec![];
     let name = fitted.form.name();
     let law = if fitted.constrained { format!("{name}, constrained to be stable") } else { name.clone() };
@@ -94,7 +94,7 @@ pub(super) fn of_law(fitted: &FittedLaw, hoop: f64) -> Vec<String> {
             "mooney-rivlin: C01 is {c01_mpa:.4} MPa; a negative C01 comes from uniaxial tests and is wrong in two axes. Take the fit with C01 ≥ 0 (`stable`), neo-hookean or yeoh"
         )
     }));
-    // The bound of a law held stable is no want of data.
+    // A law held stable lies on its bound whatever the data.
     let on_purpose = |p: &Parameter| fitted.constrained && p.standard_error == Some(0.0);
     let undetermined = fitted.parameters.iter().filter(|p| !p.identifiable && !on_purpose(p));
     let names: Vec<&str> = undetermined.map(|p| p.name.as_str()).collect();

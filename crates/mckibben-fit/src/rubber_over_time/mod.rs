@@ -26,7 +26,7 @@ pub enum OverTimeFitError {
     /// Refused: field, value, what it must be.
     #[error("{0}")]
     Refused(String),
-    /// A constant that was found is invalid.
+    /// A fitted constant is invalid.
     #[error(transparent)]
     Constant(#[from] Refused),
     /// The law itself has no fit.

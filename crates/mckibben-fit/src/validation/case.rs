@@ -42,7 +42,7 @@ pub enum Measurement {
 pub struct MuscleCase {
     /// What is known of it.
     pub facts: Facts,
-    /// The rms error over the blocked force that passes in the first fit: what finite elements leave of it, rounded up. A regression.
+    /// The rms error over the blocked force that passes in the first fit: that of finite elements, rounded up. A regression.
     pub rms_of_blocked: Option<f64>,
     /// The points that pull.
     pub points: Vec<DataPoint>,
@@ -123,8 +123,8 @@ pub const IDENTIFIED: &str = "identified.toml";
 
 /// A file of a folder that is built in.
 pub(super) fn text_of(name: &str, file: &str) -> Option<String> {
-    let found = Folders::get(&format!("{name}/{file}"))?;
-    Some(String::from_utf8_lossy(&found.data).into_owned())
+    let file = Folders::get(&format!("{name}/{file}"))?;
+    Some(String::from_utf8_lossy(&file.data).into_owned())
 }
 
 /// The folders that are built in and hold a file.

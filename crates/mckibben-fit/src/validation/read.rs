@@ -127,13 +127,13 @@ fn wrong(files: &CaseFiles, key: &str, expected: &str) -> CaseError {
 /// The fit of the library: the one that is named, else the first. Its constants are those of a muscle file, and it has all points.
 fn library_fit(files: &CaseFiles, named: Option<&str>, fits: &[CaseFit]) -> Result<usize, CaseError> {
     const FORM: &str = "the name of a fit that has no `split` and frees numbers of the muscle file alone";
-    let of_file = |p: &Parameter| {
+    let in_file = |p: &Parameter| {
         !matches!(p.target, Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent)
     };
     let place = named.map_or(Some(0), |name| fits.iter().position(|fit| fit.name == name));
     let serves = |i: &usize| {
         fits.get(*i)
-            .is_some_and(|fit| fit.split.is_none() && !fit.free.is_empty() && fit.free.iter().all(of_file))
+            .is_some_and(|fit| fit.split.is_none() && !fit.free.is_empty() && fit.free.iter().all(in_file))
     };
     match place.filter(serves) {
         Some(i) => Ok(i),
@@ -163,14 +163,14 @@ fn fit(files: &CaseFiles, number: usize, text: FitText) -> Result<CaseFit, CaseE
     Ok(CaseFit { name, muscle, free, both_branches: text.branches == Branches::Both, split: text.split })
 }
 
-/// The muscle file with the keys of a fit in the place of its own.
+/// The muscle file with the keys that a fit replaces.
 fn with(files: &CaseFiles, number: usize) -> Result<String, CaseError> {
     let documents = (files.case.parse::<DocumentMut>(), files.muscle.parse::<DocumentMut>());
     let (Ok(case), Ok(mut muscle)) = documents else { return Ok(files.muscle.clone()) };
-    let own = case.get("fit").and_then(|fits| fits.get(number)?.get("muscle"));
-    let Some(own) = own else { return Ok(files.muscle.clone()) };
+    let changes = case.get("fit").and_then(|fits| fits.get(number)?.get("muscle"));
+    let Some(changes) = changes else { return Ok(files.muscle.clone()) };
     let wrong = || wrong(files, "fit.muscle", "tables of a muscle file, such as [fit.muscle.tube]");
-    for (section, keys) in own.as_table_like().ok_or_else(wrong)?.iter() {
+    for (section, keys) in changes.as_table_like().ok_or_else(wrong)?.iter() {
         for (key, value) in keys.as_table_like().ok_or_else(wrong)?.iter() {
             let place = muscle.entry(section).or_insert_with(toml_edit::table);
             place.as_table_like_mut().ok_or_else(wrong)?.insert(key, value.clone());

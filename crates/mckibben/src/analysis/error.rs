@@ -2,6 +2,7 @@
 
 use crate::model::ModelError;
 use crate::status::Status;
+use crate::units::trimmed as short;
 use thiserror::Error;
 
 /// The answer to a question about a model, or why it has none.
@@ -85,13 +86,6 @@ impl AnalysisError {
             _ => None,
         }
     }
-}
-
-/// A number with at most so many decimals, without trailing zeros.
-fn short(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    if text == "-0" { "0".into() } else { text.to_owned() }
 }
 
 fn percent(contraction: f64) -> String {

@@ -211,11 +211,16 @@ fn every_measure_of_a_muscle_varies() {
         let text = format!("{stated}[vary]\n{} = [{value}, {}]\n{TEST}", measure.key, 1.05 * value + 0.01);
         let plan = Plan::parse(&text).unwrap_or_else(|e| panic!("{}: {e}", measure.key));
         let expected = base.with(measure, value).map_err(|e| e.to_string());
-        let found = plan.inputs(0).muscle().map_err(|e| e.to_string());
-        assert_eq!(found, expected, "{}", measure.key);
-        let own =
+        let muscle = plan.inputs(0).muscle().map_err(|e| e.to_string());
+        assert_eq!(muscle, expected, "{}", measure.key);
+        let with_column =
             ["tube.outer_diameter", "tube.wall_thickness", "tube.length", "braid.angle", "braid.stiffness"];
-        assert_eq!(plan.measures().len(), usize::from(!own.contains(&measure.key)), "{}", measure.key);
+        assert_eq!(
+            plan.measures().len(),
+            usize::from(!with_column.contains(&measure.key)),
+            "{}",
+            measure.key
+        );
     }
     let plan = plan("[vary]\nterminals.slip = \"0,0.001 mm/N\"\nbraid.thickness = \"0.3,0.5 mm\"");
     assert_eq!(plan.measures(), ["slip_mm_per_n", "braid_thickness_mm"]);
