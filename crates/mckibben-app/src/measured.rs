@@ -3,11 +3,11 @@
 use crate::{MeshFields, Model, Problem, ProblemKind, Result, Units, figure};
 use mckibben::{muscle::Muscle, progress::Progress, size};
 use mckibben_fit::validation::case::{self, CaseError, Measurement, MuscleCase};
-pub use mckibben_fit::validation::case::{CaseFiles as MeasuredFolder, Facts as MeasuredFacts};
-pub use mckibben_fit::validation::report::{FitResult as MeasuredFit, MeasuredBranch};
+pub use mckibben_fit::validation::case::{MeasuredFacts, MeasuredFolder};
 use mckibben_fit::validation::report::{Group, ReportError, report};
+pub use mckibben_fit::validation::report::{MeasuredBranch, MeasuredFit};
 use mckibben_fit::validation::residual::Fitter;
-pub use mckibben_fit::validation::rubber::RubberFitResult as MeasuredRubberFit;
+pub use mckibben_fit::validation::rubber::MeasuredRubberFit;
 use mckibben_fit::validation::rubber::{self, RubberCase, RubberGroup};
 use mckibben_report::Figure;
 use schemars::JsonSchema;

@@ -66,7 +66,7 @@ pub struct Form {
 }
 
 /// Everything at a point.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Point {
     /// Pull, N.
     pub force_n: f64,
@@ -81,6 +81,7 @@ pub struct Point {
 }
 
 /// c, dc/dε and C at a contraction, for each function of the pressure.
+#[derive(Default)]
 struct Coefficients {
     c: [f64; FUNCTIONS],
     slope: [f64; FUNCTIONS],
@@ -122,8 +123,7 @@ impl Form {
             h * (cube - 0.5 * fourth),
             h * h * (0.25 * fourth - cube / 3.0),
         ];
-        let mut out =
-            Coefficients { c: [0.0; FUNCTIONS], slope: [0.0; FUNCTIONS], integral: [0.0; FUNCTIONS] };
+        let mut out = Coefficients::default();
         for i in 0..FUNCTIONS {
             let (a, b) = (&self.a[i], &self.b[i]);
             let here = |w: &[f64; 4]| w[0] * a[n] + w[1] * b[n] + w[2] * a[n + 1] + w[3] * b[n + 1];
@@ -177,13 +177,8 @@ impl Form {
         let status = self.outside(pressure_pa, contraction);
         if force_n <= 0.0 {
             let free = self.contraction(0.0, pressure_pa);
-            return Point {
-                force_n: 0.0,
-                stiffness_n_per_m: 0.0,
-                force_per_pressure_m2: 0.0,
-                volume_m3: self.two_sided_volume_m3(pressure_pa, free),
-                status: status | SLACK,
-            };
+            let volume_m3 = self.two_sided_volume_m3(pressure_pa, free);
+            return Point { volume_m3, status: status | SLACK, ..Point::default() };
         }
         Point {
             force_n,

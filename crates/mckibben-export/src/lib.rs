@@ -40,6 +40,12 @@ pub(crate) struct HostError {
     pub worst: f64,
 }
 
+impl std::fmt::Display for HostError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{:.2} % rms, {:.2} % worst", 100.0 * self.rms, 100.0 * self.worst)
+    }
+}
+
 impl HostError {
     fn from_errors(errors: &[f64]) -> Self {
         let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64).sqrt();

@@ -8,7 +8,7 @@ use mckibben::model::Workspace;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben_fit::identify::{Identification, PointFit};
 use mckibben_fit::measured::{DataPoint, Section, distinct, mean_of_data};
-use mckibben_fit::{identify::Build, validation::case::MuscleCase, validation::report::FitResult};
+use mckibben_fit::{identify::Build, validation::case::MuscleCase, validation::report::MeasuredFit};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// Curves of one figure at most; of more levels some are shown.
@@ -198,7 +198,7 @@ const LINE: u32 = 30;
 /// Measured points and lines of a model, muscle by muscle.
 pub(crate) fn measured(
     cases: &[&MuscleCase],
-    found: &[FitResult],
+    found: &[MeasuredFit],
     model: (&str, &Build<'_>),
     u: &Units,
 ) -> Figure {

@@ -76,9 +76,7 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
         ("1 2", "0.5 3", square, square)
     };
     let reach = format!(
-        "Pull of the actuators against the model, from the length at rest to the free contraction: {:.2} % rms, {:.2} % worst, of the blocked force.",
-        100.0 * error.rms,
-        100.0 * error.worst
+        "Pull of the actuators against the model, from the length at rest to the free contraction: {error}, of the blocked force."
     );
     let slope = stiffness_error(muscle, &k);
     let slope = format!(

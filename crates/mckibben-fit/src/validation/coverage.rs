@@ -16,7 +16,7 @@ pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
     let sets = match muscles() {
         Ok(sets) => sets,
         // Measurements that are built in and cannot be read: a case that fails.
-        Err(error) => return Ok(vec![share_row(format!("measured muscles: {error}"), "", None, AT_LEAST)]),
+        Err(error) => return Ok(vec![share_row(format!("measured muscles: {error}"), "", None, None)]),
     };
     let residuals = threads::map(&sets, |set| first_fit_residuals(set, by).unwrap_or_default());
     by.progress.check()?;
@@ -39,24 +39,22 @@ pub(super) fn validated(row: VerificationRow, measure: Measure, error: Option<f6
     VerificationRow { kind: CaseKind::Validation, measure, error, ok, ..row }
 }
 
-/// The row of a share of points: met where the error is within the tolerance.
-pub(super) fn share_row(name: String, source: &'static str, ours: Option<f64>, off: Off) -> VerificationRow {
-    let row = VerificationRow::new(name, source, COVERAGE, ours, off.tolerance);
-    validated(row, Measure::Share, ours.map(off.error))
+/// The row of a share of points that are covered: within a tolerance of [`COVERAGE`], or at least that.
+pub(super) fn share_row(
+    name: String,
+    source: &'static str,
+    share: Option<f64>,
+    tolerance: Option<f64>,
+) -> VerificationRow {
+    let row = VerificationRow::new(name, source, COVERAGE, share, tolerance.unwrap_or(0.0));
+    let error =
+        |share: f64| if tolerance.is_some() { (share - COVERAGE).abs() } else { (COVERAGE - share).max(0.0) };
+    validated(row, Measure::Share, share.map(error))
 }
-
-/// How far a share may be from [`COVERAGE`].
-pub(super) struct Off {
-    pub(super) error: fn(f64) -> f64,
-    pub(super) tolerance: f64,
-}
-
-/// The ± must cover at least the stated share.
-pub(super) const AT_LEAST: Off = Off { error: |share| (COVERAGE - share).max(0.0), tolerance: 0.0 };
 
 fn covered(set: &'static MuscleCase, errors: &ForceErrors, what: &str) -> VerificationRow {
     let name = format!("{}: {} {what} within the ± of fe", set.facts.title, errors.points);
-    share_row(name, &set.facts.source, errors.held, AT_LEAST)
+    share_row(name, &set.facts.source, errors.held, None)
 }
 
 /// The rms error of a set's identified muscle at the means of the branches, beside its largest blocked force.

@@ -1,7 +1,7 @@
 //! The share of points held out of a fit that the ± of the fit covers.
 
 use super::case::{CaseFit, MuscleCase, muscles};
-use super::coverage::{COVERAGE, Off, share_row};
+use super::coverage::{COVERAGE, share_row};
 use super::residual::{Fitter, ForceErrors, Residual};
 use crate::identify::{Identification, IdentifyError, Result};
 use crate::measured::{DataPoint, mean_of_data};
@@ -93,11 +93,10 @@ pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
         let errors = ForceErrors::new(list.iter());
         // Of few points the share that is covered by chance scatters more.
         let by_chance = 1.96 * (COVERAGE * (1.0 - COVERAGE) / errors.points.max(1) as f64).sqrt();
-        let off = Off { error: |share| (share - COVERAGE).abs(), tolerance: TOLERANCE.max(by_chance) };
         let title = &set.facts.title;
         let name =
             format!("{title}: {} points held out of fits of fe, within the ± of the fit", errors.points);
-        share_row(name, &set.facts.source, errors.held, off)
+        share_row(name, &set.facts.source, errors.held, Some(TOLERANCE.max(by_chance)))
     };
     Ok(sets.into_iter().zip(residuals).map(row).collect())
 }

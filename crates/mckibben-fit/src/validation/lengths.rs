@@ -4,7 +4,7 @@
 //! length, by the constants of each other one and by those of all others together.
 
 use super::case::{By, CaseFit, MuscleCase, muscles};
-use super::coverage::{AT_LEAST, share_row};
+use super::coverage::share_row;
 use super::report::{Training, trainings};
 use super::residual::{Fitter, ForceErrors, residuals};
 use crate::identify::Result;
@@ -52,7 +52,7 @@ fn rows(set: &'static MuscleCase, training: &Training<'_>, by: Fitter<'_>) -> Re
             "{}: {} points of {length_mm} mm by fe with the constants of {fitted}, within the ±",
             set.facts.title, errors.points
         );
-        share_row(name, &set.facts.source, errors.held, AT_LEAST)
+        share_row(name, &set.facts.source, errors.held, None)
     };
     Ok(training.values(&outside).into_iter().map(row).collect())
 }

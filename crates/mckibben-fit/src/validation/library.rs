@@ -48,8 +48,7 @@ impl MuscleCase {
 
 /// Errors of finite elements of a muscle at its measured points.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
-#[schemars(rename = "LibraryAgreement")]
-pub struct Agreement {
+pub struct LibraryAgreement {
     /// Points, those of other lengths of the same hose among them.
     pub points: usize,
     /// Root mean square of measured − computed, N.
@@ -65,7 +64,7 @@ pub struct Agreement {
 }
 
 /// Compares a muscle with the points that the library's fit of a folder is made to.
-pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Agreement {
+pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> LibraryAgreement {
     let points = case.fit_of_library().map(|fit| fit_points(case, fit)).unwrap_or_default();
     let digest = muscle.digest();
     let is_of_muscle = |p: &&DataPoint| p.section.apply(muscle).is_ok_and(|m| m.digest() == digest);
@@ -81,7 +80,7 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Agree
     let ForceErrors { points, rms_n, rms_of_blocked, largest_n, .. } =
         ForceErrors::new(on_bench.iter().chain(&others));
     let bench_points = bench.map_or(0, |_| on_bench.len());
-    Agreement { points, rms_n, rms_of_blocked, largest_n, bench_points, held }
+    LibraryAgreement { points, rms_n, rms_of_blocked, largest_n, bench_points, held }
 }
 
 #[cfg(test)]

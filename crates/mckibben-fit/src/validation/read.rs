@@ -1,6 +1,8 @@
 //! A folder → what was measured.
 
-use super::case::{By, CaseError, CaseFiles, CaseFit, Facts, FittedSubset, Measurement, MuscleCase, Split};
+use super::case::{
+    By, CaseError, CaseFit, FittedSubset, MeasuredFacts, MeasuredFolder, Measurement, MuscleCase, Split,
+};
 use super::rubber::RubberCase;
 use crate::identify::{Parameter, Target};
 use crate::measured::{Quantity, read_data};
@@ -76,13 +78,13 @@ impl TryFrom<SplitText> for Split {
     }
 }
 
-fn parse<F: DeserializeOwned>(files: &CaseFiles) -> Result<(Facts, CaseText<F>), CaseError> {
+fn parse<F: DeserializeOwned>(files: &MeasuredFolder) -> Result<(MeasuredFacts, CaseText<F>), CaseError> {
     let case: CaseText<F> = toml_edit::de::from_str(&files.case).map_err(|error| {
         let before = error.span().and_then(|span| files.case.get(..span.start));
         let line = before.map_or_else(String::new, |text| format!(", line {}", text.split('\n').count()));
         CaseError::Refused(format!("{}/case.toml{line}: {}", files.name, error.message()))
     })?;
-    let facts = Facts {
+    let facts = MeasuredFacts {
         name: files.name.clone(),
         title: case.title.clone(),
         source: case.source.clone(),
@@ -95,7 +97,7 @@ fn parse<F: DeserializeOwned>(files: &CaseFiles) -> Result<(Facts, CaseText<F>),
 }
 
 impl Measurement {
-    pub fn read(files: &CaseFiles) -> Result<Self, CaseError> {
+    pub fn read(files: &MeasuredFolder) -> Result<Self, CaseError> {
         if files.muscle.trim().is_empty() {
             let (facts, case) = parse(files)?;
             return RubberCase::new(facts, &files.points, case.fit).map(Self::Rubber);
@@ -120,12 +122,12 @@ impl Measurement {
     }
 }
 
-fn wrong(files: &CaseFiles, key: &str, expected: &str) -> CaseError {
+fn wrong(files: &MeasuredFolder, key: &str, expected: &str) -> CaseError {
     CaseError::Refused(format!("{}/case.toml: `{key}` must be {expected}", files.name))
 }
 
 /// The fit of the library: the one that is named, else the first. Its constants are those of a muscle file, and it has all points.
-fn library_fit(files: &CaseFiles, named: Option<&str>, fits: &[CaseFit]) -> Result<usize, CaseError> {
+fn library_fit(files: &MeasuredFolder, named: Option<&str>, fits: &[CaseFit]) -> Result<usize, CaseError> {
     const FORM: &str = "the name of a fit that has no `split` and frees numbers of the muscle file alone";
     let in_file = |p: &Parameter| {
         !matches!(p.target, Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent)
@@ -143,7 +145,7 @@ fn library_fit(files: &CaseFiles, named: Option<&str>, fits: &[CaseFit]) -> Resu
     }
 }
 
-fn identified(files: &CaseFiles) -> Result<Option<Box<Muscle>>, CaseError> {
+fn identified(files: &MeasuredFolder) -> Result<Option<Box<Muscle>>, CaseError> {
     if files.identified.trim().is_empty() {
         return Ok(None);
     }
@@ -152,7 +154,7 @@ fn identified(files: &CaseFiles) -> Result<Option<Box<Muscle>>, CaseError> {
         .map_err(|error| CaseError::Refused(format!("{}/identified.toml: {error}", files.name)))
 }
 
-fn fit(files: &CaseFiles, number: usize, text: FitText) -> Result<CaseFit, CaseError> {
+fn fit(files: &MeasuredFolder, number: usize, text: FitText) -> Result<CaseFit, CaseError> {
     let (case, name) = (&files.name, text.name);
     let muscle = parse_muscle(&with(files, number)?);
     let muscle =
@@ -164,7 +166,7 @@ fn fit(files: &CaseFiles, number: usize, text: FitText) -> Result<CaseFit, CaseE
 }
 
 /// The muscle file with the keys that a fit replaces.
-fn with(files: &CaseFiles, number: usize) -> Result<String, CaseError> {
+fn with(files: &MeasuredFolder, number: usize) -> Result<String, CaseError> {
     let documents = (files.case.parse::<DocumentMut>(), files.muscle.parse::<DocumentMut>());
     let (Ok(case), Ok(mut muscle)) = documents else { return Ok(files.muscle.clone()) };
     let changes = case.get("fit").and_then(|fits| fits.get(number)?.get("muscle"));
@@ -184,7 +186,7 @@ mod tests {
     use super::super::case::{built_in, muscles, rubbers};
     use super::*;
 
-    fn files() -> CaseFiles {
+    fn files() -> MeasuredFolder {
         built_in().into_iter().find(|f| f.name == "tondu2012").unwrap()
     }
 
@@ -226,7 +228,7 @@ mod tests {
             let files = files();
             let case = files.case.replace(from, to);
             assert!(case != files.case, "{from}");
-            Measurement::read(&CaseFiles { case, ..files }).unwrap_err().to_string()
+            Measurement::read(&MeasuredFolder { case, ..files }).unwrap_err().to_string()
         };
         assert!(said("terms =", "term =").contains("unknown field `term`, expected one of `title`"));
         assert!(said("\"jm\"", "\"jmm\"").contains("fit \"Gent\""));

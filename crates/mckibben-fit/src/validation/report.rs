@@ -29,8 +29,7 @@ pub enum ReportError {
 
 /// A fit to some points, with its constants and its errors.
 #[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
-#[schemars(rename = "MeasuredFit")]
-pub struct FitResult {
+pub struct MeasuredFit {
     /// Number of the case.
     #[serde(skip)]
     pub case: usize,
@@ -94,7 +93,7 @@ pub struct MeasuredBin {
 const BIN: f64 = 0.05;
 
 /// Every fit of cases by a model, side by side; progress counts fits.
-pub fn report(cases: &[&MuscleCase], fitter: Fitter<'_>) -> Result<Vec<FitResult>, ReportError> {
+pub fn report(cases: &[&MuscleCase], fitter: Fitter<'_>) -> Result<Vec<MeasuredFit>, ReportError> {
     let means: Vec<Vec<DataPoint>> = cases.iter().map(|case| mean_of_data(&case.points)).collect();
     let mut tasks = vec![];
     for (i, (case, means)) in cases.iter().zip(&means).enumerate() {
@@ -111,7 +110,7 @@ pub fn report(cases: &[&MuscleCase], fitter: Fitter<'_>) -> Result<Vec<FitResult
     threads::map(&tasks, one).into_iter().collect()
 }
 
-fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<FitResult, ReportError> {
+fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<MeasuredFit, ReportError> {
     by.progress.check()?;
     let &Training { case, fit, means, .. } = training;
     let source = if fit.both_branches { &case.points } else { means };
@@ -143,7 +142,7 @@ fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<FitResu
         }));
     }
     let fitted_to = if nothing { "nothing".into() } else { label };
-    Ok(FitResult { case: number, fit: fit.name.clone(), fitted_to, parameters, muscle, groups })
+    Ok(MeasuredFit { case: number, fit: fit.name.clone(), fitted_to, parameters, muscle, groups })
 }
 
 impl Group {
@@ -266,7 +265,7 @@ mod tests {
                 r.groups.iter().flat_map(|g| &g.by_contraction).map(|b| b.errors.points).sum();
             assert_eq!((all, binned), (189, 189));
         }
-        let blind = |r: &FitResult| r.groups[1].means.rms_n;
+        let blind = |r: &MeasuredFit| r.groups[1].means.rms_n;
         assert!(blind(gent) < blind(plain), "{} {}", blind(gent), blind(plain));
     }
 

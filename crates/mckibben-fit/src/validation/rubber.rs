@@ -1,6 +1,6 @@
 //! The validation report of a measured rubber: the errors of each law at the stresses it was fitted to and at those it predicts.
 
-use super::case::{CaseError, Facts};
+use super::case::{CaseError, MeasuredFacts};
 use super::report::ReportError;
 use crate::rubber::{Form, Mode, Parameter, ReadOptions, StressErrors, TensionPoint, read_tests};
 use crate::rubber_over_time::{self, TimePoint, read_history};
@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone)]
 pub struct RubberCase {
     /// What is known of it.
-    pub facts: Facts,
+    pub facts: MeasuredFacts,
     pub fits: Vec<RubberCaseFit>,
     points: Points,
 }
@@ -26,7 +26,11 @@ enum Points {
 
 impl RubberCase {
     /// Reads the points: those of a test over time where a fit wants its relaxation.
-    pub(super) fn new(facts: Facts, points: &str, fits: Vec<RubberCaseFit>) -> Result<Self, CaseError> {
+    pub(super) fn new(
+        facts: MeasuredFacts,
+        points: &str,
+        fits: Vec<RubberCaseFit>,
+    ) -> Result<Self, CaseError> {
         let (bytes, columns) = (points.as_bytes(), Columns::default());
         let points = if fits.iter().any(|f| f.relaxation.is_some()) {
             read_history(bytes, &columns).map(Points::History)
@@ -45,7 +49,11 @@ impl RubberCase {
         }
     }
 
-    fn run(&self, fit: &RubberCaseFit, progress: &dyn Progress) -> rubber_over_time::Result<RubberFitResult> {
+    fn run(
+        &self,
+        fit: &RubberCaseFit,
+        progress: &dyn Progress,
+    ) -> rubber_over_time::Result<MeasuredRubberFit> {
         match &self.points {
             Points::Tests(points) => fit.to_tests(points, progress),
             Points::History(points) => fit.to_history(points, progress),
@@ -54,7 +62,7 @@ impl RubberCase {
 }
 
 /// Every fit of rubbers.
-pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<RubberFitResult>, ReportError> {
+pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<MeasuredRubberFit>, ReportError> {
     let mut out = vec![];
     for (number, case) in cases.iter().enumerate() {
         for fit in &case.fits {
@@ -62,7 +70,12 @@ pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<Rubb
             let result = case.run(fit, progress).map_err(|error| {
                 ReportError::Rubber(format!("{}, fit \"{}\"", case.facts.name, fit.name), error)
             })?;
-            out.push(RubberFitResult { case: number, fit: fit.name.clone(), law: fit.form.name(), ..result });
+            out.push(MeasuredRubberFit {
+                case: number,
+                fit: fit.name.clone(),
+                law: fit.form.name(),
+                ..result
+            });
         }
     }
     Ok(out)
@@ -86,8 +99,7 @@ pub struct RubberCaseFit {
 
 /// A law that was fitted, with its constants and errors.
 #[derive(Debug, Clone, Default, Serialize, schemars::JsonSchema)]
-#[schemars(rename = "MeasuredRubberFit")]
-pub struct RubberFitResult {
+pub struct MeasuredRubberFit {
     /// Number of the case.
     #[serde(skip)]
     pub case: usize,

@@ -1,6 +1,6 @@
 //! A law fitted to measured stresses, and its errors there.
 
-use super::rubber::{RubberCaseFit, RubberFitResult, RubberGroup};
+use super::rubber::{MeasuredRubberFit, RubberCaseFit, RubberGroup};
 use crate::rubber::{
     FitSettings, FittedLaw, Mode, StressErrors, TensionFit, TensionPoint, fit_tension_with, no_fit,
 };
@@ -29,7 +29,7 @@ impl RubberCaseFit {
         &self,
         points: &[TensionPoint],
         progress: &dyn Progress,
-    ) -> Result<RubberFitResult> {
+    ) -> Result<MeasuredRubberFit> {
         let fit = fit_tension_with(points, &self.settings(), progress)?;
         let fitted = self.law(&fit)?;
         let whole = FitSettings { up_to_stretch: None, ..self.settings() };
@@ -54,7 +54,7 @@ impl RubberCaseFit {
         }
         groups.retain(|g| g.errors.points > 0);
         let (stable, parameters) = (fitted.quality.stable, fitted.parameters);
-        Ok(RubberFitResult { stable, parameters, groups, ..RubberFitResult::default() })
+        Ok(MeasuredRubberFit { stable, parameters, groups, ..MeasuredRubberFit::default() })
     }
 
     /// Fits the law to a test over time, with a Prony series if it is wanted.
@@ -62,7 +62,7 @@ impl RubberCaseFit {
         &self,
         points: &[TimePoint],
         progress: &dyn Progress,
-    ) -> Result<RubberFitResult> {
+    ) -> Result<MeasuredRubberFit> {
         let list: Vec<TensionPoint> = points.iter().map(TimePoint::tension).collect();
         let elastic = FitSettings { history: true, ..self.settings() };
         let fit = fit_tension_with(&list, &elastic, progress)?;
@@ -93,6 +93,6 @@ impl RubberCaseFit {
         groups.retain(|g| g.errors.points > 0);
         let prony = prony.branches.iter().map(|b| (b.share, b.time_constant_s)).collect();
         let stable = quality.stable;
-        Ok(RubberFitResult { stable, parameters, prony, groups, ..RubberFitResult::default() })
+        Ok(MeasuredRubberFit { stable, parameters, prony, groups, ..MeasuredRubberFit::default() })
     }
 }

@@ -67,13 +67,12 @@ impl Outcome {
     pub(super) fn new(provenance: &Provenance, output: &Path, store: &Path, counts: Counts) -> Self {
         Self {
             output: output.into(),
-            shard: None,
             complete: counts.muscles == counts.of,
             counts,
             points: counts.muscles * provenance.points_per_muscle,
             plan_sha256: provenance.plan_sha256.clone(),
-            recomputed: vec![],
             store: store.into(),
+            ..Self::default()
         }
     }
 }
