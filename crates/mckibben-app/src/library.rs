@@ -4,7 +4,7 @@ use crate::{Model, MuscleSummary, Problem, TextFile};
 use mckibben::analysis::Evaluation;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::{model::Workspace, muscle::file::to_toml, threads};
-use mckibben_fit::validation::case::MeasuredFacts;
+use mckibben_fit::validation::case::Facts;
 use mckibben_fit::validation::library::{self, LibraryAgreement, PREFIX, agreement, library};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -14,7 +14,7 @@ use serde::Serialize;
 pub struct LibraryMuscle {
     /// Its name, which may stand where a muscle file may (`lib:dmsp-20-300`), and what is known of it.
     #[serde(flatten)]
-    pub facts: MeasuredFacts,
+    pub facts: Facts,
     /// The muscle.
     #[serde(flatten)]
     pub muscle: MuscleSummary,
@@ -47,14 +47,14 @@ pub struct LibraryDetails {
 }
 
 impl LibraryMuscle {
-    fn of(facts: &MeasuredFacts, muscle: &Muscle) -> Result<Self, Problem> {
+    fn of(facts: &Facts, muscle: &Muscle) -> Result<Self, Problem> {
         let (model, w) = (Model::FE.build(muscle)?, &mut Workspace::new());
         let (pressure_mpa, points) = muscle.bench().map_or((0.0, 0), |b| (b.pressure_mpa.1, b.points));
         let mut model = Evaluation::new(&*model, w, Direction::Mean);
         let blocked = model.force_n(pressure_mpa, 0.0).ok();
         let half = blocked.and_then(|n| model.uncertainty(pressure_mpa, 0.0, n));
         Ok(Self {
-            facts: MeasuredFacts { name: format!("{PREFIX}{}", facts.name), ..facts.clone() },
+            facts: Facts { name: format!("{PREFIX}{}", facts.name), ..facts.clone() },
             muscle: muscle.into(),
             pressure_mpa,
             blocked_force_n: blocked,

@@ -33,7 +33,7 @@ pub struct Artefact {
     pub notes: Vec<String>,
 }
 
-/// Root mean square and largest error of a host's own form, shares of the blocked force.
+/// Root mean square and largest error of the form of a host, shares of the blocked force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct HostError {
     pub rms: f64,

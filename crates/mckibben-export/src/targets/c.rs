@@ -73,8 +73,8 @@ pub(super) fn rendered(template: &str, muscle: &ExportedMuscle) -> String {
         ("wanted", number(0.3 * muscle.blocked_force_n)),
         ("count", f.contractions.len().to_string()),
         ("c_nodes", list(&f.contractions, braces, one)),
-        ("c_a", lists(&f.a, braces, ",\n     ", one)),
-        ("c_b", lists(&f.b, braces, ",\n     ", one)),
+        ("c_a", lists(&f.a, braces, one)),
+        ("c_b", lists(&f.b, braces, one)),
         ("c_v", list(&f.v, braces, one)),
         ("c_friction", list(&f.friction_n, braces, one)),
     ]);

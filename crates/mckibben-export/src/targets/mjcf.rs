@@ -121,7 +121,7 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
         "both actuators of a muscle take the same control: its gauge pressure in Pa".into(),
     ];
     let about = "a mass that hangs from the muscle, with native actuators";
-    let mut files = vec![scene(muscle, ".xml", about, &facts, &places)];
+    let mut files = vec![File::text(muscle.identifier() + ".xml", about, scene(muscle, &facts, &places))];
     files.extend(plugin(muscle));
     Ok(Artefact { files, notes })
 }
@@ -143,7 +143,11 @@ fn plugin(muscle: &ExportedMuscle) -> Vec<File> {
             "the plugin; its first lines have the commands to compile and load it",
             rendered(include_str!("../../templates/muscle_plugin.c"), muscle),
         ),
-        scene(muscle, "_plugin.xml", "the same mass by the plugin", &muscle.facts(), &places),
+        File::text(
+            id + "_plugin.xml",
+            "the same mass by the plugin",
+            scene(muscle, &muscle.facts(), &places),
+        ),
     ];
     files.extend(sources(muscle));
     files
@@ -153,13 +157,7 @@ fn plugin(muscle: &ExportedMuscle) -> Vec<File> {
 type Place = (&'static str, String);
 
 /// A scene in which a mass hangs from the muscle, with the actuators of a target.
-fn scene(
-    muscle: &ExportedMuscle,
-    ending: &str,
-    about: &'static str,
-    facts: &[String],
-    places: &[Place],
-) -> File {
+fn scene(muscle: &ExportedMuscle, facts: &[String], places: &[Place]) -> String {
     let (length, blocked_n) = (muscle.form.length_m, muscle.blocked_force_n);
     let (mass_kg, stiffness) = (0.4 * blocked_n / 9.81, 6.0 * blocked_n / length);
     let common = [
@@ -168,6 +166,5 @@ fn scene(
         ("mass", number(mass_kg)),
         ("damping", number(0.5 * 2.0 * (stiffness * mass_kg).sqrt())),
     ];
-    let text = render(include_str!("../../templates/muscle.xml"), facts, &[&common[..], places].concat());
-    File::text(muscle.identifier() + ending, about, text)
+    render(include_str!("../../templates/muscle.xml"), facts, &[&common[..], places].concat())
 }

@@ -17,8 +17,8 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     let mut values = common(muscle);
     values.extend([
         ("py_nodes", list(&f.contractions, round, number)),
-        ("py_a", lists(&f.a, round, ",\n     ", number)),
-        ("py_b", lists(&f.b, round, ",\n     ", number)),
+        ("py_a", lists(&f.a, round, number)),
+        ("py_b", lists(&f.b, round, number)),
         ("py_v", list(&f.v, round, number)),
         ("py_friction", list(&f.friction_n, round, number)),
     ]);

@@ -39,7 +39,7 @@ type Rows<'a> = (&'a [DataPoint], Option<&'a [DataPoint]>);
 
 /// The residuals as a function of the free parameters.
 pub struct Problem<'a> {
-    request: &'a Request<'a>,
+    pub(super) request: &'a Request<'a>,
     points: &'a [DataPoint],
     /// All rows in time order, where the friction has their history.
     history: Option<&'a [DataPoint]>,

@@ -196,7 +196,7 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     };
     check_modulus(request, &first.muscle, &candidate.muscle)?;
     let minimum = Minimum { unknowns: &unknowns, estimate: &estimate, x: &x };
-    let parameters = parameters(request, &problem, &minimum, &candidate.muscle);
+    let parameters = parameters(&problem, &minimum, &candidate.muscle);
     let outliers = advice::outliers(&estimate.residuals, &weights);
     let fitted: Vec<PointFit> = (0..points.len())
         .map(|i| PointFit {
@@ -283,12 +283,8 @@ fn leave_out(points: &[DataPoint], rows: &Rows) -> Result<(Vec<DataPoint>, Optio
     Ok((kept, Some(note)))
 }
 
-fn parameters(
-    request: &Request<'_>,
-    problem: &Problem<'_>,
-    minimum: &Minimum<'_>,
-    muscle: &Muscle,
-) -> Vec<Identified> {
+fn parameters(problem: &Problem<'_>, minimum: &Minimum<'_>, muscle: &Muscle) -> Vec<Identified> {
+    let request = problem.request;
     let Minimum { unknowns, estimate, x } = *minimum;
     let matters = |i: usize| {
         if estimate.standard_errors[i].is_finite() {

@@ -11,8 +11,10 @@ use std::io::Read;
 type Result<T, E = TableError> = std::result::Result<T, E>;
 
 /// What the file does not state.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct ReadOptions {
+    /// Columns whose heading does not say what they are.
+    pub columns: Columns,
     /// The mode, where there is no column of it.
     pub mode: Mode,
     /// Cross-section of the specimen at rest, for a column of forces.
@@ -23,16 +25,12 @@ pub struct ReadOptions {
 
 /// [`read_tests`] of a table that states everything.
 pub fn read_tension(input: impl Read, options: ReadOptions) -> Result<Vec<TensionPoint>> {
-    Ok(read_tests(input, options, &Columns::default())?.0)
+    Ok(read_tests(input, &options)?.0)
 }
 
 /// Reads points in the order of a table in any common form ([`table`](mckibben_io::table)), with what was understood of it.
-pub fn read_tests(
-    input: impl Read,
-    options: ReadOptions,
-    columns: &Columns,
-) -> Result<(Vec<TensionPoint>, Understood)> {
-    let table = Table::read(&read_text(input)?, &TESTS, columns)?;
+pub fn read_tests(input: impl Read, options: &ReadOptions) -> Result<(Vec<TensionPoint>, Understood)> {
+    let table = Table::read(&read_text(input)?, &TESTS, &options.columns)?;
     let (stretch, stress) = (table.needed(STRETCH)?, table.needed(STRESS)?);
     let gauge = match stretch.meaning {
         Meaning::Extension | Meaning::Length => options.gauge_length_mm.ok_or_else(|| {
@@ -58,7 +56,7 @@ pub fn read_tests(
             return Err(TableError::needs(stress, NEEDS));
         }
         for (row, (stretch, measured)) in lengths.into_iter().zip(table.numbers(stress)?).enumerate() {
-            let nominal_stress_mpa = tests.nominal_stress_mpa(row, stress, measured, stretch)?;
+            let nominal_stress_mpa = tests.nominal_mpa(row, stress, measured, stretch)?;
             let mode = tests.mode(row)?.unwrap_or(options.mode);
             if mode == Mode::General {
                 return Err(TableError::needs(stress, NEEDS));

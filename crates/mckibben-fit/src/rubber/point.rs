@@ -25,7 +25,7 @@ pub enum Mode {
     /// A sheet pulled alike along two axes, or a balloon.
     #[serde(alias = "biaxial")]
     Equibiaxial,
-    /// A sheet pulled along two axes, each by its own stretch.
+    /// A sheet pulled along two axes by different stretches.
     General,
 }
 

@@ -40,7 +40,7 @@ pub enum Measurement {
 #[derive(Debug, Clone)]
 pub struct MuscleCase {
     /// What is known of it.
-    pub facts: MeasuredFacts,
+    pub facts: Facts,
     /// The rms error over the blocked force that passes in the first fit: that of finite elements, rounded up. A regression.
     pub rms_of_blocked: Option<f64>,
     /// The points that pull.
@@ -182,7 +182,8 @@ pub enum CaseError {
 
 /// What is known of something that was measured.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
-pub struct MeasuredFacts {
+#[schemars(rename = "MeasuredFacts")]
+pub struct Facts {
     /// Name of its folder.
     pub name: String,
     /// Which muscle or rubber.

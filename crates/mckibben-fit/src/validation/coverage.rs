@@ -33,7 +33,7 @@ pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
     Ok(rows)
 }
 
-/// A row of validation, whose error counts in its own way.
+/// A row of validation with an error that is not that of its value.
 pub(super) fn validated(row: VerificationRow, measure: Measure, error: Option<f64>) -> VerificationRow {
     let ok = error.is_some_and(|e| e <= row.tolerance);
     VerificationRow { kind: CaseKind::Validation, measure, error, ok, ..row }

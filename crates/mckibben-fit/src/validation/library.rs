@@ -57,7 +57,7 @@ pub struct LibraryAgreement {
     pub rms_of_blocked: f64,
     /// Largest difference, N.
     pub largest_n: f64,
-    /// Points on the bench of this muscle, of its own length.
+    /// Points on the bench of this muscle, of its length.
     pub bench_points: usize,
     /// Share of these within the ± of the bench; null without a bench.
     pub held: Option<f64>,

@@ -4,7 +4,7 @@
 //! (2012) 225–253, Fig. 3: outer diameter 14 mm, wall about 0.49 mm, length 300 mm, rayon; the rubber is not stated, so that
 //! its modulus is fitted. Models are compared with the mean of the two hysteresis branches. A row's reference is the
 //! largest measured force, its value the rms error in N, its error their ratio. Further rows do the same for every measured muscle
-//! ([`case`]) with what is not stated of it identified from its own points, beside its blocked force, and say what share of its points
+//! ([`case`]) with what is not stated of it identified from its points, beside its blocked force, and state the share of its points
 //! the ± of the finite elements covers ([`coverage`]). The validation report of each case ([`report`], of rubbers [`rubber`]) gives the errors of each
 //! fit, at fitted points and at predicted points.
 

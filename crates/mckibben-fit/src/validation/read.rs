@@ -1,7 +1,7 @@
 //! A folder → what was measured.
 
 use super::case::{
-    By, CaseError, CaseFit, FittedSubset, MeasuredFacts, MeasuredFolder, Measurement, MuscleCase, Split,
+    By, CaseError, CaseFit, Facts, FittedSubset, MeasuredFolder, Measurement, MuscleCase, Split,
 };
 use super::rubber::RubberCase;
 use crate::identify::{Parameter, Target};
@@ -78,13 +78,13 @@ impl TryFrom<SplitText> for Split {
     }
 }
 
-fn parse<F: DeserializeOwned>(files: &MeasuredFolder) -> Result<(MeasuredFacts, CaseText<F>), CaseError> {
+fn parse<F: DeserializeOwned>(files: &MeasuredFolder) -> Result<(Facts, CaseText<F>), CaseError> {
     let case: CaseText<F> = toml_edit::de::from_str(&files.case).map_err(|error| {
         let before = error.span().and_then(|span| files.case.get(..span.start));
         let line = before.map_or_else(String::new, |text| format!(", line {}", text.split('\n').count()));
         CaseError::Refused(format!("{}/case.toml{line}: {}", files.name, error.message()))
     })?;
-    let facts = MeasuredFacts {
+    let facts = Facts {
         name: files.name.clone(),
         title: case.title.clone(),
         source: case.source.clone(),

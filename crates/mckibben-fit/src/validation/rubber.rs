@@ -1,6 +1,6 @@
 //! The validation report of a measured rubber: the errors of each law at the stresses it was fitted to and at those it predicts.
 
-use super::case::{CaseError, MeasuredFacts};
+use super::case::{CaseError, Facts};
 use super::report::ReportError;
 use crate::rubber::{Form, Mode, Parameter, ReadOptions, StressErrors, TensionPoint, read_tests};
 use crate::rubber_over_time::{self, TimePoint, read_history};
@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone)]
 pub struct RubberCase {
     /// What is known of it.
-    pub facts: MeasuredFacts,
+    pub facts: Facts,
     pub fits: Vec<RubberCaseFit>,
     points: Points,
 }
@@ -26,16 +26,12 @@ enum Points {
 
 impl RubberCase {
     /// Reads the points: those of a test over time where a fit wants its relaxation.
-    pub(super) fn new(
-        facts: MeasuredFacts,
-        points: &str,
-        fits: Vec<RubberCaseFit>,
-    ) -> Result<Self, CaseError> {
-        let (bytes, columns) = (points.as_bytes(), Columns::default());
+    pub(super) fn new(facts: Facts, points: &str, fits: Vec<RubberCaseFit>) -> Result<Self, CaseError> {
+        let bytes = points.as_bytes();
         let points = if fits.iter().any(|f| f.relaxation.is_some()) {
-            read_history(bytes, &columns).map(Points::History)
+            read_history(bytes, &Columns::default()).map(Points::History)
         } else {
-            read_tests(bytes, ReadOptions::default(), &columns).map(|read| Points::Tests(read.0))
+            read_tests(bytes, &ReadOptions::default()).map(|read| Points::Tests(read.0))
         };
         let points = points.map_err(|error| CaseError::Points(facts.name.clone(), error))?;
         Ok(Self { facts, fits, points })
@@ -49,11 +45,7 @@ impl RubberCase {
         }
     }
 
-    fn run(
-        &self,
-        fit: &RubberCaseFit,
-        progress: &dyn Progress,
-    ) -> rubber_over_time::Result<MeasuredRubberFit> {
+    fn run(&self, fit: &RubberCaseFit, progress: &dyn Progress) -> rubber_over_time::Result<RubberFit> {
         match &self.points {
             Points::Tests(points) => fit.to_tests(points, progress),
             Points::History(points) => fit.to_history(points, progress),
@@ -62,7 +54,7 @@ impl RubberCase {
 }
 
 /// Every fit of rubbers.
-pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<MeasuredRubberFit>, ReportError> {
+pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<RubberFit>, ReportError> {
     let mut out = vec![];
     for (number, case) in cases.iter().enumerate() {
         for fit in &case.fits {
@@ -70,12 +62,7 @@ pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<Meas
             let result = case.run(fit, progress).map_err(|error| {
                 ReportError::Rubber(format!("{}, fit \"{}\"", case.facts.name, fit.name), error)
             })?;
-            out.push(MeasuredRubberFit {
-                case: number,
-                fit: fit.name.clone(),
-                law: fit.form.name(),
-                ..result
-            });
+            out.push(RubberFit { case: number, fit: fit.name.clone(), law: fit.form.name(), ..result });
         }
     }
     Ok(out)
@@ -99,7 +86,8 @@ pub struct RubberCaseFit {
 
 /// A law that was fitted, with its constants and errors.
 #[derive(Debug, Clone, Default, Serialize, schemars::JsonSchema)]
-pub struct MeasuredRubberFit {
+#[schemars(rename = "MeasuredRubberFit")]
+pub struct RubberFit {
     /// Number of the case.
     #[serde(skip)]
     pub case: usize,

@@ -1,6 +1,6 @@
 //! A law fitted to measured stresses, and its errors there.
 
-use super::rubber::{MeasuredRubberFit, RubberCaseFit, RubberGroup};
+use super::rubber::{RubberCaseFit, RubberFit, RubberGroup};
 use crate::rubber::{
     FitSettings, FittedLaw, Mode, StressErrors, TensionFit, TensionPoint, fit_tension_with, no_fit,
 };
@@ -25,11 +25,7 @@ impl RubberCaseFit {
     }
 
     /// Fits the law to tests without time.
-    pub(super) fn to_tests(
-        &self,
-        points: &[TensionPoint],
-        progress: &dyn Progress,
-    ) -> Result<MeasuredRubberFit> {
+    pub(super) fn to_tests(&self, points: &[TensionPoint], progress: &dyn Progress) -> Result<RubberFit> {
         let fit = fit_tension_with(points, &self.settings(), progress)?;
         let fitted = self.law(&fit)?;
         let whole = FitSettings { up_to_stretch: None, ..self.settings() };
@@ -54,15 +50,11 @@ impl RubberCaseFit {
         }
         groups.retain(|g| g.errors.points > 0);
         let (stable, parameters) = (fitted.quality.stable, fitted.parameters);
-        Ok(MeasuredRubberFit { stable, parameters, groups, ..MeasuredRubberFit::default() })
+        Ok(RubberFit { stable, parameters, groups, ..RubberFit::default() })
     }
 
     /// Fits the law to a test over time, with a Prony series if it is wanted.
-    pub(super) fn to_history(
-        &self,
-        points: &[TimePoint],
-        progress: &dyn Progress,
-    ) -> Result<MeasuredRubberFit> {
+    pub(super) fn to_history(&self, points: &[TimePoint], progress: &dyn Progress) -> Result<RubberFit> {
         let list: Vec<TensionPoint> = points.iter().map(TimePoint::tension).collect();
         let elastic = FitSettings { history: true, ..self.settings() };
         let fit = fit_tension_with(&list, &elastic, progress)?;
@@ -93,6 +85,6 @@ impl RubberCaseFit {
         groups.retain(|g| g.errors.points > 0);
         let prony = prony.branches.iter().map(|b| (b.share, b.time_constant_s)).collect();
         let stable = quality.stable;
-        Ok(MeasuredRubberFit { stable, parameters, prony, groups, ..MeasuredRubberFit::default() })
+        Ok(RubberFit { stable, parameters, prony, groups, ..RubberFit::default() })
     }
 }

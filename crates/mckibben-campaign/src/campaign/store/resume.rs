@@ -41,45 +41,43 @@ fn of_this_plan(provenance: &Provenance, path: &Path, which: Which) -> Result<Op
     opened?.expect(which, provenance)
 }
 
-/// The existing parts of the share of a run, and the damaged ones. Of the other shares one part is checked: a thousand shards that read one another's
-/// parts would read the table a thousand times. With `overwrite` those that are not of this plan are taken for damaged.
-pub(super) fn existing(
-    run: &Run<'_>,
-    folder: &Folder,
-    threads: &Threads,
-) -> Result<(Parts, Vec<Recomputed>)> {
-    let (provenance, overwrite) = (run.provenance, run.options.overwrite);
-    let mut others = 0;
-    let mut is_checked = |part: &(u64, PathBuf)| {
-        others += u64::from(!run.holds(part.0));
-        run.holds(part.0) || others == 1
-    };
-    let parts: Vec<(u64, PathBuf)> =
-        Folder::parts(&folder.path)?.into_iter().filter(&mut is_checked).collect();
-    let cause = |(number, path): &(u64, PathBuf)| {
-        let opened = of_this_plan(provenance, path, Which::Part(*number));
-        match opened.and_then(Opened::checked) {
-            Ok(_) => Ok(None),
-            Err(CampaignError::Damaged(_, why)) => Ok(Some(why)),
-            Err(error @ CampaignError::Read { .. }) => Err(error),
-            Err(error) if overwrite => Ok(Some(error.to_string())),
-            Err(error) => Err(error),
-        }
-    };
-    let checked = threads.map(&parts, cause);
-    let (mut whole, mut damaged) = (Parts::new(), vec![]);
-    for ((number, path), checked) in parts.into_iter().zip(checked) {
-        match checked? {
-            None if run.holds(number) => drop(whole.insert(number, PartSource::File(path))),
-            None => {}
-            Some(_) if run.holds(number) && overwrite && number >= provenance.parts() => {
-                folder.discard(&path)?
+impl Run<'_> {
+    /// The existing parts of the share of a run, and the damaged ones. Of the other shares one part is checked: a thousand shards that read one another's
+    /// parts would read the table a thousand times. With `overwrite` those that are not of this plan are taken for damaged.
+    pub fn existing(&self, folder: &Folder, threads: &Threads) -> Result<(Parts, Vec<Recomputed>)> {
+        let (provenance, overwrite) = (self.provenance, self.options.overwrite);
+        let mut others = 0;
+        let mut is_checked = |part: &(u64, PathBuf)| {
+            others += u64::from(!self.holds(part.0));
+            self.holds(part.0) || others == 1
+        };
+        let parts: Vec<(u64, PathBuf)> =
+            Folder::parts(&folder.path)?.into_iter().filter(&mut is_checked).collect();
+        let cause = |(number, path): &(u64, PathBuf)| {
+            let opened = of_this_plan(provenance, path, Which::Part(*number));
+            match opened.and_then(Opened::checked) {
+                Ok(_) => Ok(None),
+                Err(CampaignError::Damaged(_, why)) => Ok(Some(why)),
+                Err(error @ CampaignError::Read { .. }) => Err(error),
+                Err(error) if overwrite => Ok(Some(error.to_string())),
+                Err(error) => Err(error),
             }
-            Some(cause) if run.holds(number) => damaged.push(Recomputed { file: path, cause }),
-            Some(_) => {}
+        };
+        let checked = threads.map(&parts, cause);
+        let (mut whole, mut damaged) = (Parts::new(), vec![]);
+        for ((number, path), checked) in parts.into_iter().zip(checked) {
+            match checked? {
+                None if self.holds(number) => drop(whole.insert(number, PartSource::File(path))),
+                None => {}
+                Some(_) if self.holds(number) && overwrite && number >= provenance.parts() => {
+                    folder.discard(&path)?
+                }
+                Some(cause) if self.holds(number) => damaged.push(Recomputed { file: path, cause }),
+                Some(_) => {}
+            }
         }
+        Ok((whole, damaged))
     }
-    Ok((whole, damaged))
 }
 
 /// Whether a file is of this plan and this program.

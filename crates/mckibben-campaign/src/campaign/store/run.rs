@@ -1,7 +1,7 @@
 //! Runs a plan into a store.
 
 use super::merge::write_whole;
-use super::resume::{Marker, existing, finished};
+use super::resume::{Marker, finished};
 use super::{Folder, PartSource, Provenance, Table, check_name, is_file_name, part};
 use crate::campaign::{CampaignError, Plan, Result, Shard, solve};
 use mckibben::progress::Progress;
@@ -165,7 +165,7 @@ impl Run<'_> {
         let limited = options.threads.map(Threads::new).transpose()?;
         let threads = limited.as_ref().unwrap_or_else(|| Threads::shared());
 
-        let (mut parts, recomputed) = existing(&self, &folder, threads)?;
+        let (mut parts, recomputed) = self.existing(&folder, threads)?;
         let muscles = |part: u64| provenance.muscles_of(part).count() as u64;
         let share: Vec<u64> = (0..provenance.parts()).filter(|part| self.holds(*part)).collect();
         let missing: Vec<u64> = share.iter().copied().filter(|p| !parts.contains_key(p)).collect();

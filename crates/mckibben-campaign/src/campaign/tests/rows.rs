@@ -119,8 +119,8 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
         files.push(bytes(&path));
         assert_eq!(Opened::file(&path).unwrap().tables().count(), 2);
         let mut count = 0;
-        for (i, found) in super::super::rows(&path).unwrap().enumerate() {
-            assert_eq!(found.unwrap(), row(i as u64));
+        for (i, read) in super::super::rows(&path).unwrap().enumerate() {
+            assert_eq!(read.unwrap(), row(i as u64));
             count += 1;
         }
         assert_eq!(count, 77_000);

@@ -329,7 +329,7 @@ fn of_all_laws_the_points_prefer_the_one_that_made_them() {
     assert_eq!(trials.len(), Law::KINDS.iter().filter(|k| !k.is_sum).count());
     let best = &trials[0];
     assert_eq!(best.law, "gent");
-    let fit = best.fit.as_ref().unwrap();
+    let fit = best.result.as_ref().unwrap();
     assert!((fit.parameters[0].value - 0.35).abs() < fit.parameters[0].half_width);
     assert!((fit.parameters[1].value - 6.0).abs() < fit.parameters[1].half_width);
     let plain = trials.iter().find(|t| t.law == "neo-hookean").unwrap();

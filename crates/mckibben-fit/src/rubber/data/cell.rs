@@ -25,13 +25,7 @@ pub(super) struct Tests<'a> {
 
 impl Tests<'_> {
     /// Force over the area at rest, in MPa, from a value of a column at a stretch.
-    pub fn nominal_stress_mpa(
-        &self,
-        row: usize,
-        stress: &Column,
-        measured: f64,
-        stretch: f64,
-    ) -> Result<f64> {
+    pub fn nominal_mpa(&self, row: usize, stress: &Column, measured: f64, stretch: f64) -> Result<f64> {
         let nominal_stress_mpa = match stress.meaning {
             Meaning::TrueStress | Meaning::TrueStress2 => measured / stretch,
             Meaning::Force => measured / self.area_mm2,

@@ -46,7 +46,7 @@ impl Tests<'_> {
             let lambda_2 = self.second_stretch(row, mode, stretch, across[row])?;
             let first = |columns: &[(Option<_>, Vec<Option<f64>>)], along| {
                 let stress = columns.iter().find_map(|(column, values)| Some(((*column)?, values[row]?)));
-                stress.map(|(column, value)| self.nominal_stress_mpa(row, column, value, along)).transpose()
+                stress.map(|(column, value)| self.nominal_mpa(row, column, value, along)).transpose()
             };
             let before = out.len();
             if let Some(stress) = first(&along, stretch)? {
