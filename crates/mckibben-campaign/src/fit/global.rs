@@ -83,14 +83,10 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
     // The choice of work that was ended is not complete.
     cancel::check()?;
     let (coefficients, rms) = nested(&full, &chosen);
-    let left_out = leave_out(&used, &candidates, &scales, &diameters);
+    let left_out = leave_out(&used, &candidates, &scales, &diameters).unwrap_or_default();
     cancel::check()?;
     let steps: Vec<Step> = (1..=chosen.len())
-        .map(|terms| Step {
-            terms,
-            rms: rms[terms - 1],
-            left_out: left_out.as_ref().and_then(|l| l.get(terms - 1)).copied(),
-        })
+        .map(|terms| Step { terms, rms: rms[terms - 1], left_out: left_out.get(terms - 1).copied() })
         .collect();
     let count = enough(&steps);
     let values = coefficients(count).ok_or_else(|| FitError::singular("the global formula"))?;

@@ -7,7 +7,7 @@ use super::data::{FitPoint, Grid, pressure_steps, same};
 use super::errors::{Errors, compared, errors};
 use super::universal::{HeldOutRow, held_out, held_out_samples};
 use super::{FitError, Method, Result, Rules, SlackRule, ThinRule, fitted};
-use mckibben::formula::{Body, Formula};
+use mckibben::formula::Body;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use serde::Serialize;
@@ -149,14 +149,7 @@ pub fn results(progress: &dyn Progress) -> Result<Results> {
     out.add("paper's method on our FE vs FE, D0 35", None, &held, |p| p.difference_n(&ours))?;
     step(5)?;
     let random_muscles = held_out(&held_out_samples(RANDOM.0, RANDOM.1));
-    let global_terms = terms(&global);
+    let global_terms = if let Body::Global(sum) = &global.body { sum.terms.len() } else { 0 };
     step(STEPS)?;
     Ok(Results { findings: out.0, constants, global_terms, random_muscles })
-}
-
-fn terms(f: &Formula) -> usize {
-    match &f.body {
-        Body::Paper(_) => 48,
-        Body::Global(t) => t.terms.len(),
-    }
 }

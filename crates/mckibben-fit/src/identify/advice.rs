@@ -25,7 +25,8 @@ pub(super) fn lines(list: &[u64]) -> String {
 /// A number with three digits.
 fn show(v: f64) -> String {
     let decimals = if v == 0.0 { 0 } else { (2 - v.abs().log10().floor() as i32).clamp(0, 8) as usize };
-    format!("{v:.decimals$}")
+    // Adding zero takes the sign from −0.
+    format!("{:.decimals$}", v + 0.0)
 }
 
 /// Doubts about points that a model is compared with: signs and units.
@@ -67,23 +68,18 @@ pub(super) fn before(request: &Request<'_>, points: &[DataPoint]) -> Result<Vec<
     // Minor loops pass one place with several pulls.
     notes.extend(contradictions(points).filter(|_| !history));
     if distinct(points.iter().map(|p| p.at.pressure_mpa)).len() == 1 {
-        notes.push(
-            "all points have the same pressure: rubber, braid and offset can hardly be distinguished; measure at two more pressures"
-                .into(),
-        );
+        notes.push("all points have the same pressure: rubber, braid and offset can hardly be distinguished; measure at two more pressures".into());
     } else if distinct(points.iter().map(|p| p.at.contraction)).len() == 1 {
-        notes.push(
-            "all points have the same contraction: measure at others too; the decrease of the pull with contraction identifies the rubber".into(),
-        );
+        notes.push("all points have the same contraction: measure at others too; the decrease of the pull with contraction identifies the rubber".into());
     }
     let lengths = points.iter().map(|p| p.section.length_mm.unwrap_or(muscle.length_mm()));
     let ends = [&SEATING, &SLIP, &GRIP].into_iter().map(Target::Measure).find(|t| free.contains(t));
     if let Some(end) = ends.filter(|_| distinct(lengths).len() == 1) {
         let seats = end == Target::Measure(&SEATING);
         let look = if seats { "the zero of the length" } else { "length, angle or modulus" };
+        let end = end.name(muscle);
         notes.push(format!(
-            "all points are from muscles of one length: {} can hardly be distinguished from an error in {look}; measure muscles of other lengths",
-            end.name(muscle)
+            "all points are from muscles of one length: {end} can hardly be distinguished from an error in {look}; measure muscles of other lengths"
         ));
     }
     Ok(notes)
@@ -118,11 +114,11 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     ratios.sort_by(f64::total_cmp);
     let (middle, high) = (ratios[ratios.len() / 2], ratios[9 * ratios.len() / 10]);
     let highest = points.iter().map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
+    let pressure = show(highest);
     let (ratio, why) = if middle > 2.5 {
         let why = if highest < 0.06 {
             format!(
-                "the highest pressure is {} MPa; if the column holds bar or MPa under another name, rename it (pressure_bar, pressure_mpa)",
-                show(highest)
+                "the highest pressure is {pressure} MPa; if the column holds bar or MPa under another name, rename it (pressure_bar, pressure_mpa)"
             )
         } else if middle > 100.0 {
             "is force_n in mN or g?".into()
@@ -134,9 +130,9 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
         (middle, why)
     } else if high < 0.12 {
         let why = if highest > 30.0 {
-            format!("pressures reach {} MPa; if they are kPa, name the column pressure_kpa", show(highest))
+            format!("pressures reach {pressure} MPa; if they are kPa, name the column pressure_kpa")
         } else if highest > 1.5 {
-            format!("pressures reach {} MPa; if they are bar, name the column pressure_bar", show(highest))
+            format!("pressures reach {pressure} MPa; if they are bar, name the column pressure_bar")
         } else if high < 0.003 {
             "is force_n in kN?".into()
         } else {
@@ -147,9 +143,9 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     } else {
         return None;
     };
+    let ratio = show(ratio);
     Some(format!(
-        "the forces are about {} times those of an ideal muscle of these measures, which no rubber explains: {why}",
-        show(ratio)
+        "the forces are about {ratio} times those of an ideal muscle of these measures, which no rubber explains: {why}"
     ))
 }
 
@@ -193,14 +189,11 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
     } else {
         "; one of them is wrong, or the muscle changed in between (the first inflation is stiffer than later ones)"
     };
+    let (which, f, g) = (lines(&[a.line, b.line]), show(a.at.force_n), show(b.at.force_n));
+    let (p, e) = (show(a.at.pressure_mpa), show(a.at.contraction));
+    let more = if pairs.len() > 1 { format!(", and {} more pairs", pairs.len() - 1) } else { String::new() };
     Some(format!(
-        "{} contradict each other: {} and {} N at the same {} MPa and contraction {}{}{branch}",
-        lines(&[a.line, b.line]),
-        show(a.at.force_n),
-        show(b.at.force_n),
-        show(a.at.pressure_mpa),
-        show(a.at.contraction),
-        if pairs.len() > 1 { format!(", and {} more pairs", pairs.len() - 1) } else { String::new() }
+        "{which} contradict each other: {f} and {g} N at the same {p} MPa and contraction {e}{more}{branch}"
     ))
 }
 
@@ -227,18 +220,13 @@ pub(super) fn after(result: &Identification, request: &Request<'_>) -> Vec<Strin
     let far: Vec<u64> = result.points.iter().filter(|p| p.outlier).map(|p| p.point.line).collect();
     if !far.is_empty() {
         let robust = if request.loss == Loss::Squares { "; check them, or use a robust loss" } else { "" };
-        notes.push(format!(
-            "{} lie{} more than {FAR} robust deviations from the model{robust}",
-            lines(&far),
-            if far.len() == 1 { "s" } else { "" }
-        ));
+        let (which, s) = (lines(&far), if far.len() == 1 { "s" } else { "" });
+        notes.push(format!("{which} lie{s} more than {FAR} robust deviations from the model{robust}"));
     }
-    if result.freedom < 2 * result.parameters.len() {
+    let (points, parameters, freedom) = (result.points.len(), result.parameters.len(), result.freedom);
+    if freedom < 2 * parameters {
         notes.push(format!(
-            "{} points for {} parameters: the error bars have only {} degrees of freedom and are therefore wide; measure more points",
-            result.points.len(),
-            result.parameters.len(),
-            result.freedom
+            "{points} points for {parameters} parameters: the error bars have only {freedom} degrees of freedom and are therefore wide; measure more points"
         ));
     }
     notes.extend(misfit(result));
@@ -263,45 +251,37 @@ fn never_locks(result: &Identification, target: Target) -> Option<&'static str> 
 
 fn unidentifiable(result: &Identification) -> Vec<String> {
     let one = |p: &super::Identified| {
+        let (name, unit, value) = (&p.name, p.unit, show(p.value));
         if p.implausible {
             format!(
-                "{} {} {} gives an end displacement of more than 0.3 of the outer diameter, more than that of any known muscle: it is not determined; an error in another constant (length, angle, modulus) is more likely",
-                p.name,
-                show(p.value),
-                p.unit
+                "{name} {value} {unit} gives an end displacement of more than 0.3 of the outer diameter, more than that of any known muscle: it is not determined; an error in another constant (length, angle, modulus) is more likely"
             )
         } else if let Some(law) = never_locks(result, p.target) {
             format!(
-                "{} is not identifiable: no chains lock within these points, and with {} the {law} law has no limit in a muscle; a law without one fits as well: law = \"neo-hookean\"",
-                p.name,
-                show(p.value)
+                "{name} is not identifiable: no chains lock within these points, and with {value} the {law} law has no limit in a muscle; a law without one fits as well: law = \"neo-hookean\""
             )
         } else if !p.matters {
-            format!("{}: it has no effect on any point with this model: hold it constant (`fix`)", p.name)
+            format!("{name}: it has no effect on any point with this model: hold it constant (`fix`)")
         } else if p.at_bound {
-            let at = format!("{} {}", if p.value == 0.0 { "0".into() } else { show(p.value) }, p.unit);
+            let at = format!("{value} {unit}");
+            let at = at.trim();
             format!(
-                "{} is at its bound, {}: the best fit lies beyond it; widen the bound, or fix the parameter",
-                p.name,
-                at.trim()
+                "{name} is at its bound, {at}: the best fit lies beyond it; widen the bound, or fix the parameter"
             )
         } else if p.target == Target::Stiffness && p.value > 30.0 * p.start {
+            let stiffness = p.value;
             format!(
-                "{} grows without limit ({:.1e} N/mm): inextensible strands fit these data equally well; set it to \"inextensible\"",
-                p.name, p.value
+                "{name} grows without limit ({stiffness:.1e} N/mm): inextensible strands fit these data equally well; set it to \"inextensible\""
             )
         } else if !p.half_width.is_finite() {
             format!(
-                "{} is not identifiable from these data: it acts like another parameter; fix one of them",
-                p.name
+                "{name} is not identifiable from these data: it acts like another parameter; fix one of them"
             )
         } else {
-            let limit = format!("{} {}", show(p.limit), p.unit);
+            let (half, limit) = (show(p.half_width), format!("{} {unit}", show(p.limit)));
+            let limit = limit.trim();
             format!(
-                "{} is not identifiable from these data: ± {} is more than {}; hold it constant (`fix`)",
-                p.name,
-                show(p.half_width),
-                limit.trim()
+                "{name} is not identifiable from these data: ± {half} is more than {limit}; hold it constant (`fix`)"
             )
         }
     };
@@ -341,16 +321,15 @@ fn correlated(result: &Identification) -> Vec<String> {
 }
 
 fn misfit(result: &Identification) -> Option<String> {
+    let times = show(result.deviation);
     match result.deviation {
         _ if !result.errors_stated => None,
         s if s > 1.5 => Some(format!(
-            "the residuals are {} times the stated errors: the model does not explain the data, or the errors are larger",
-            show(s)
+            "the residuals are {times} times the stated errors: the model does not explain the data, or the errors are larger"
         )),
-        s if s < 0.5 => Some(format!(
-            "the residuals are only {} of the stated errors: these are stated too large",
-            show(s)
-        )),
+        s if s < 0.5 => {
+            Some(format!("the residuals are only {times} of the stated errors: these are stated too large"))
+        }
         _ => None,
     }
 }
@@ -378,9 +357,9 @@ fn pattern(points: &[PointFit]) -> Option<String> {
         return None;
     }
     let rho = rho.min(0.999);
+    let factor = show(((1.0 + rho) / (1.0 - rho)).sqrt());
     Some(format!(
-        "the residuals follow a pattern (neighbours correlate by {rho:.2}): they are the model's error, not noise, and the standard errors are too small, by a factor of about {}",
-        show(((1.0 + rho) / (1.0 - rho)).sqrt())
+        "the residuals follow a pattern (neighbours correlate by {rho:.2}): they are the model's error, not noise, and the standard errors are too small, by a factor of about {factor}"
     ))
 }
 
@@ -402,10 +381,7 @@ fn slack(result: &Identification, build: &Build<'_>) -> Option<String> {
     Some(if wrong.is_empty() {
         format!("{left}; the model agrees that the muscle is slack there")
     } else {
-        format!(
-            "{left}; at {} of them the model pulls by more than twice the rms ({})",
-            wrong.len(),
-            lines(&wrong)
-        )
+        let (n, which) = (wrong.len(), lines(&wrong));
+        format!("{left}; at {n} of them the model pulls by more than twice the rms ({which})")
     })
 }

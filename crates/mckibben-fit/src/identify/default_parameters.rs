@@ -60,10 +60,8 @@ pub fn identify_default(request: &Request<'_>) -> Result<Identification> {
         return all;
     }
     let mut result = run(&without)?;
-    result.notes.push(
-        "braid.stiffness is not identifiable from these data and was not changed; free it by name to see its value"
-            .into(),
-    );
+    let note = "braid.stiffness is not identifiable from these data and was not changed; free it by name to see its value";
+    result.notes.push(note.into());
     Ok(result)
 }
 

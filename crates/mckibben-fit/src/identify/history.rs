@@ -19,9 +19,9 @@ pub(super) fn directed(points: &[DataPoint]) -> Result<Vec<DataPoint>> {
     let mut out: Vec<DataPoint> = vec![];
     for row in points {
         if row.measured != Quantity::Force {
+            let line = row.line;
             return Err(IdentifyError::Refused(format!(
-                "line {line}: rows in time order state a measured force, at a set pressure and length",
-                line = row.line
+                "line {line}: rows in time order state a measured force, at a set pressure and length"
             )));
         }
         let mut row = *row;

@@ -88,8 +88,6 @@ fn doubt(law: &Law) -> Option<String> {
     }
     let values = law.constants();
     let negative = values.iter().find(|c| c.constant.is_modulus() && c.value < 0.0)?;
-    Some(format!(
-        "{} is {:.3} MPa, below zero: the law may lose its stability",
-        negative.name, negative.value
-    ))
+    let (name, value) = (&negative.name, negative.value);
+    Some(format!("{name} is {value:.3} MPa, below zero: the law may lose its stability"))
 }

@@ -77,7 +77,7 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>> {
         return Err(IdentifyError::Refused(format!("{name} is named twice, free or fixed: name it once")));
     }
     let one = |p: &Parameter| {
-        let name = || p.target.name(muscle);
+        let name = p.target.name(muscle);
         let value = p.target.value(muscle).or_else(|| match p.target {
             Target::Measure(m) if *m == FRICTION_COEFFICIENT => {
                 let exponent = Target::Measure(&FRICTION_EXPONENT).value(muscle)?;
@@ -87,7 +87,6 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>> {
             other => other.identify().and_then(|i| i.start(muscle)),
         });
         let start = p.start.or(value).ok_or_else(|| {
-            let name = name();
             IdentifyError::Refused(format!(
                 "{name} has no value to begin with in this muscle: write {name}=START"
             ))
@@ -95,8 +94,7 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>> {
         let (low, high) = p.bounds.unwrap_or_else(|| p.target.natural_bounds(muscle));
         if !(start >= low && start <= high && low < high) {
             return Err(IdentifyError::Refused(format!(
-                "{name}: the start {start} lies outside of the bounds {low} to {high}: write {name}=START:LOW:HIGH",
-                name = name()
+                "{name}: the start {start} lies outside of the bounds {low} to {high}: write {name}=START:LOW:HIGH"
             )));
         }
         let scale = p.target.limit(muscle, start);
@@ -117,10 +115,9 @@ fn counted_and_slack(request: &Request<'_>) -> (Vec<DataPoint>, Vec<DataPoint>) 
 fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec<f64>, bool)> {
     let stated = points.iter().filter(|p| p.error.is_some()).count();
     if let Some(without) = points.iter().find(|p| p.error.is_none()).filter(|_| stated > 0) {
+        let (all, line) = (points.len(), without.line);
         return Err(IdentifyError::Data(format!(
-            "{stated} of {} points state their error (first without: line {}): state the errors of all points, or of none",
-            points.len(),
-            without.line
+            "{stated} of {all} points state their error (first without: line {line}): state the errors of all points, or of none"
         )));
     }
     let one = |p: &DataPoint| p.weight / p.error.map_or(1.0, |e| (e * scale(p.measured)).powi(2));
@@ -146,9 +143,8 @@ pub fn identify(request: &Request<'_>) -> Result<Identification> {
 
 fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     if request.free.is_empty() {
-        return Err(IdentifyError::Refused(
-            "nothing is free: name at least one parameter to identify".into(),
-        ));
+        let message = "nothing is free: name at least one parameter to identify";
+        return Err(IdentifyError::Refused(message.into()));
     }
     let unknowns = unknowns(request)?;
     let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();

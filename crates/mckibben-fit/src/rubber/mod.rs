@@ -67,9 +67,9 @@ pub fn fit_tension_with(
     let count = problem.counting();
     let forms = chosen(settings, count)?;
     if !(problem.modulus_mpa > 0.0 && problem.modulus_mpa.is_finite()) {
+        let modulus_mpa = problem.modulus_mpa;
         return Err(TensionFitError::Refused(format!(
-            "the points give a modulus of {} MPa: stress must be above zero where the stretch is above 1; check the columns and their signs",
-            problem.modulus_mpa
+            "the points give a modulus of {modulus_mpa} MPa: stress must be above zero where the stretch is above 1; check the columns and their signs"
         )));
     }
     let fitted_to_stretch = problem.fitted_to_stretch();
@@ -129,11 +129,11 @@ fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>> {
     let requested = if settings.forms.is_empty() { Form::all() } else { settings.forms.clone() };
     let forms: Vec<Form> = requested.iter().copied().filter(|f| points >= f.fewest_points()).collect();
     match (forms.is_empty(), requested.first()) {
-        (true, Some(first)) => Err(TensionFitError::TooFew(format!(
-            "{points} points are too few for {}: it takes {} or more",
-            first.name(),
-            first.fewest_points()
-        ))),
+        (true, Some(first)) => {
+            let (name, fewest) = (first.name(), first.fewest_points());
+            let message = format!("{points} points are too few for {name}: it takes {fewest} or more");
+            Err(TensionFitError::TooFew(message))
+        }
         _ => Ok(forms),
     }
 }

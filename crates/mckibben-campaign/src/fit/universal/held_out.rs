@@ -47,14 +47,8 @@ pub fn held_out_samples(count: usize, seed: u64) -> Vec<Sample> {
 
 fn drawn(count: usize, seed: u64, law: MakeLaw<'_>) -> Vec<Sample> {
     let mut r = Random(seed);
-    let mut muscles = vec![];
-    for _ in 0..20 * count {
-        if muscles.len() == count {
-            break;
-        }
-        muscles.extend(random(&mut r, law));
-    }
-    let numbered: Vec<_> = muscles.into_iter().enumerate().collect();
+    let muscles = (0..20 * count).filter_map(|_| random(&mut r, law)).take(count);
+    let numbered: Vec<_> = muscles.enumerate().collect();
     threads::map(&numbered, |(i, (m, p))| solved(*i, m, *p)).into_iter().flatten().collect()
 }
 
