@@ -165,13 +165,14 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
         Form::Membrane => ModelKind::Universal,
         Form::Bulge => ModelKind::UniversalSmall,
     };
+    let samples = samples(&rows).map_err(|e| no_fit(&origin.name, e))?;
     let wanted = UniversalRequest {
+        samples: &samples,
         form,
         name: request.name.clone().unwrap_or_else(|| usual.name().into()),
         from: origin.from,
     };
-    let fitted = samples(&rows).and_then(|samples| universal(&samples, &wanted, progress));
-    let formula = Document::Universal(fitted.map_err(|e| no_fit(&origin.name, e))?);
+    let formula = Document::Universal(universal(&wanted, progress).map_err(|e| no_fit(&origin.name, e))?);
     Ok(FitAnswer { formula, tables: vec![], figures: vec![], failed: 0, fitted: None })
 }
 

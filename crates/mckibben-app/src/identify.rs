@@ -132,7 +132,7 @@ pub struct LawRow {
 
 impl LawRow {
     fn new(trial: LawTrial, best: f64) -> Self {
-        let (identified, error) = match trial.found {
+        let (identified, error) = match trial.result {
             Ok(identified) => (Some(identified), None),
             Err(error) => (None, Some(error.to_string())),
         };
@@ -359,7 +359,7 @@ impl IdentifyRequest {
                 let force_n = model.force_n(&mut workspace, pressure_mpa, contraction)?;
                 let branch = Some(Direction::Mean);
                 let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
-                points.push(DataPoint { section, line: points.len() as u64 + 2, ..DataPoint::of(at) });
+                points.push(DataPoint { section, line: points.len() as u64 + 2, ..DataPoint::new(at) });
             }
         }
         Ok(points)

@@ -5,7 +5,7 @@ use mckibben::analysis::Evaluation;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::{model::Workspace, muscle::file::to_toml, threads};
 use mckibben_fit::validation::case::Facts;
-use mckibben_fit::validation::library::{self, Agreement, PREFIX, agreement, library};
+use mckibben_fit::validation::library::{self, LibraryAgreement, PREFIX, agreement, library};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -41,7 +41,7 @@ pub struct LibraryDetails {
     /// What was identified.
     pub identified: Vec<String>,
     /// How it agrees with its points.
-    pub agreement: Agreement,
+    pub agreement: LibraryAgreement,
     /// The muscle file, with the bench that states its ±.
     pub muscle_file: TextFile,
 }

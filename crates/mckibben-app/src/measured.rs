@@ -3,10 +3,11 @@
 use crate::{MeshFields, Model, Problem, ProblemKind, Result, Units, figure};
 use mckibben::{muscle::Muscle, progress::Progress, size};
 use mckibben_fit::validation::case::{self, CaseError, Measurement, MuscleCase};
-pub use mckibben_fit::validation::case::{CaseFiles as MeasuredFolder, Facts as MeasuredFacts};
-pub use mckibben_fit::validation::report::{FitResult as MeasuredFit, MeasuredBranch};
+pub use mckibben_fit::validation::case::{Facts as MeasuredFacts, MeasuredFolder};
 use mckibben_fit::validation::report::{Group, report};
-pub use mckibben_fit::validation::rubber::RubberFitResult as MeasuredRubberFit;
+pub use mckibben_fit::validation::report::{MeasuredBranch, MeasuredFit};
+use mckibben_fit::validation::residual::Fitter;
+pub use mckibben_fit::validation::rubber::RubberFit as MeasuredRubberFit;
 use mckibben_fit::validation::rubber::{self, RubberCase, RubberGroup};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -112,7 +113,7 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
     size::points("cases", (points + stresses) as f64)?;
     let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &MeshFields::default())?;
     let build = |muscle: &Muscle| model.build(muscle);
-    let reported = report(&cases, &build, progress)?;
+    let reported = report(&cases, Fitter { build: &build, progress })?;
     let (rubbers, stresses) = rubbers(&stretched, progress)?;
     let name = model.name().to_owned();
     let figure = request.figure.as_ref().map(|u| figure::measured(&cases, &reported, (&name, &build), u));

@@ -354,7 +354,6 @@ impl From<CampaignError> for Problem {
             CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => ProblemKind::Damaged,
             CampaignError::Incomplete { .. } => ProblemKind::Incomplete,
             CampaignError::Write { .. }
-            | CampaignError::Encode(_)
             | CampaignError::Threads(_)
             | CampaignError::Foreign { .. }
             | CampaignError::Appeared { .. } => ProblemKind::Output,

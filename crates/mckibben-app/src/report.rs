@@ -9,7 +9,7 @@ use mckibben::analysis::{Burst, FailurePressure, SAFETY};
 use mckibben::muscle::Direction;
 use mckibben::{curve::Test, muscle::file::to_toml, progress::Progress, warning::is_of_burst};
 use mckibben_build::{Plan, drawing_svg};
-use mckibben_report::{Body, Document, Figure, Part};
+use mckibben_report::{Document, Figure, Part};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -157,7 +157,7 @@ fn body_part(request: &ShapeRequest, progress: &dyn Progress) -> Result<Part> {
         list.iter_mut().for_each(|v| *v = (*v * 1e4).round() / 1e4);
     }
     let data = serde_json::to_string(&answer).unwrap_or_default();
-    Ok(Part::Body(Body { data }))
+    Ok(Part::Body(data))
 }
 
 fn curves(
@@ -191,8 +191,9 @@ fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) ->
     let force = &request.units.force;
     let shown =
         |v: Option<f64>| v.map_or_else(|| "–".to_owned(), |v| format!("{} {}", force.to(v, 2), force.name));
-    let rows = answer.models.iter().filter(|m| m.model != answer.reference);
-    let rows = rows.map(|m| vec![m.model.clone(), shown(m.rms_n), shown(m.max_n)]).collect();
+    let rows = answer.models.iter().filter(|m| m.errors.model != answer.reference);
+    let rows =
+        rows.map(|m| vec![m.errors.model.clone(), shown(m.errors.rms_n), shown(m.errors.max_n)]).collect();
     let mut parts = vec![
         Part::Heading("Other models".into()),
         Part::Text(format!("Their differences from {}.", answer.reference)),

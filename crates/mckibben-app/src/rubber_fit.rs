@@ -195,12 +195,13 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         value.map(|value| above_zero(ProblemKind::Quantity, field, value)).transpose()
     };
     let options = ReadOptions {
+        columns: request.columns.clone(),
         mode: request.mode,
         area_mm2: positive("area_mm2", request.area_mm2)?,
         gauge_length_mm: positive("gauge_length_mm", request.gauge_length_mm)?,
     };
-    let (points, table) = read_tests(file.text.as_bytes(), options, &request.columns)
-        .map_err(|error| Problem::of_table(&file.name, &error))?;
+    let (points, table) =
+        read_tests(file.text.as_bytes(), &options).map_err(|error| Problem::of_table(&file.name, &error))?;
     let has = |quantities: &[&str]| table.columns.iter().any(|c| quantities.contains(&c.quantity.as_str()));
     let area = request.area_mm2.is_some() && !has(&["force"]);
     Problem::refuse_unused(&[("area_mm2", area)], "the table has stresses, and no `columns` of forces")?;

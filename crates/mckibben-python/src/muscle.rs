@@ -3,7 +3,7 @@
 use crate::{error::Wrong, run, value};
 use mckibben::{muscle::Muscle, muscle::file::to_toml, rubber::RubberLaw};
 use mckibben_app::{MuscleFields, Problem, ProblemKind, TextFile, muscle_of, understood, with_parameters};
-use mckibben_fit::identify::{Target, own_value};
+use mckibben_fit::identify::Target;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -38,7 +38,7 @@ pub fn parameters(text: String) -> PyResult<Vec<(String, f64, &'static str)>> {
         )
     };
     let all = Target::all(&muscle).into_iter().filter(known);
-    let row = |t: Target| Some((t.name(&muscle), own_value(&muscle, t)?, t.unit(&muscle)));
+    let row = |t: Target| Some((t.name(&muscle), t.value(&muscle)?, t.unit(&muscle)));
     Ok(all.filter_map(row).collect())
 }
 

@@ -8,7 +8,7 @@ use mckibben::model::Workspace;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben_fit::identify::{Identification, PointFit};
 use mckibben_fit::measured::{DataPoint, Section, distinct, mean_of_data};
-use mckibben_fit::{identify::Build, validation::case::MuscleCase, validation::report::FitResult};
+use mckibben_fit::{identify::Build, validation::case::MuscleCase, validation::report::MeasuredFit};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// Curves of one figure at most; of more levels some are shown.
@@ -136,7 +136,7 @@ fn fit(
     let x_axis =
         if isobaric { "contraction ratio ε [–]".into() } else { u.pressure.heading("pressure P") };
     let mut panel = Panel::new(Axis::new(x_axis).from_zero(), pull(u));
-    let muscle = identified.candidate.of_section(section);
+    let muscle = identified.candidate.section_muscle(section);
     if named && let Ok(m) = &muscle {
         let [diameter, wall] = [m.outer_diameter_mm(), m.wall_mm()].map(|mm| u.length.show(mm));
         panel = panel.title(format!("D0 {diameter}, s {wall}"));
@@ -198,7 +198,7 @@ const LINE: u32 = 30;
 /// Measured points and lines of a model, muscle by muscle.
 pub(crate) fn measured(
     cases: &[&MuscleCase],
-    results: &[FitResult],
+    results: &[MeasuredFit],
     model: (&str, &Build<'_>),
     u: &Units,
 ) -> Figure {

@@ -15,7 +15,7 @@ use mckibben::analysis::Evaluation;
 use mckibben::model::{Bounds, ModelError, Workspace, pulls_within};
 use mckibben::muscle::{BraidStiffness, Muscle};
 use mckibben::{cancel, differences::slope, rubber::RubberLaw, warning::strand_strength_n};
-use mckibben_fit::identify::{Candidate, Target, own_value};
+use mckibben_fit::identify::{Candidate, Target};
 use std::f64::consts::PI;
 
 /// What rounding leaves of no pull, as a share of the pressure on the outer section.
@@ -226,7 +226,7 @@ impl BoundModel {
         // All others are held, k of the strands among them.
         let held = stated(muscle)?;
         for ((target, name), place) in parameters.iter().zip(&names).zip(places) {
-            let value = own_value(&held, *target).ok_or_else(|| self.no_slope(name, p, e))?;
+            let value = target.value(&held).ok_or_else(|| self.no_slope(name, p, e))?;
             let scale = match target {
                 Target::Law(_) => muscle.tube().rubber.law.shear_modulus_mpa(),
                 _ => 1.0,
@@ -239,7 +239,7 @@ impl BoundModel {
 
     /// The pull with another value of a parameter.
     fn force_with(&self, held: &Muscle, target: Target, value: f64, p: f64, e: f64) -> Result<f64> {
-        let model = self.choice.build(Candidate::new(held, &[(target, value)])?.muscle())?;
+        let model = self.choice.build(&Candidate::new(held, &[(target, value)])?.muscle)?;
         Ok(Evaluation::new(&*model, &mut Workspace::new(), self.options).force_n(p, e)?)
     }
 }
@@ -249,7 +249,7 @@ pub fn with_parameters(muscle: &Muscle, values: &[(String, f64)]) -> Result<Musc
     let held = stated(muscle)?;
     let list =
         values.iter().map(|(name, value)| Ok((super::parameter(muscle, name)?, finite(name, *value)?)));
-    Ok(Candidate::new(&held, &list.collect::<Result<Vec<_>>>()?)?.muscle().clone())
+    Ok(Candidate::new(&held, &list.collect::<Result<Vec<_>>>()?)?.muscle)
 }
 
 /// The same muscle with k stated in N/mm, where it follows from other measures.

@@ -72,7 +72,7 @@ fn derivatives_are_those_of_differences() {
     for name in ["tube.material.c10", "braid.stiffness", "tube.outer_diameter"] {
         let of = bound("fe");
         let all = filled(&of, &many(false, vec![of.parameter(name).unwrap()]), &[0.2], &[0.1]).unwrap();
-        let value = mckibben_fit::identify::own_value(&muscle, of.parameter(name).unwrap()).unwrap();
+        let value = of.parameter(name).unwrap().value(&muscle).unwrap();
         let at = |value: f64| {
             let other = with_parameters(&muscle, &[(name.into(), value)]).unwrap();
             let of = BoundModel::new(&other, &named("fe"), AskFields::default()).unwrap();

@@ -28,14 +28,14 @@ fn as_text(args: &Args, request: &CompareRequest, answer: &CompareAnswer, u: &Un
     let about = understood(&answer.understood) + &answer.muscle.line(u);
     let row = |m: &ComparedModel| {
         let mut row = value(m);
-        row["share"] = m.rms_n.map(|rms| rms / answer.largest_force_n).into();
+        row["share"] = m.errors.rms_n.map(|rms| rms / answer.largest_force_n).into();
         row["fitted"] = if m.fitted().is_empty() && !request.fit.is_empty() {
             "no constant of --fit".into()
         } else {
             m.fitted().into()
         };
-        row["unanswered"] = Some(m.unanswered).filter(|n| *n > 0).into();
-        row["cause"] = m.cause.as_deref().map(|cause| u.sentence(cause)).into();
+        row["unanswered"] = Some(m.errors.unanswered).filter(|n| *n > 0).into();
+        row["cause"] = m.errors.cause.as_deref().map(|cause| u.sentence(cause)).into();
         row
     };
     let rows: Vec<Value> = answer.models.iter().map(row).collect();
@@ -44,7 +44,7 @@ fn as_text(args: &Args, request: &CompareRequest, answer: &CompareAnswer, u: &Un
     let errors: Vec<&Value> = there.into_iter().chain(some).collect();
     let mut out = format!("{about}\nagainst {against}\n\n{}", tabled(&errors, ERRORS, u));
     out += "\nmean: above zero if the model predicts too much pull\n";
-    if answer.models.iter().any(|m| m.volume_points > 0) {
+    if answer.models.iter().any(|m| m.errors.volume_points > 0) {
         out += &format!("\nvolume of the cavity:\n{}", tabled(&errors, VOLUMES, u));
     }
     if !not.is_empty() {

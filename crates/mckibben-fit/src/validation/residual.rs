@@ -1,4 +1,4 @@
-//! What a model of a muscle leaves of measured pulls.
+//! Measured pulls less those of a model.
 
 use super::case::CaseFit;
 use crate::identify::{Build, Identification, Identified, Request, Result, identify};
@@ -17,8 +17,8 @@ pub struct Residual {
     pub contraction: f64,
     /// ε over the ideal muscle's largest contraction.
     pub contraction_share: f64,
-    /// Measured less computed, in N; of a volume what would change it as much, |∂F/∂ε| / |∂V/∂ε| times what is left of it.
-    pub left_n: f64,
+    /// Measured less computed, in N; of a volume |∂F/∂ε| / |∂V/∂ε| times its difference.
+    pub difference_n: f64,
     /// The branch it was measured on.
     pub branch: Direction,
     /// Pressure in MPa.
@@ -31,14 +31,9 @@ pub struct Residual {
 }
 
 impl Residual {
-    /// What is left, over the blocked force at the same pressure.
-    pub fn of_blocked(&self) -> f64 {
-        self.left_n / self.blocked_n
-    }
-
-    /// Whether the ± holds the point.
+    /// Whether the ± covers the point.
     pub fn covered(&self) -> Option<bool> {
-        self.half_width_n.map(|half| self.left_n.abs() <= half)
+        self.half_width_n.map(|half| self.difference_n.abs() <= half)
     }
 }
 
@@ -50,13 +45,13 @@ fn half_width_n(evaluation: &mut Evaluation<'_>, point: &DataPoint, blocked_n: f
         BlockedAt::SamePressure => blocked_n,
         BlockedAt::Pressure(p) => model.blocked_scale_n(evaluation.workspace, p).ok()?,
     };
-    let own_n = accuracy.share_of_blocked? * scale_n;
+    let model_n = accuracy.share_of_blocked? * scale_n;
     if matches!(accuracy.reference, Reference::ForceMap(_)) {
-        return Some(own_n);
+        return Some(model_n);
     }
     let elsewhere_n =
         transfer_n(muscle, blocked_n).unwrap_or(0.0).hypot(length_n(muscle, blocked_n).unwrap_or(0.0));
-    let half_n = measured_n(muscle, blocked_n, point.at.contraction).hypot(own_n).hypot(elsewhere_n);
+    let half_n = measured_n(muscle, blocked_n, point.at.contraction).hypot(model_n).hypot(elsewhere_n);
     if point.at.direction().is_mean() {
         return Some(half_n);
     }
@@ -65,7 +60,7 @@ fn half_width_n(evaluation: &mut Evaluation<'_>, point: &DataPoint, blocked_n: f
 }
 
 /// The model of the muscle of some rows, where it has one.
-struct Asked {
+struct SectionModel {
     section: Section,
     model: Option<Box<dyn ForceModel>>,
     workspace: Workspace,
@@ -73,8 +68,8 @@ struct Asked {
     blocked: Vec<(f64, Option<f64>)>,
 }
 
-impl Asked {
-    /// Finite elements answer a neighbour of the last point fast, so that each pressure is asked once for its blocked force.
+impl SectionModel {
+    /// Finite elements are fast next to their last point: the blocked force of each pressure is computed once.
     fn residual(&mut self, point: &DataPoint) -> Option<Residual> {
         let (model, w) = (self.model.as_deref()?, &mut self.workspace);
         let MeasuredPoint { pressure_mpa, contraction, force_n, .. } = point.at;
@@ -87,8 +82,8 @@ impl Asked {
         })?;
         let mut evaluation = Evaluation::new(model, w, branch);
         let here = evaluation.response(pressure_mpa, contraction).ok()?;
-        let left_n = match point.measured {
-            // A muscle that hangs slack pulls with nothing.
+        let difference_n = match point.measured {
+            // A slack muscle does not pull.
             Quantity::Force => force_n - here.force_n.max(0.0),
             Quantity::Contraction | Quantity::Pressure => force_n - here.force_n,
             Quantity::Volume => {
@@ -100,7 +95,7 @@ impl Asked {
         Some(Residual {
             contraction,
             contraction_share: contraction / model.muscle().max_ideal_contraction(),
-            left_n,
+            difference_n,
             branch,
             pressure_mpa,
             blocked_n,
@@ -109,23 +104,23 @@ impl Asked {
     }
 }
 
-/// What a muscle leaves of points, those left out to which the model has no answer.
+/// Measured points less the model of a muscle; without those to which the model has no answer.
 pub(super) fn residuals(build: &Build<'_>, muscle: &Muscle, points: &[&DataPoint]) -> Vec<Residual> {
-    let mut models: Vec<Asked> = vec![];
+    let mut models: Vec<SectionModel> = vec![];
     let mut out = vec![];
     for point in points {
         let known = models.iter().position(|m| m.section == point.section).unwrap_or_else(|| {
             let model = point.section.apply(muscle).ok().and_then(|m| build(&m).ok());
             let (section, workspace) = (point.section, Workspace::new());
-            models.push(Asked { section, model, workspace, blocked: vec![] });
+            models.push(SectionModel { section, model, workspace, blocked: vec![] });
             models.len() - 1
         });
-        out.extend(models.get_mut(known).and_then(|asked| asked.residual(point)));
+        out.extend(models.get_mut(known).and_then(|model| model.residual(point)));
     }
     out
 }
 
-/// The model that is fitted, and who hears how far it is.
+/// The model that is fitted, and the progress that may end it.
 #[derive(Clone, Copy)]
 pub struct Fitter<'a> {
     pub build: &'a Build<'a>,
@@ -133,14 +128,10 @@ pub struct Fitter<'a> {
 }
 
 impl Fitter<'_> {
-    /// A fit to points that begins with a muscle: least squares of the pulls, from one side, without history.
-    pub(super) fn identified(
-        &self,
-        from: &Muscle,
-        fit: &CaseFit,
-        points: &[DataPoint],
-    ) -> Result<Identification> {
-        identify(&Request { progress: self.progress, ..Request::new(from, &fit.free, points, self.build) })
+    /// A fit to points: least squares of the pulls, from one side, without history.
+    pub(super) fn identified(&self, fit: &CaseFit, points: &[DataPoint]) -> Result<Identification> {
+        let request = Request::new(&fit.muscle, &fit.free, points, self.build);
+        identify(&Request { progress: self.progress, ..request })
     }
 
     /// The muscle and the constants of a fit to points.
@@ -148,8 +139,8 @@ impl Fitter<'_> {
         if fit.free.is_empty() {
             return Ok((fit.muscle.clone(), vec![]));
         }
-        let found = self.identified(&fit.muscle, fit, points)?;
-        Ok((found.muscle, found.parameters))
+        let identification = self.identified(fit, points)?;
+        Ok((identification.muscle, identification.parameters))
     }
 }
 
@@ -159,9 +150,9 @@ pub(super) fn compared<'a>(means: &'a [DataPoint], points: &'a [DataPoint]) -> V
     means.chain(points.iter().filter(|p| !p.at.direction().is_mean())).collect()
 }
 
-/// What is left of points: measured less computed.
+/// Errors of a model at some points: measured less computed.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
-pub struct Left {
+pub struct ForceErrors {
     /// How many points.
     pub points: usize,
     /// Root mean square of the differences in N.
@@ -179,14 +170,14 @@ pub struct Left {
     pub blocked_n: f64,
 }
 
-impl Left {
-    pub fn of<'a>(list: impl Iterator<Item = &'a Residual>) -> Self {
+impl ForceErrors {
+    pub fn new<'a>(list: impl Iterator<Item = &'a Residual>) -> Self {
         let (mut out, mut squares, mut judged, mut held) = (Self::default(), 0.0, 0, 0);
         for r in list {
             out.points += 1;
-            squares += r.left_n * r.left_n;
-            out.bias_n += r.left_n;
-            out.largest_n = out.largest_n.max(r.left_n.abs());
+            squares += r.difference_n * r.difference_n;
+            out.bias_n += r.difference_n;
+            out.largest_n = out.largest_n.max(r.difference_n.abs());
             out.blocked_n = out.blocked_n.max(r.blocked_n);
             judged += usize::from(r.covered().is_some());
             held += usize::from(r.covered() == Some(true));

@@ -1,4 +1,4 @@
-//! Identification with finite elements: their own derivatives, and known constants that come back.
+//! Identification with finite elements: their derivatives, and known constants that come back.
 
 use mckibben::model::{Accuracy, ForceModel, ModelError, ModelInfo, Response, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
@@ -59,17 +59,17 @@ fn points() -> Vec<DataPoint> {
                 let measured =
                     [Quantity::Force, Quantity::Force, Quantity::Contraction, Quantity::Pressure][i % 4];
                 let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(branch) };
-                out.push(DataPoint { section, measured, ..DataPoint::of(at) });
+                out.push(DataPoint { section, measured, ..DataPoint::new(at) });
             }
         }
     }
     out
 }
 
-fn run(names: &[&str], points: &[DataPoint], with_own: bool) -> Identification {
+fn run(names: &[&str], points: &[DataPoint], analytic: bool) -> Identification {
     let m = muscle(30.0, 400.0);
     let free: Vec<Parameter> = names.iter().map(|n| Parameter::parse(n, &m).unwrap()).collect();
-    let build: &Build<'_> = if with_own { &fe } else { &bare };
+    let build: &Build<'_> = if analytic { &fe } else { &bare };
     identify(&Request::new(&m, &free, points, build)).unwrap()
 }
 
@@ -129,17 +129,17 @@ fn known_constants_come_back() {
     let data = points();
     for set in sets {
         let names: Vec<&str> = set.iter().map(|s| s.0).collect();
-        let found = run(&names, &data, true);
-        for (p, (name, truth)) in found.parameters.iter().zip(set) {
+        let result = run(&names, &data, true);
+        for (p, (name, truth)) in result.parameters.iter().zip(set) {
             assert!((p.value - truth).abs() < 1e-5 * (1.0 + truth.abs()), "{name}: {}", p.value);
             assert!(p.identifiable, "{p:?}");
         }
     }
 }
 
-/// The chain rules (moduli, k of several diameters, D0 through k, friction, offset, what was read) against differences.
+/// The chain rules (moduli, k of several diameters, D0 through k, friction, offset, the measured quantity) against differences.
 #[test]
-fn error_bars_by_own_derivatives_are_those_by_differences() {
+fn error_bars_by_derivatives_are_those_by_differences() {
     let mut data = points();
     for (i, p) in data.iter_mut().enumerate() {
         p.at.force_n += [3.0, -2.0, 1.0, -4.0, 2.0][i % 5];
@@ -149,8 +149,8 @@ fn error_bars_by_own_derivatives_are_those_by_differences() {
         &["c10", "braid.stiffness_exponent=0.8", "tube.outer_diameter", "tube.length", "contraction_offset"],
     ];
     for names in sets {
-        let (own, differences) = (run(names, &data, true), run(names, &data, false));
-        for (a, b) in own.parameters.iter().zip(&differences.parameters) {
+        let (analytic, differences) = (run(names, &data, true), run(names, &data, false));
+        for (a, b) in analytic.parameters.iter().zip(&differences.parameters) {
             assert!((a.value - b.value).abs() < 1e-3 * b.standard_error, "{a:?}\n{b:?}");
             assert!((a.standard_error / b.standard_error - 1.0).abs() < 1e-3, "{a:?}\n{b:?}");
         }

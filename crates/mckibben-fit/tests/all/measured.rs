@@ -9,9 +9,9 @@ use mckibben_fem::axisymmetric::MeshSpec;
 use mckibben_fem::elements::Elements;
 use mckibben_fit::identify::{Request, identify};
 use mckibben_fit::validation::case::{built_in, muscles};
-use mckibben_fit::validation::coverage::of_first_fit;
+use mckibben_fit::validation::coverage::first_fit_residuals;
 use mckibben_fit::validation::held_out;
-use mckibben_fit::validation::residual::{Fitter, Left};
+use mckibben_fit::validation::residual::{Fitter, ForceErrors};
 use std::path::Path;
 
 fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
@@ -44,7 +44,7 @@ fn the_crates_copies_are_the_files_in_data() {
     }
 }
 
-/// The share of measured single branches that the ± holds of a muscle whose friction was identified from both: with no branch asked for, and on
+/// The share of measured single branches that the ± holds of a muscle whose friction was identified from both: with no branch given, and on
 /// the branch of each point. Of Tondu's 20° muscle the loops are ± 37 N.
 #[test]
 fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() {
@@ -58,13 +58,13 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
         // Every third: quick, and of all pressures and contractions.
         let points: Vec<_> = set.points.iter().filter(branch).step_by(3).copied().collect();
         let request = Request::new(&fit.muscle, &fit.free, &points, &elements);
-        let found = identify(&request).unwrap();
-        assert!(found.muscle.friction().is_some());
+        let result = identify(&request).unwrap();
+        assert!(result.muscle.friction().is_some());
         let (mut held, mut judged) = ([0, 0], 0);
         let mut models: Vec<(mckibben_fit::measured::Section, _, Workspace)> = vec![];
         for p in &points {
             if !models.iter().any(|m| m.0 == p.section) {
-                let muscle = found.candidate.of_section(&p.section).unwrap();
+                let muscle = result.candidate.section_muscle(&p.section).unwrap();
                 models.push((p.section, elements(&muscle).unwrap(), Workspace::new()));
             }
             let (_, model, w) = models.iter_mut().find(|m| m.0 == p.section).unwrap();
@@ -83,16 +83,16 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
     }
 }
 
-/// Ten points at the highest pressure and at 0.4 of it, as far as they are there: the ± that they leave over the blocked force, which is what is said of the
-/// suggested test (0.06), and the held-out points at it.
+/// Ten points at the highest pressure and at 0.4 of it, as far as they are there: their ± over the blocked force, which the suggested test
+/// states (0.06), and the held-out points at it.
 #[test]
-fn ten_points_leave_about_the_uncertainty_that_the_smallest_bench_promises() {
+fn ten_points_give_about_the_uncertainty_of_the_suggested_test() {
     let thick = |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m);
     let mut shares = vec![];
     for (name, fit) in [("tondu2012", "Gent, friction; both branches"), ("dmsp-20-300", "modulus, angle")] {
         let set = muscles().unwrap().into_iter().find(|c| c.facts.name == name).unwrap();
         let fit = set.fits.iter().find(|f| f.name == fit).unwrap();
-        let points = held_out::points_of(set, fit);
+        let points = held_out::fit_points(set, fit);
         let top = points.iter().map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
         let five = |pressure: f64| {
             let mut list: Vec<_> = points
@@ -105,9 +105,9 @@ fn ten_points_leave_about_the_uncertainty_that_the_smallest_bench_promises() {
         };
         let ten = [five(top), five(0.4 * top)].concat();
         let others: Vec<_> = points.iter().filter(|p| !ten.contains(p)).copied().collect();
-        let judged =
-            held_out::judged(fit, &ten, &others, Fitter { build: &thick, progress: &Silent }).unwrap();
-        let held = Left::of(judged.iter()).held;
+        let fitter = Fitter { build: &thick, progress: &Silent };
+        let judged = fitter.judged(fit, &ten, &others).unwrap();
+        let held = ForceErrors::new(judged.iter()).held;
         assert!(held.unwrap() >= 0.93, "{name}: {held:?}");
         let blocked = judged.iter().map(|p| p.blocked_n).fold(0.0, f64::max);
         shares.push(
@@ -130,21 +130,22 @@ fn the_uncertainty_of_the_stiffness_holds_the_slopes_of_measured_pulls() {
         for length in lengths {
             let mut one = set.clone();
             one.points.retain(|p| p.section.length_mm == length);
-            let left = of_first_fit(&one, Fitter { build: &elements, progress: &Silent }).unwrap();
-            let left: Vec<_> = left.into_iter().filter(|r| r.branch.is_mean()).collect();
+            let residuals =
+                first_fit_residuals(&one, Fitter { build: &elements, progress: &Silent }).unwrap();
+            let residuals: Vec<_> = residuals.into_iter().filter(|r| r.branch.is_mean()).collect();
             let mut ratios = vec![];
-            for (i, a) in left.iter().enumerate() {
-                for b in &left[..i] {
+            for (i, a) in residuals.iter().enumerate() {
+                for b in &residuals[..i] {
                     let way = (a.contraction_share - b.contraction_share).abs();
                     if (a.pressure_mpa - b.pressure_mpa).abs() < 1e-3 && way > 0.25 {
                         let half = a.half_width_n.unwrap().max(b.half_width_n.unwrap());
-                        let slope = (a.left_n - b.left_n).abs() / way;
+                        let slope = (a.difference_n - b.difference_n).abs() / way;
                         ratios.push(slope * STIFFNESS_WAY / (2f64.sqrt() * half));
                     }
                 }
             }
-            let own = ratios.iter().filter(|r| **r <= 1.0).count();
-            (held, all) = (held + own, all + ratios.len());
+            let covered = ratios.iter().filter(|r| **r <= 1.0).count();
+            (held, all) = (held + covered, all + ratios.len());
         }
     }
     assert!(all > 300 && 100 * held >= 95 * all, "{held} of {all}");

@@ -3,6 +3,7 @@
 use crate::cancel::Cancelled;
 use crate::model::ModelError;
 use crate::status::Status;
+use crate::units::trimmed as short;
 use thiserror::Error;
 
 /// The answer to a question about a model, or why it has none.
@@ -92,13 +93,6 @@ impl AnalysisError {
             _ => None,
         }
     }
-}
-
-/// A number with at most so many decimals, without trailing zeros.
-fn short(value: f64, decimals: i32) -> f64 {
-    let scale = 10_f64.powi(decimals);
-    // Adding zero takes the sign from a negative one.
-    (value * scale).round() / scale + 0.0
 }
 
 fn percent(contraction: f64) -> String {

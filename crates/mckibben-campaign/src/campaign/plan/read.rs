@@ -72,8 +72,8 @@ fn sampling(section: &Section<'_>) -> Result<Sampling, FileError> {
     let seed = whole(section, "seed", u64::from(u32::MAX))?;
     if method == "factorial" {
         let why = "a factorial plan takes every level with every other: it has neither samples nor a seed";
-        let given = ["samples", "seed"].into_iter().find(|k| section.has(k));
-        return given.map_or(Ok(Sampling::Factorial), |key| Err(section.error(key, why)));
+        let stated = ["samples", "seed"].into_iter().find(|k| section.has(k));
+        return stated.map_or(Ok(Sampling::Factorial), |key| Err(section.error(key, why)));
     }
     let needs = "it is the number of random muscles";
     let samples = samples.ok_or_else(|| section.missing("samples", Some("method"), needs))?;

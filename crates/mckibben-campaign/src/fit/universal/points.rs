@@ -71,11 +71,11 @@ pub fn samples(rows: &[PointRow]) -> Result<Vec<Sample>> {
     if out.is_empty() { Err(FitError::empty(" where the muscle pulls")) } else { Ok(out) }
 }
 
-/// The difference of a model to each point it is asked, as shares of the blocked force; infinite where it has no answer.
+/// The errors of a model at the compared points, as shares of the blocked force; infinite where it has no answer.
 pub fn shares(
     samples: &[Sample],
     build: impl Fn(&Sample) -> Option<Box<dyn ForceModel>> + Sync,
-    asked: impl Fn(&Sample, &PullPoint) -> bool + Sync,
+    compared: impl Fn(&Sample, &PullPoint) -> bool + Sync,
 ) -> Vec<Vec<f64>> {
     let one = |s: &Sample| {
         let Some(model) = build(s) else { return vec![] };
@@ -84,7 +84,7 @@ pub fn shares(
             let force = model.force_n(&mut workspace, p.pressure_mpa, p.contraction);
             force.map_or(f64::INFINITY, |f| (f - p.force_n) / p.blocked_n)
         };
-        s.points.iter().filter(|p| asked(s, p)).map(share).collect()
+        s.points.iter().filter(|p| compared(s, p)).map(share).collect()
     };
     threads::map(samples, one)
 }
