@@ -69,7 +69,7 @@ pub(super) fn of_parts(
         return vec![];
     }
     let search = |other: Spec| {
-        Some(design_with(&Spec { top: 1, ..other }, models, progress).ok()?.candidates.into_iter().next()?)
+        design_with(&Spec { top: 1, ..other }, models, progress).ok()?.candidates.into_iter().next()
     };
     let sizes = std::iter::successors(Some(SIZES.0), |d| Some(d * RATIO)).take_while(|d| *d <= SIZES.1);
     let sized = |least_mm: f64| {
