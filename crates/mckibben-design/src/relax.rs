@@ -7,7 +7,7 @@ use crate::trial::{Below, Trial};
 use crate::{BraidChoice, Build, Check, Limit, OperatingPoint, Spec, fits, tubes};
 use mckibben::analysis::{Evaluation, Options, find_root};
 use mckibben::model::ModelError;
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, MuscleError};
+use mckibben::muscle::{Braid, BraidStiffness, Muscle};
 use mckibben::sleeve::library;
 use mckibben::threads;
 use mckibben::units::Values;
@@ -115,7 +115,7 @@ impl Relaxation {
                 limits.liquid_volume_mm3 = Some(*liquid_volume_mm3)
             }
             Self::Sleeve { sleeve, .. } => {
-                let braid = library::find(sleeve).map_err(MuscleError::from);
+                let braid = library::find(sleeve);
                 let braid = braid.and_then(|sleeve| sleeve.on(sleeve.diameters().0));
                 spec.braid =
                     braid.map_or_else(|_| spec.braid.clone(), |braid| BraidChoice::Sleeves(vec![braid]));
