@@ -37,12 +37,12 @@ Safety: [strands stretched by at most {searched.max_strand_strain:%}; ][allowed 
 /// The design for people: the decision, the candidates, what is assumed; with `all` everything that is known.
 fn as_text(answer: &DesignAnswer, file: Option<&Path>, all: bool, u: &Units) -> String {
     let (searched, mut row) = (&answer.searched, value(answer));
-    let mut out = String::new();
-    for line in &answer.decision {
+    let line = |line: &String| {
         let line = in_flags(&u.sentence(line));
-        let (verb, rest) = line.split_once(' ').unwrap_or((&line, ""));
-        out += &format!("{verb:<5}  {rest}\n");
-    }
+        let (verb, rest) = line.split_once(' ').unwrap_or_default();
+        (verb.to_owned(), rest.to_owned())
+    };
+    let mut out = pairs(&answer.decision.iter().map(line).collect::<Vec<_>>());
     let near = answer.rejected.iter().skip(usize::from(answer.closest.is_some()));
     let near: String =
         near.map(|r| format!("  {}\n", missed(r, "[ (misses by {by:%} in all)]", u))).collect();

@@ -193,7 +193,7 @@ fn entries_of(
             (sizes, &[least, largest]) => {
                 for &mm in sizes {
                     // Tenths, without the last binary digits.
-                    let [least, largest] = [least, largest].map(|share| (1e6 * share * mm).round() * 1e-6);
+                    let [least, largest] = [least, largest].map(|share| (1e6 * share * mm).round() / 1e6);
                     out.push(read_entry(&row, materials, Some((mm, least, largest)))?);
                 }
             }
