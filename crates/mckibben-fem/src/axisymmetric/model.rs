@@ -8,7 +8,8 @@ use crate::FemError;
 use crate::results::Sensitivity;
 use crate::simulation::{Divided, FiniteElements, Given};
 use mckibben::model::{
-    self, Accuracy, Extensions, ForceModel, ModelEntry, ModelError, Reference, Slopes, ThickWall, Workspace,
+    self, Accuracy, Extensions, ForceModel, ModelEntry, ModelError, Reference, Response, Slopes, ThickWall,
+    Workspace,
 };
 use mckibben::muscle::Muscle;
 use std::sync::Arc;
@@ -79,13 +80,8 @@ impl Axisymmetric {
     }
 
     /// How far a pull in N that another mesh gave is from this one's; 0 where the muscle hangs slack, which leaves nothing to compare.
-    pub(crate) fn difference_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-        force_n: f64,
-    ) -> f64 {
+    pub(crate) fn difference_n(&self, workspace: &mut Workspace, here: &Response) -> f64 {
+        let Response { pressure_mpa, contraction, force_n, .. } = *here;
         let own = self.force_n(workspace, pressure_mpa, contraction).unwrap_or(force_n);
         if force_n > 0.0 { (force_n - own).abs() } else { 0.0 }
     }
@@ -138,21 +134,10 @@ impl model::Mesh for Axisymmetric {
         self.force_n(workspace, pressure_mpa, 0.0)
     }
 
-    fn mesh_error_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-        force_n: f64,
-        blocked_n: f64,
-    ) -> Option<f64> {
-        let own =
-            if contraction < 0.0 { MESH_ERROR_STRETCHED * force_n.abs() } else { MESH_ERROR * blocked_n };
-        let off = self
-            .divided
-            .default
-            .as_deref()
-            .map(|m| m.difference_n(workspace, pressure_mpa, contraction, force_n));
+    fn mesh_error_n(&self, workspace: &mut Workspace, here: &Response, blocked_n: f64) -> Option<f64> {
+        let stretched = here.contraction < 0.0;
+        let own = if stretched { MESH_ERROR_STRETCHED * here.force_n.abs() } else { MESH_ERROR * blocked_n };
+        let off = self.divided.default.as_deref().map(|m| m.difference_n(workspace, here));
         Some(own + off.unwrap_or(0.0))
     }
 }

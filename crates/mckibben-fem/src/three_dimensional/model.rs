@@ -4,7 +4,7 @@ use super::mesh::{BrickMesh, BrickSpec};
 use super::muscle::MuscleMesh;
 use crate::FemError;
 use crate::simulation::FiniteElements;
-use mckibben::model::{Accuracy, Mesh, ModelEntry, ModelError, Reference, Workspace};
+use mckibben::model::{Accuracy, Mesh, ModelEntry, ModelError, Reference, Response, Workspace};
 use mckibben::muscle::Muscle;
 
 pub(crate) const ENTRY: ModelEntry = ModelEntry {
@@ -84,17 +84,9 @@ impl Mesh for ThreeDimensional {
     }
 
     /// The difference from the axisymmetric limit at the point itself.
-    fn mesh_error_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-        force_n: f64,
-        blocked_n: f64,
-    ) -> Option<f64> {
-        let own =
-            self.divided.limit.mesh_error_n(workspace, pressure_mpa, contraction, force_n, blocked_n)?;
-        Some(own + self.divided.limit.difference_n(workspace, pressure_mpa, contraction, force_n))
+    fn mesh_error_n(&self, workspace: &mut Workspace, here: &Response, blocked_n: f64) -> Option<f64> {
+        let own = self.divided.limit.mesh_error_n(workspace, here, blocked_n)?;
+        Some(own + self.divided.limit.difference_n(workspace, here))
     }
 
     fn findings(&self, workspace: &Workspace) -> Vec<String> {

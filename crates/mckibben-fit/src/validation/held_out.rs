@@ -1,16 +1,13 @@
 //! What share of points that were held out of a fit lies within the ± that the fit leaves.
 
 use super::case::{CaseFit, MuscleCase, muscles};
-use super::coverage::{COVERAGE, Off, share_row};
-use super::residual::{Fitter, Left, Residual};
-use crate::identify::{Build, IdentifyError, Result};
+use super::coverage::{COVERAGE, share_row};
+use super::residual::{Fitter, Left, Residual, residuals};
+use crate::identify::{Build, Result};
 use crate::measured::{DataPoint, mean_of_data};
-use mckibben::analysis::Evaluation;
 use mckibben::cancel::Cancelled;
-use mckibben::model::Workspace;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::threads;
-use mckibben::uncertainty::UncertaintyParts;
 use mckibben::verification::VerificationRow;
 
 /// Parts into which the points of a set are divided; each is held out of one fit.
@@ -36,32 +33,11 @@ pub fn judged(
 ) -> Result<Vec<Residual>> {
     let found = by.identified(&fit.muscle, fit, fitted)?;
     let Some(bench) = &found.bench else { return Ok(vec![]) };
-    let model = (by.build)(&found.with_bench()).map_err(IdentifyError::Model)?;
-    let w = &mut Workspace::new();
     let of_it = |p: &&DataPoint| found.candidate.of_section(&p.section).is_ok_and(|m| m == found.muscle);
-    let one = |p: &DataPoint| {
-        let contraction = p.at.contraction + found.candidate.contraction_offset;
-        let (pressure_mpa, branch) = (p.at.pressure_mpa, p.at.direction());
-        if bench.outside(pressure_mpa, contraction) > 0.0 {
-            return None;
-        }
-        let mut evaluation = Evaluation::new(&*model, w, branch);
-        let force_n = evaluation.force_n(pressure_mpa, contraction).ok()?;
-        let parts = evaluation.uncertainty(pressure_mpa, contraction, force_n)?;
-        // It is of the branch that was fitted.
-        let half_width_n = Some(UncertaintyParts { friction: None, ..parts }.total());
-        let blocked_n = model.force_n(w, pressure_mpa, 0.0).ok()?;
-        Some(Residual {
-            contraction,
-            contraction_share: contraction / found.muscle.max_ideal_contraction(),
-            left_n: p.at.force_n - force_n.max(0.0),
-            branch,
-            pressure_mpa,
-            blocked_n,
-            half_width_n,
-        })
-    };
-    Ok(others.iter().filter(of_it).filter_map(one).collect())
+    let mut points: Vec<DataPoint> = others.iter().filter(of_it).copied().collect();
+    points.iter_mut().for_each(|p| p.at.contraction += found.candidate.contraction_offset);
+    points.retain(|p| bench.outside(p.at.pressure_mpa, p.at.contraction) <= 0.0);
+    Ok(residuals(by.build, &found.with_bench(), &points.iter().collect::<Vec<_>>(), 0.0))
 }
 
 /// Every point of a set, each judged by a fit that it was held out of.
@@ -96,10 +72,9 @@ pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<Verifi
         let left = Left::of(list.iter());
         // Of few points the share of those that happen to be held scatters by more.
         let by_chance = 1.96 * (COVERAGE * (1.0 - COVERAGE) / left.points.max(1) as f64).sqrt();
-        let off = Off { error: |share| (share - COVERAGE).abs(), tolerance: TOLERANCE.max(by_chance) };
         let title = &set.facts.title;
         let name = format!("{title}: {} points held out of fits of fe, within the ± of the fit", left.points);
-        share_row(name, &set.facts.source, left.held, off)
+        share_row(name, &set.facts.source, left.held, Some(TOLERANCE.max(by_chance)))
     };
     Ok(sets.into_iter().zip(found).map(row).collect())
 }

@@ -1,10 +1,10 @@
 //! One hose in several lengths: the constants of some lengths against the points of the others.
 //!
-//! The ± of a muscle whose constants were identified at another length ([`mckibben::uncertainty::length_n`]) holds at least 95 % of the points of each
+//! The ± of a muscle whose constants were identified at another length (`length_transfer`) holds at least 95 % of the points of each
 //! length, by the constants of each other one and by those of all others together.
 
 use super::case::{By, CaseFit, MuscleCase, muscles};
-use super::coverage::{AT_LEAST, share_row};
+use super::coverage::share_row;
 use super::report::{Training, trainings};
 use super::residual::{Fitter, Left, residuals};
 use crate::identify::{self, Build};
@@ -50,12 +50,12 @@ fn rows(
             p.at.direction().is_mean() && training.value(p).is_some_and(|length| same(length, length_mm))
         };
         let points: Vec<&DataPoint> = outside.iter().filter(is_own).collect();
-        let left = Left::of(residuals(by.build, &muscle, &points).iter());
+        let left = Left::of(residuals(by.build, &muscle, &points, 0.0).iter());
         let name = format!(
             "{}: {} points of {length_mm} mm by fe with the constants of {fitted}, within the ±",
             set.facts.title, left.points
         );
-        share_row(name, &set.facts.source, left.held, AT_LEAST)
+        share_row(name, &set.facts.source, left.held, None)
     };
     Ok(training.values(&outside).into_iter().map(row).collect())
 }

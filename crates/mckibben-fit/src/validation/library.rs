@@ -70,8 +70,8 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Agree
     let digest = muscle.digest();
     let is_own = |p: &&DataPoint| p.section.apply(muscle).is_ok_and(|m| m.digest() == digest);
     let (own, others): (Vec<&DataPoint>, Vec<&DataPoint>) = points.iter().partition(is_own);
-    let own = residuals(build, muscle, &own);
-    let others = residuals(build, muscle, &others);
+    let own = residuals(build, muscle, &own, 0.0);
+    let others = residuals(build, muscle, &others, 0.0);
     let bench = muscle.bench().filter(|_| !own.is_empty());
     let held = bench.map(|bench| {
         let holds = |r: &&Residual| r.left_n.abs() <= bench.half_width_n(r.pressure_mpa, r.contraction);

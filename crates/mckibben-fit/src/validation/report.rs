@@ -137,7 +137,7 @@ fn run(
     let compared = compared(means, &case.points);
     let group = |of: String, blind: bool, keep: &dyn Fn(&DataPoint) -> bool| {
         let wanted: Vec<&DataPoint> = compared.iter().copied().filter(|p| keep(p)).collect();
-        let left = residuals(by.build, &muscle, &wanted);
+        let left = residuals(by.build, &muscle, &wanted, case.friction_share());
         Group { unanswered: wanted.len() - left.len(), ..Group::of(of, blind, &left) }
     };
     let mut groups = vec![group(label.clone(), nothing, &|p| training.holds(p))];

@@ -1,9 +1,9 @@
 //! Muscles of one product in two laboratories: the constants of one, with the length of the other, against the points of the other.
 //!
-//! Specimen, fittings, gauge and zero of the length differ. The ± of a muscle that somebody else identified ([`mckibben::uncertainty::transfer_n`]) holds
+//! Specimen, fittings, gauge and zero of the length differ. The ± of a muscle that somebody else identified (`transfer`) holds
 //! at least 95 % of the points of each direction.
 
-use super::coverage::{AT_LEAST, share_row};
+use super::coverage::share_row;
 use super::library::library;
 use super::residual::{Left, residuals};
 use crate::identify::Build;
@@ -26,11 +26,11 @@ pub fn cases(elements: &Build<'_>) -> Vec<VerificationRow> {
                 point.section.length_mm.get_or_insert(other.length_mm());
             }
             let means: Vec<&DataPoint> = points.iter().filter(|p| p.at.direction().is_mean()).collect();
-            let left = Left::of(residuals(elements, muscle, &means).iter());
+            let left = Left::of(residuals(elements, muscle, &means, 0.0).iter());
             let (title, other) = (&to_facts.title, &from.title);
             let name =
                 format!("{title}: {} points by fe with the constants of {other}, within the ±", left.points);
-            rows.push(share_row(name, &to_facts.source, left.held, AT_LEAST));
+            rows.push(share_row(name, &to_facts.source, left.held, None));
         }
     }
     rows

@@ -112,7 +112,7 @@ impl Evaluation<'_> {
             refused(nearly, &info.name)?;
         }
         // Where friction is added to its pull, the model's own inverse is none.
-        if self.friction().is_none() {
+        if !self.has_friction() {
             let own = model.pressure_at_pull(self.workspace, force_n, contraction);
             cancel::check().map_err(ModelError::from)?;
             if let Some(p) = own.and_then(|p| within((lowest, highest), p)) {
@@ -240,7 +240,7 @@ impl Evaluation<'_> {
             }
             None => false,
         };
-        if (taut || longer) && self.friction().is_none() {
+        if (taut || longer) && !self.has_friction() {
             let found = model.contraction_at_pull(self.workspace, force_n, pressure_mpa);
             let reach = if taut { (start, range.1) } else { (lowest, start) };
             if let Some(e) = found.and_then(|e| within(reach, e)) {

@@ -1,6 +1,6 @@
 //! What some models can do besides answering: one trait each, reached by [`ForceModel::extensions`].
 
-use super::{ForceModel, Result, ThickWall, Workspace};
+use super::{ForceModel, Response, Result, ThickWall, Workspace};
 use crate::formula::Section;
 
 /// What a model can do besides answering; nothing by default.
@@ -37,16 +37,8 @@ pub trait Mesh {
     /// The pull at rest length in N, of which errors are a share: by a faster model where this one is slow.
     fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64>;
 
-    /// What the mesh errs by in N, of the pull `force_n` that the model gave there, where the blocked force is `blocked_n`; `None`
-    /// without a mesh.
-    fn mesh_error_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-        force_n: f64,
-        blocked_n: f64,
-    ) -> Option<f64>;
+    /// What the mesh errs by in N, of the pull that the model gave there, where the blocked force is `blocked_n`; `None` without a mesh.
+    fn mesh_error_n(&self, workspace: &mut Workspace, here: &Response, blocked_n: f64) -> Option<f64>;
 
     /// What the equilibria in a workspace have shown, in sentences for the warnings of an answer.
     fn findings(&self, _workspace: &Workspace) -> Vec<String> {

@@ -240,16 +240,10 @@ impl<M: ForceModel + ?Sized> Mesh for Seated<M> {
         blocked_scale_n(&*self.inner, workspace, p)
     }
 
-    fn mesh_error_n(
-        &self,
-        workspace: &mut Workspace,
-        p: f64,
-        e: f64,
-        force_n: f64,
-        blocked_n: f64,
-    ) -> Option<f64> {
-        let x = self.between(p, e, force_n);
-        self.inner.extensions().mesh?.mesh_error_n(workspace, p, x, force_n, blocked_n)
+    fn mesh_error_n(&self, workspace: &mut Workspace, here: &Response, blocked_n: f64) -> Option<f64> {
+        let contraction = self.between(here.pressure_mpa, here.contraction, here.force_n);
+        let inside = Response { contraction, ..*here };
+        self.inner.extensions().mesh?.mesh_error_n(workspace, &inside, blocked_n)
     }
 
     fn findings(&self, workspace: &Workspace) -> Vec<String> {
