@@ -8,7 +8,6 @@
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben::progress::Silent;
 use mckibben_fem::axisymmetric::{Axisymmetric, Body, Discretisation, Mesh, MeshSpec, Problem};
 use mckibben_fem::simulation::{Detail, Given, Simulation};
 use mckibben_fem::solver::continuation::Continuation;
@@ -33,7 +32,7 @@ fn run_campaign(muscles: &[Muscle]) -> f64 {
         let (model, w) = (Axisymmetric::new(muscle).unwrap(), &mut Workspace::new());
         for e in [0.0, 0.05, 0.10, 0.15, 0.20] {
             sum += model
-                .run(w, Test::Isometric(e), &pressures, Detail::Point, &Silent)
+                .run(w, Test::Isometric(e), &pressures, Detail::Point)
                 .iter()
                 .flatten()
                 .map(|p| p.force_n)
@@ -47,7 +46,7 @@ fn run_campaign(muscles: &[Muscle]) -> f64 {
 fn report() {
     for e in [0.0, 0.05, 0.10, 0.15, 0.20] {
         let (model, w) = (Axisymmetric::new(&Muscle::prototype()).unwrap(), &mut Workspace::new());
-        let curve = model.run(w, Test::Isometric(e), &pressures(), Detail::Point, &Silent);
+        let curve = model.run(w, Test::Isometric(e), &pressures(), Detail::Point);
         let effort = model.known(w).map(|c| c.effort).unwrap_or_default();
         println!(
             "isometric ε {e}, 26 points: {:.2} iterations, {:.2} factorisations per point; {} without answer",
@@ -75,7 +74,7 @@ fn memory(along: usize) -> usize {
 /// A curve with everything that comes before it.
 fn cold(muscle: &Muscle, spec: &MeshSpec, contraction: f64, pressures: &[f64]) -> Curve {
     let model = Axisymmetric::with_mesh(muscle, spec).unwrap();
-    model.run(&mut Workspace::new(), Test::Isometric(contraction), pressures, Detail::Point, &Silent)
+    model.run(&mut Workspace::new(), Test::Isometric(contraction), pressures, Detail::Point)
 }
 
 fn bench(c: &mut Criterion) {
@@ -116,8 +115,10 @@ fn bench(c: &mut Criterion) {
     group.finish();
 
     let mut group = c.benchmark_group("share");
-    let discretisation =
-        || Discretisation::new(Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)), Problem::of(&muscle)).unwrap();
+    let discretisation = || {
+        Discretisation::new(Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)), Problem::from_muscle(&muscle))
+            .unwrap()
+    };
     let mut path = Continuation::new(Body::new(discretisation()));
     path.walk(0.2, -14.25, 1.0).unwrap();
     let state = path.body.state.clone();

@@ -279,7 +279,7 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   test("nothing fits is a sentence with what would", async () => {
-    const { page, context } = await open("#design?F=9000N&e=15%25&pmax=2bar&D=10..40mm");
+    const { page, context } = await open("#design?F=900N&e=38%25&pmax=2bar&D=10..40mm");
     await page.getByText("Nothing fits.").waitFor({ timeout: 60_000 });
     await soon(async () => assert.ok((await page.locator(".middle li").count()) > 0));
     await context.close();

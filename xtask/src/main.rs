@@ -203,7 +203,7 @@ fn program() -> Result<PathBuf, String> {
     fs::canonicalize(target().join(name)).map_err(|e| e.to_string())
 }
 
-/// Python with packages, in an environment of its own.
+/// Python with packages, in a separate environment.
 fn python(packages: &str) -> Result<PathBuf, String> {
     let folder = target().join("venv");
     run(Command::new("python3").args(["-m", "venv"]).arg(&folder))?;

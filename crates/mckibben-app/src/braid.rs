@@ -1,6 +1,6 @@
 //! Sleeves of the library, and what each is on a tube.
 
-use crate::problem::Problem;
+use crate::{Problem, TextFile};
 use mckibben::muscle::NEUTRAL_ANGLE_DEG;
 use mckibben::sleeve::{Sleeve, SleeveEntry, library};
 use schemars::JsonSchema;
@@ -23,7 +23,7 @@ pub struct BraidSummary {
     pub least_angle_deg: f64,
     /// Strands of both families, where they are known.
     pub strands: Option<u32>,
-    /// What its source does not state and its stiffness needs, with spaces between; estimates stand in for it.
+    /// What its source does not state and its stiffness needs, with spaces between; estimates replace it.
     pub missing: String,
     /// Factor within which its stiffness is known; 1 where all of its strands are stated.
     pub stiffness_factor: f64,
@@ -53,7 +53,7 @@ pub struct BraidDetails {
     pub strands: Option<u32>,
     /// Whether that number is stated; otherwise it and the stiffness are upper bounds.
     pub strands_stated: bool,
-    /// Where that comes from, where not from the sleeve's own source.
+    /// Where that comes from, where not from the source of the sleeve.
     pub modulus_source: Option<String>,
     /// What its source does not state and its stiffness needs: keys of a muscle file.
     pub missing: Vec<String>,
@@ -75,7 +75,7 @@ pub struct BraidPoint {
     /// Stiffness k of one strand family, N/mm, where the strands are known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness_n_per_mm: Option<f64>,
-    /// Contraction that is left: to 54.7°, or to where the strands jam before.
+    /// Remaining contraction: to 54.7°, or to where the strands jam before.
     pub largest_contraction: f64,
 }
 
@@ -85,7 +85,8 @@ fn unstated(sleeve: &Sleeve) -> Vec<&'static str> {
     sleeve.missing().into_iter().chain(estimated).collect()
 }
 
-pub(crate) fn sleeves() -> Result<Vec<BraidSummary>, Problem> {
+/// The sleeves of the library, or of a table of the user's own.
+pub(crate) fn sleeves(parts: Option<&TextFile>) -> Result<Vec<BraidSummary>, Problem> {
     let one = |entry: &SleeveEntry| {
         let (least_diameter_mm, largest_diameter_mm) = entry.sleeve.shape.tubes_mm();
         Ok(BraidSummary {
@@ -101,7 +102,14 @@ pub(crate) fn sleeves() -> Result<Vec<BraidSummary>, Problem> {
             source: entry.source.clone(),
         })
     };
-    library::entries()?.iter().map(one).collect()
+    match parts {
+        Some(file) => library::read(&file.text)
+            .map_err(|e| Problem::from(e).in_field("parts"))?
+            .iter()
+            .map(one)
+            .collect(),
+        None => library::entries()?.iter().map(one).collect(),
+    }
 }
 
 /// A sleeve; `None` where there is none of that name.

@@ -26,7 +26,7 @@ pub struct CampaignRequest {
 /// Runs a plan, or what is missing of it. A cancelled run ends well, with a valid store that is not complete.
 pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Outcome> {
     let file = request.plan.as_ref().ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
-    let plan = Plan::parse(&file.text).map_err(|e| e.of(Path::new(&file.name)))?;
+    let plan = Plan::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?;
     let out = request.output.as_ref().ok_or_else(|| Problem::missing("output", "a file or a folder"))?;
     plan.admit()?;
     let wrong = |e| Problem::new(ProblemKind::Usage, e, "").in_field("shard");

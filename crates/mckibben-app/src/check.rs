@@ -2,8 +2,9 @@
 //! not known, how far it is from measured muscles, and what to measure first.
 
 use crate::{
-    MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question, QuestionFields, Result,
-    UncertaintyWords, Units, finite, muscle_fields::Stated, number, rows::said, said_of, usual_mpa,
+    MeasureValues, MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question, QuestionFields,
+    Result, UncertaintyWords, Units, finite, muscle_fields::stated, muscle_fields::stated_schema, number,
+    rows::said, said_of, usual_mpa,
 };
 use mckibben::analysis::{Burst, FailurePressure};
 use mckibben::muscle::{BuildSheet, Bulk, Muscle, MuscleKind};
@@ -20,12 +21,12 @@ use std::collections::BTreeMap;
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct CheckRequest {
-    /// The muscle, the model, and how it is asked.
+    /// The muscle, the model, and how it is evaluated.
     #[serde(flatten)]
     pub question: QuestionFields,
     /// Working pressure, MPa; 0.25 MPa, or the allowed pressure where that is lower.
     pub pressure_mpa: Option<f64>,
-    /// Only its data and what follows from them: no model is asked.
+    /// Only its data and what follows from them: no model is evaluated.
     pub only_data: bool,
     /// Add the equivalent muscle file to the answer.
     pub muscle_file: bool,
@@ -51,7 +52,8 @@ pub struct CheckAnswer {
     pub stiffness_n_per_mm: Option<f64>,
     /// Measures that need not be stated.
     #[serde(flatten)]
-    pub stated: Stated,
+    #[schemars(schema_with = "stated_schema")]
+    pub stated: MeasureValues,
     /// Derived quantities.
     pub derived: Derived,
     /// Build sheet.
@@ -61,7 +63,7 @@ pub struct CheckAnswer {
     /// Its values at the working pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub characteristics: Option<Characteristics>,
-    /// What was found beyond the warnings, the gravest kind first; what to measure in the order of its effect.
+    /// Findings beyond the warnings, the gravest kind first; what to measure in the order of its effect.
     pub findings: Vec<MuscleFinding>,
     /// The equivalent muscle file (TOML), if requested: file and fields of the request in one.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -119,8 +121,8 @@ pub struct Characteristics {
     pub limits: PressureLimits,
 }
 
-/// Values at the working pressure, what is said of the burst pressure, and what was found.
-type Asked = (Option<Characteristics>, Vec<String>, Vec<MuscleFinding>);
+/// Values at the working pressure, warnings of the burst pressure, and findings.
+type AtPressure = (Option<Characteristics>, Vec<String>, Vec<MuscleFinding>);
 
 /// What is known of a muscle, and what is not.
 pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAnswer> {
@@ -134,16 +136,16 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
             ("two_sided", asking.two_sided),
             ("direction", !asking.direction.is_mean()),
         ];
-        Problem::refuse_unused(&fields, "`only_data` asks no model")?;
-        (request.question.muscle.resolve()?, None, Asked::default())
+        Problem::refuse_unused(&fields, "`only_data` evaluates no model")?;
+        (request.question.muscle.resolve()?, None, AtPressure::default())
     } else {
         let mut question = request.question.ask()?;
-        let asked = match asked(&mut question, request.pressure_mpa) {
-            // Where no pressure is asked for, the data of the muscle are an answer by themselves.
+        let at_pressure = match at_pressure(&mut question, request.pressure_mpa) {
+            // Without a requested pressure the data of the muscle are an answer by themselves.
             Err(e) if request.pressure_mpa.is_none() && e.kind != ProblemKind::Cancelled => {
                 (None, vec![e.message], vec![])
             }
-            asked => asked?,
+            at_pressure => at_pressure?,
         };
         // Plugs that are wider than the bore add to it: a model knows how much.
         let rest_volume_mm3 = question
@@ -151,7 +153,7 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
             .terminals()
             .plug_diameter_mm
             .and_then(|_| question.evaluation().point(0.0, 0.0).ok()?.response.volume_mm3);
-        (question.muscle, rest_volume_mm3, asked)
+        (question.muscle, rest_volume_mm3, at_pressure)
     };
     let rubber = &muscle.tube().rubber;
     let (law, reach) = (&rubber.law, muscle.reach());
@@ -172,7 +174,7 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
             Bulk::Modulus(k) => Some(k),
         },
         stiffness_n_per_mm: muscle.family_stiffness_n_per_mm(),
-        stated: (&muscle).into(),
+        stated: stated(&muscle),
         derived: Derived {
             kind: muscle.kind(),
             inner_diameter_mm: muscle.inner_diameter_mm(),
@@ -197,7 +199,7 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
     })
 }
 
-fn asked(question: &mut Question, pressure_mpa: Option<f64>) -> Result<Asked> {
+fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtPressure> {
     let burst = question.burst()?;
     let pressure_mpa = finite("pressure_mpa", pressure_mpa.unwrap_or_else(|| usual_mpa(&burst)))?;
     let mut model = question.evaluation();
@@ -209,7 +211,7 @@ fn asked(question: &mut Question, pressure_mpa: Option<f64>) -> Result<Asked> {
         pressure_mpa,
         blocked_force_n: point.response.force_n,
         blocked_force_uncertainty_n: point.uncertainty_n,
-        uncertainty_words: UncertaintyWords::of(point.uncertainty_parts_n, &mut model, pressure_mpa),
+        uncertainty_words: UncertaintyWords::at(point.uncertainty_parts_n, &mut model, pressure_mpa),
         free_contraction: free,
         work_j: free.and_then(|e| model.work_per_stroke_j(pressure_mpa, 0.0, e).ok()),
         volume_mm3: air.map(|a| a.volume_mm3),
@@ -221,7 +223,7 @@ fn asked(question: &mut Question, pressure_mpa: Option<f64>) -> Result<Asked> {
     Ok((Some(values), said.iter().map(ToString::to_string).collect(), findings))
 }
 
-/// Something that was found.
+/// A finding.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MuscleFinding {
     /// Its kind.
@@ -237,7 +239,7 @@ pub struct MuscleFinding {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum FindingKind {
-    /// The muscle is unusual, or is asked for more than it bears.
+    /// The muscle is unusual, or is loaded beyond what it bears.
     Implausible,
     /// A number that is not stated.
     Unknown,
@@ -256,7 +258,7 @@ const WIDE: f64 = 0.3;
 /// A muscle that contracts less than this even without wall and load hardly moves.
 const LITTLE: f64 = 0.1;
 
-/// What was found of a muscle beyond its warnings.
+/// Findings about a muscle beyond its warnings.
 fn findings_of(
     muscle: &Muscle,
     burst: &Burst,
@@ -281,7 +283,7 @@ fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<String> {
         "angle": muscle.braid().angle_deg, "ideal": ideal, "slender": slender, "wall": wall,
         "low": WALLS.0, "high": WALLS.1, "short": SHORT, "share": (100.0 * share).round() / 100.0,
     });
-    let found = [
+    let oddities = [
         (
             pull <= 0.0,
             "the muscle does not pull at this pressure and its rest length: the pressure is too low for its wall, or its angle is above 54.7°",
@@ -303,8 +305,8 @@ fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<String> {
             "the ± is {share:%} of the blocked force: measure before you rely on the pull",
         ),
     ];
-    let found = found.into_iter().filter(|(is_odd, _)| *is_odd);
-    found.map(|(_, sentence)| said(&row, sentence, &Units::default())).collect()
+    let oddities = oddities.into_iter().filter(|(is_odd, _)| *is_odd);
+    oddities.map(|(_, sentence)| said(&row, sentence, &Units::default())).collect()
 }
 
 /// Failures whose pressure cannot be computed, with what is missing.
@@ -347,22 +349,22 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
     let measured: Vec<[f64; 4]> = cases.iter().flat_map(|case| built(case)).map(|m| sizes(&m)).collect();
     let highest_mpa =
         cases.iter().flat_map(|case| &case.points).map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
-    let mut found = vec![];
+    let mut outside = vec![];
     for (i, (name, unit)) in SIZES.into_iter().enumerate() {
         let among = measured.iter().map(|sizes| sizes[i]);
         let (low, high) = among.fold((f64::INFINITY, 0.0), |(low, high), v| (low.min(v), f64::max(high, v)));
-        let own = sizes(muscle)[i];
+        let size = sizes(muscle)[i];
         // A last digit is no difference.
-        if own < low * (1.0 - 1e-9) || own > high * (1.0 + 1e-9) {
-            let [own, low, high] = [own, low, high].map(|v| number(v, 3));
-            found.push(format!("{name} is {own}{unit} (measured: {low} to {high}{unit})"));
+        if size < low * (1.0 - 1e-9) || size > high * (1.0 + 1e-9) {
+            let [size, low, high] = [size, low, high].map(|v| number(v, 3));
+            outside.push(format!("{name} is {size}{unit} (measured: {low} to {high}{unit})"));
         }
     }
     if pressure_mpa > highest_mpa {
-        let (own, most) = (number(pressure_mpa, 3), number(highest_mpa, 3));
-        found.push(format!("the pressure is {own} MPa (measured: up to {most} MPa)"));
+        let (pressure, most) = (number(pressure_mpa, 3), number(highest_mpa, 3));
+        outside.push(format!("the pressure is {pressure} MPa (measured: up to {most} MPa)"));
     }
-    Ok(found)
+    Ok(outside)
 }
 
 /// The muscles of a case, one for each size that its points state.

@@ -54,7 +54,7 @@ impl std::fmt::Debug for Ready {
 }
 
 impl CommandEntry {
-    /// Whether the request names files of the machine that answers: no front end that takes questions from others may ask it.
+    /// Whether the request names files of the machine that answers: no front end that takes requests from others may run it.
     pub fn touches_disk(&self, request: &Value) -> bool {
         self.name.starts_with("campaign")
             || request.get("campaign").is_some_and(|campaign| !campaign.is_null())
@@ -143,7 +143,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!(long "joint", JointRequest => JointAnswer, |r, progress| joint(&r, progress)),
         command!(long "motion", MotionRequest => MotionAnswer, |r, progress| motion(&r, progress)),
         command!(long "study", StudyRequest => StudyAnswer, |r, progress| study(&r, progress)),
-        command!(long "simulate", SimulateRequest => SimulateAnswer, |r, progress| with_files(&r, progress)),
+        command!(long "simulate", SimulateRequest => SimulateAnswer, |r, progress| simulate(&r, progress)),
         command!(long "validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
         command!(long "measured", MeasuredRequest => MeasuredAnswer, |r, progress| measured(&r, progress)),
         command!(long "sweep", SweepRequest => SweepAnswer, |r, progress| sweep(&r, progress)),
@@ -192,12 +192,12 @@ pub fn schema(command: &str) -> Result<Value, Problem> {
 /// # Ok::<(), mckibben_app::Problem>(())
 /// ```
 pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<String, Problem> {
-    within(&Cancel::current(), || Ok(of_text(command, request, progress)?.to_string()))
+    Ok(ask_value(command, parsed(request)?, progress)?.to_string())
 }
 
-/// The same for front ends whose language has lists and maps of its own: no text on the way.
+/// The same for front ends whose language has lists and maps: no text on the way.
 pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Result<Value, Problem> {
-    within(&Cancel::current(), || of_value(command, request, progress))
+    within(&Cancel::current(), || (find(command)?.read(request)?.0)(progress))
 }
 
 /// The same for front ends that draw: numbers of the answer's `arrays` (those of `shape`) as bytes.
@@ -206,7 +206,7 @@ pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Resu
 /// `arrays` is the count of its numbers in place of the numbers, then all numbers (32 bits each), array after array. All of it
 /// little-endian.
 pub fn ask_packed(command: &str, request: &str, progress: &dyn Progress) -> Result<Vec<u8>, Problem> {
-    within(&Cancel::current(), || Ok(packed(of_text(command, request, progress)?)))
+    Ok(packed(ask_value(command, parsed(request)?, progress)?))
 }
 
 /// An answer as [`ask_packed`] gives it.
@@ -228,13 +228,8 @@ pub fn packed(mut answer: Value) -> Vec<u8> {
     packed
 }
 
-fn of_text(command: &str, request: &str, progress: &dyn Progress) -> Result<Value, Problem> {
-    let request = serde_json::from_str(request).map_err(|e| not_understood(&e, None))?;
-    of_value(command, request, progress)
-}
-
-fn of_value(command: &str, value: Value, progress: &dyn Progress) -> Result<Value, Problem> {
-    (find(command)?.read(value)?.0)(progress)
+fn parsed(request: &str) -> Result<Value, Problem> {
+    serde_json::from_str(request).map_err(|e| not_understood(&e, None))
 }
 
 /// A request by its type, or a group of fields of one. To blame is the field without which something else is wrong, or nothing.
@@ -296,11 +291,11 @@ fn root<T: JsonSchema>() -> Root {
     (T::schema_name, T::json_schema)
 }
 
-/// As schemars has it (`into_root_schema_for`), but that a type which contains itself is among its own definitions.
+/// As schemars has it (`into_root_schema_for`), but that a type which contains itself is among its definitions.
 #[cfg(feature = "schema")]
-fn schema_of((name, own): Root, settings: SchemaSettings) -> Schema {
+fn schema_of((name, schema_of_type): Root, settings: SchemaSettings) -> Schema {
     let mut generator = settings.into_generator();
-    let mut schema = own(&mut generator);
+    let mut schema = schema_of_type(&mut generator);
     let meta_schema = generator.settings().meta_schema.clone();
     let definitions = generator.take_definitions(false);
     let object = schema.ensure_object();
@@ -327,8 +322,8 @@ pub fn bundle() -> Value {
         for part in parts.as_object_mut().into_iter().flat_map(|parts| parts.values_mut()) {
             let Some(part) = part.as_object_mut() else { continue };
             part.remove("$schema");
-            if let Some(Value::Object(own)) = part.remove("$defs") {
-                defs.extend(own);
+            if let Some(Value::Object(of_part)) = part.remove("$defs") {
+                defs.extend(of_part);
             }
         }
         defs.insert("Problem".into(), parts["error"].take());
@@ -360,8 +355,9 @@ const PLAIN: [(&str, &str); 12] = [
 fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
     let said = error.to_string();
     let plain = |words: &str| {
-        let known = PLAIN.into_iter().find(|(own, _)| words.starts_with(own));
-        known.map_or_else(|| words.to_owned(), |(own, plain)| words.replacen(own, plain, 1).replace('`', ""))
+        let known = PLAIN.into_iter().find(|(from, _)| words.starts_with(from));
+        known
+            .map_or_else(|| words.to_owned(), |(from, plain)| words.replacen(from, plain, 1).replace('`', ""))
     };
     let parts = said.strip_prefix("invalid type: ").and_then(|said| said.rsplit_once(", expected "));
     let message = match parts {
@@ -396,7 +392,7 @@ pub(crate) fn annotate(schema: &mut Value) {
     const QUANTITY: &str = "x-quantity";
     let fields = schema.get_mut("properties").and_then(Value::as_object_mut);
     for (name, field) in fields.into_iter().flatten() {
-        // Rows have units of their own.
+        // Rows state their units.
         let of_rows =
             |f: &Map<String, Value>| f.get("items").is_some_and(|items| items.get("$ref").is_some());
         let stated = |f: &Map<String, Value>| f.contains_key(QUANTITY) || f.contains_key(UNIT);

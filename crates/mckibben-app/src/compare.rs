@@ -7,11 +7,9 @@ use crate::{
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::{analysis::Evaluation, answer::Options};
 use mckibben::{muscle::Muscle, muscle::measures::END_FACTOR, progress::Progress, size, warning::Warning};
-use mckibben_fit::compare::{
-    Comparison, MeasuredPoint, VolumeComparison, compare as errors_of, compare_volumes, mean_of_branches,
-};
+use mckibben_fit::compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches};
 use mckibben_fit::identify::{
-    DataPoint, IdentifyError, Parameter, Request, Target, doubts, identify, matters, own_value,
+    DataPoint, IdentifyError, Parameter, Request, Target, doubts, identify, matters,
 };
 use mckibben_fit::measured::{PointOptions, Quantity, read_points};
 use mckibben_report::Figure;
@@ -44,7 +42,7 @@ pub struct CompareRequest {
     /// The muscle.
     #[serde(flatten)]
     pub muscle: MuscleFields,
-    /// How the models are asked.
+    /// How the models are evaluated.
     #[serde(flatten)]
     pub asking: AskFields,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
@@ -91,7 +89,7 @@ pub struct CompareAnswer {
     /// Warnings about the muscle and its rubber, in sentences.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// The figure, where it was asked for.
+    /// The figure, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
 }
@@ -99,30 +97,8 @@ pub struct CompareAnswer {
 /// A model and its errors, model − reference.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 pub struct ComparedModel {
-    /// Its name.
-    pub model: String,
-    /// Root mean square, N; none where the model could not be compared.
-    pub rms_n: Option<f64>,
-    /// The largest, N.
-    pub max_n: Option<f64>,
-    /// The mean, N: above zero if the model predicts too much pull.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub mean_n: Option<f64>,
-    /// Measured volumes of the cavity that it answered; 0 without.
-    #[serde(skip_serializing_if = "is_zero")]
-    pub volume_points: usize,
-    /// Root mean square of its volumes less the measured ones, mm³.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rms_volume_mm3: Option<f64>,
-    /// The mean, mm³: above zero if the model holds too much air.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub mean_volume_mm3: Option<f64>,
-    /// Points that it answered.
-    pub points: usize,
-    /// Points that it did not answer.
-    pub unanswered: usize,
-    /// Why not, or why the model could not be compared.
-    pub cause: Option<String>,
+    #[serde(flatten)]
+    pub errors: Comparison,
     /// Fitted factor on all moduli of the rubber law.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fitted_modulus_factor: Option<f64>,
@@ -134,27 +110,11 @@ pub struct ComparedModel {
     pub fitted_stiffness_n_per_mm: Option<f64>,
 }
 
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
-fn is_zero(count: &usize) -> bool {
-    *count == 0
-}
-
 impl ComparedModel {
-    fn of(comparison: Comparison, volumes: Option<VolumeComparison>, fitted: &[(FitConstant, f64)]) -> Self {
-        // Without measured pulls there is no error of them.
-        let pulls = comparison.points > 0;
+    fn new(errors: Comparison, fitted: &[(FitConstant, f64)]) -> Self {
         let value = |constant| fitted.iter().find(|f| f.0 == constant).map(|f| f.1);
         Self {
-            model: comparison.model,
-            rms_n: pulls.then_some(comparison.rms_n),
-            max_n: pulls.then_some(comparison.max_n),
-            mean_n: pulls.then_some(comparison.mean_n),
-            volume_points: volumes.map_or(0, |v| v.points),
-            rms_volume_mm3: volumes.map(|v| v.rms_mm3),
-            mean_volume_mm3: volumes.map(|v| v.mean_mm3),
-            points: comparison.points,
-            unanswered: comparison.unanswered.as_ref().map_or(0, |u| u.0),
-            cause: comparison.unanswered.map(|u| u.1),
+            errors,
             fitted_modulus_factor: value(FitConstant::Modulus),
             fitted_end_factor: value(FitConstant::EndFactor),
             fitted_stiffness_n_per_mm: value(FitConstant::Stiffness),
@@ -225,12 +185,11 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
                 Some(points) => points.clone(),
                 None => answers(&mut evaluation, &pressures, &contractions)?,
             };
-            let comparison = errors_of(&mut evaluation, &points)?;
-            let cavity = compare_volumes(&mut evaluation, &volumes);
-            if points.is_empty() && cavity.is_none() {
+            let errors = errors_of(&mut evaluation, &points, &volumes)?;
+            if points.is_empty() && errors.volume_points == 0 {
                 return Err(ModelError::NoVolume { model: bound.info().name.to_string() }.into());
             }
-            let row = ComparedModel::of(comparison, cavity, &fitted);
+            let row = ComparedModel::new(errors, &fitted);
             Ok((Compared { row, model: bound, workspace }, points))
         };
         match one() {
@@ -240,7 +199,8 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
             }
             Err(problem) => {
                 let cause = Some(problem.message.clone());
-                skipped.push(ComparedModel { model: model.name().into(), cause, ..ComparedModel::default() });
+                let errors = Comparison { model: model.name().into(), cause, ..Comparison::default() };
+                skipped.push(ComparedModel::new(errors, &[]));
                 first.get_or_insert(problem);
             }
         }
@@ -249,23 +209,24 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         return Err(first.unwrap_or_else(|| Problem::missing("models", "at least one model")));
     }
     let points = reference.unwrap_or_default();
-    let asked: Vec<(f64, f64)> = points.iter().map(|p| (p.pressure_mpa, p.contraction)).collect();
+    let states: Vec<(f64, f64)> = points.iter().map(|p| (p.pressure_mpa, p.contraction)).collect();
     let beyond = compared.iter_mut().filter_map(|c| {
-        let stretch = warnings::largest_stretch(&mut c.evaluation(options), &asked)?;
+        let stretch = warnings::largest_stretch(&mut c.evaluation(options), &states)?;
         Warning::of_stretch(&c.model.muscle().tube().rubber, stretch)
     });
     let said = muscle.warnings().into_iter().chain(doubts).map(Warning::from);
     let warned: Vec<Warning> = said.chain(beyond).collect();
     let figure = request.figure.as_ref().map(|unit| {
         let fits = compared.iter().filter(|c| !c.row.fitted().is_empty());
-        let fits: String = fits.map(|c| format!(". {} fitted: {}", c.row.model, c.row.fitted())).collect();
+        let fits: String =
+            fits.map(|c| format!(". {} fitted: {}", c.row.errors.model, c.row.fitted())).collect();
         let about = format!("{}{fits}", MuscleSummary::from(&muscle).line(unit));
         let drawn = compared.iter_mut().map(|c| c.evaluation(options)).collect();
         let measured = measured.as_deref().unwrap_or_default();
         figure::compare(drawn, measured, &pressures, &contractions, &about, unit)
     });
     Ok(CompareAnswer {
-        reference: if measured.is_some() { "measured".into() } else { compared[0].row.model.clone() },
+        reference: if measured.is_some() { "measured".into() } else { compared[0].row.errors.model.clone() },
         points: points.len(),
         largest_force_n: points.iter().map(|p| p.force_n).fold(0.0, f64::max),
         muscle: (&muscle).into(),
@@ -280,8 +241,8 @@ impl CompareRequest {
     /// The models, each once.
     fn chosen(&self) -> Result<Vec<Model>> {
         const DEFAULT: [&str; 4] = ["fe", "paper", "thick-wall", "ideal"];
-        let own: Vec<&str> = self.models.iter().map(String::as_str).collect();
-        let names = if own.is_empty() { DEFAULT.to_vec() } else { own };
+        let named: Vec<&str> = self.models.iter().map(String::as_str).collect();
+        let names = if named.is_empty() { DEFAULT.to_vec() } else { named };
         let solid = names.iter().any(|n| n.trim() == "fe3d");
         let mut models: Vec<Model> = vec![];
         for name in names {
@@ -297,7 +258,7 @@ impl CompareRequest {
         Ok(models)
     }
 
-    /// The measured points of a file, on the branch that was asked for.
+    /// The measured points of a file, on the requested branch.
     fn on_branch(&self, file: &TextFile, muscle: &Muscle) -> Result<(Read, UnderstoodTable)> {
         let options =
             PointOptions { columns: self.columns.clone(), rest_length_mm: Some(muscle.tube().length_mm) };
@@ -339,7 +300,7 @@ fn grid(request: &CompareRequest, measured: Option<&[MeasuredPoint]>) -> Result<
     Ok((pressures, steps(101, low, high)))
 }
 
-/// A model's own answers, as if they had been measured.
+/// Answers of a model, as if they had been measured.
 fn answers(
     evaluation: &mut Evaluation<'_>,
     pressures: &[f64],
@@ -371,7 +332,7 @@ fn fitted(
     let build = |m: &Muscle| model.build(m);
     // All points count, zeros among them.
     let points: Vec<DataPoint> =
-        points.iter().map(|p| DataPoint::of(MeasuredPoint { branch: Some(direction), ..*p })).collect();
+        points.iter().map(|p| DataPoint::new(MeasuredPoint { branch: Some(direction), ..*p })).collect();
     let mut known: Vec<FitConstant> = vec![];
     for &constant in constants {
         if !known.contains(&constant) && matters(muscle, constant.target(), &points, &build) {
@@ -388,11 +349,11 @@ fn fitted(
             format!("{points} points are too few to fit {unknowns} constants: measure at least {least}");
         return Err(Problem::new(ProblemKind::Fit, message, ""));
     }
-    let start = |c: FitConstant| Some(own_value(muscle, c.target()).unwrap_or(STIFF));
+    let start = |c: FitConstant| Some(c.target().value(muscle).unwrap_or(STIFF));
     let parameter = |&c: &FitConstant| Parameter { start: start(c), ..Parameter::free(c.target()) };
     let free: Vec<Parameter> = known.iter().map(parameter).collect();
     let request = Request { two_sided: true, ..Request::new(muscle, &free, &points, &build) };
-    let found = identify(&request).map_err(|error| match error {
+    let identified = identify(&request).map_err(|error| match error {
         IdentifyError::Start(_, error) | IdentifyError::Model(error) => error.into(),
         IdentifyError::Estimate(_) => {
             Problem::new(ProblemKind::NotConverged, format!("the fit did not converge: {error}"), "")
@@ -400,5 +361,5 @@ fn fitted(
         error @ (IdentifyError::Flipped(_) | IdentifyError::NoRubber { .. }) => error.into(),
         other => Problem::new(ProblemKind::Fit, other.to_string(), ""),
     })?;
-    Ok((found.muscle, known.into_iter().zip(found.parameters.iter().map(|p| p.value)).collect()))
+    Ok((identified.muscle, known.into_iter().zip(identified.parameters.iter().map(|p| p.value)).collect()))
 }

@@ -26,11 +26,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 
 /// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct CurveRequest {
     /// Which test.
     pub test: Test,
-    /// The muscle, the model, and how it is asked.
+    /// The muscle, the model, and how it is evaluated.
     #[serde(flatten)]
     pub question: QuestionFields,
     /// Gauge pressures P in MPa; default isobaric 0.05 to 0.25 by 0.05, else 0 to 0.25 by 0.01.
@@ -127,9 +127,9 @@ fn each(
         progress.report(i, fixed.len());
         for &direction in branches {
             let options = Options { direction, ..question.options };
-            let found = question.evaluation().with(options).curves(request.test, &[value], &along);
+            let curves = question.evaluation().with(options).curves(request.test, &[value], &along);
             cancel::check()?;
-            for curve in found {
+            for curve in curves {
                 progress.check()?;
                 said.extend(warnings::of_points(answered([&curve])));
                 said = Warning::gravest(&said);
@@ -141,10 +141,10 @@ fn each(
             }
         }
     }
-    let found = question.burst()?;
-    put_first(&mut said, said_of(&found, highest_mpa, QUIET_MPA));
+    let burst = question.burst()?;
+    put_first(&mut said, said_of(&burst, highest_mpa, QUIET_MPA));
     Ok(CurveAnswer {
-        limits: (&found).into(),
+        limits: (&burst).into(),
         model: question.model.info().name.to_string(),
         test: request.test,
         muscle: MuscleSummary::from(&question.muscle),
@@ -199,7 +199,7 @@ pub(crate) fn steps(count: usize, low: f64, high: f64) -> Vec<f64> {
     Values::Interval(low, high).sampled(count - 1)
 }
 
-/// Finite values, or what stands for them where none are given.
+/// Finite values, or the default where none are given.
 pub(crate) fn list(
     field: &str,
     values: &Option<Vec<f64>>,
@@ -265,7 +265,7 @@ pub struct CurveAnswer {
     pub test: Test,
     /// The muscle.
     pub muscle: MuscleSummary,
-    /// What is fixed along each curve: ε, F in N, or P in MPa; of two curves, where both branches were asked for.
+    /// What is fixed along each curve: ε, F in N, or P in MPa; of two curves, if both branches are requested.
     pub fixed: Vec<f64>,
     /// Warnings; of each kind the most serious.
     #[schemars(with = "Vec<String>")]
@@ -279,7 +279,7 @@ pub struct CurveAnswer {
     pub curves: Vec<Curve>,
     /// The equilibria with the load, where there is one.
     pub loaded: Option<LoadAnswer>,
-    /// The figure, where it was asked for.
+    /// The figure, if requested.
     pub figure: Option<Figure>,
     /// Whether every two curves are the branches of one: shortening, then lengthening.
     #[serde(skip)]
@@ -305,15 +305,15 @@ pub enum PointRow {
     Failed(FailedPoint),
 }
 
-/// What is asked of a point.
+/// The quantities that fix a point.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
-pub struct AskedPoint {
-    /// Pressure asked for, MPa.
+pub struct RequestedPoint {
+    /// Requested pressure, MPa.
     pub pressure_mpa: f64,
-    /// Contraction asked for.
+    /// Requested contraction.
     pub contraction: Option<f64>,
-    /// Pull asked for, N.
+    /// Requested pull, N.
     #[serde(rename = "wanted_force_n")]
     pub force_n: Option<f64>,
 }
@@ -321,9 +321,9 @@ pub struct AskedPoint {
 /// A point without an answer.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct FailedPoint {
-    /// What was asked.
+    /// The request.
     #[serde(flatten)]
-    pub asked: AskedPoint,
+    pub requested: RequestedPoint,
     /// How it ended.
     pub status: Status,
     /// Why.
@@ -341,8 +341,8 @@ impl From<&CurvePoint> for PointRow {
             Err(error) => {
                 let &CurvePoint { pressure_mpa, contraction, force_n, .. } = point;
                 let cause = short_numbers(&error.to_string()).into_owned();
-                let asked = AskedPoint { pressure_mpa, contraction, force_n };
-                Self::Failed(FailedPoint { asked, status: error.into(), cause })
+                let requested = RequestedPoint { pressure_mpa, contraction, force_n };
+                Self::Failed(FailedPoint { requested, status: error.into(), cause })
             }
         }
     }
@@ -352,7 +352,7 @@ impl From<&CurvePoint> for PointRow {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct StudyRequest {
-    /// The muscle, the model, and how it is asked.
+    /// The muscle, the model, and how it is evaluated.
     #[serde(flatten)]
     pub question: QuestionFields,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
@@ -375,7 +375,7 @@ pub struct StudyAnswer {
     /// Warnings, in sentences: those of the points, once per wall.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// The figure, where it was asked for.
+    /// The figure, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
 }
@@ -399,19 +399,17 @@ pub struct StudyRow {
 
 pub fn study(request: &StudyRequest, _progress: &dyn Progress) -> Result<StudyAnswer> {
     let QuestionFields { muscle: m, model, asking } = &request.question;
-    let own = fields()
+    let sizes = fields()
         .filter(|(_, measure)| [&OUTER_DIAMETER, &WALL, &LENGTH].contains(measure))
         .map(|(field, measure)| (field, m.measures.get(measure).is_some()));
-    let own: Vec<(&str, bool)> = own.collect();
-    Problem::refuse_unused(&own, "the study has the diameter, walls and length of the paper")
+    let sizes: Vec<(&str, bool)> = sizes.collect();
+    Problem::refuse_unused(&sizes, "the study has the diameter, walls and length of the paper")
         .map_err(|p| p.with_hint("leave it out, or draw other muscles with `test`"))?;
     let base = m.resolve()?;
     let options = asking.options(&base)?;
     let model = Model::choose(model)?;
     model.admit(&base)?;
-    let study = thickness(&base, options, |m| model.build(m));
-    cancel::check()?;
-    let study = study?;
+    let study = thickness(&base, options, |m| model.build(m))?;
     let figure = request.figure.as_ref().map(|unit| {
         let MuscleSummary { angle_deg, rubber, .. } = (&base).into();
         let about = format!("D0 30 mm, L0 285 mm, θ0 {angle_deg}°, rubber {rubber}");

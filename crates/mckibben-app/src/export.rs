@@ -7,7 +7,7 @@ use crate::{
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::Workspace;
 use mckibben::progress::Progress;
-use mckibben_export::{ExportedMuscle, Target, Wanted};
+use mckibben_export::{BoxRequest, ExportedMuscle, Target};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -96,7 +96,7 @@ pub fn export(request: &ExportRequest, _progress: &dyn Progress) -> Result<Expor
         file.and_then(Path::file_stem)
             .map_or_else(|| "muscle".into(), |stem| stem.to_string_lossy().into_owned())
     });
-    let wanted = Wanted { supply_mpa, contraction_low, contraction_high };
+    let wanted = BoxRequest { supply_mpa, contraction_low, contraction_high };
     let exported = ExportedMuscle::fit(model, &name, wanted)?;
     let artefact = exported.to(target)?;
     let mut warnings = exported.warnings();

@@ -96,7 +96,7 @@ pub struct MeshFields {
     pub terminal: Option<Plug>,
 }
 
-/// How a model is asked.
+/// How a model is evaluated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 #[schemars(transform = InGroup("model"))]

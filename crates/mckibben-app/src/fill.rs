@@ -3,7 +3,7 @@
 use crate::{Background, LoadFields, Problem, ProblemKind, QuestionFields, Result, above_zero, given, ratio};
 use mckibben::liquid::{Liquid, LiquidError, LiquidSupply};
 use mckibben::load::{Fill, FillError, Filling};
-use mckibben::{cancel, progress::Progress};
+use mckibben::progress::Progress;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct FillRequest {
-    /// The muscle, the model, and how it is asked.
+    /// The muscle, the model, and how it is evaluated.
     #[serde(flatten)]
     pub question: QuestionFields,
     /// Volume that is pushed in, measured at atmospheric pressure (the stroke of a syringe), mm³.
@@ -35,7 +35,7 @@ pub struct FillAnswer {
     pub fill: Fill,
     /// The liquid.
     pub liquid: Liquid,
-    /// What stands behind it.
+    /// The muscle, the model, limits and ±.
     #[serde(flatten)]
     pub background: Background,
 }
@@ -59,10 +59,8 @@ pub fn fill(request: &FillRequest, _progress: &dyn Progress) -> Result<FillAnswe
     let held_at = request.contraction.map(ratio).transpose()?;
     let mut question = request.question.ask()?;
     let load = request.load.resolve(question.muscle.length_mm())?;
-    let asked = Filling { liquid: &liquid, volume_mm3, dead_volume_mm3, load: load.as_ref(), held_at };
-    let found = question.evaluation().fill(&asked);
-    cancel::check()?;
-    let mut fill = found?;
+    let filling = Filling { liquid: &liquid, volume_mm3, dead_volume_mm3, load: load.as_ref(), held_at };
+    let mut fill = question.evaluation().fill(&filling)?;
     let pressure_mpa = fill.answer.response.pressure_mpa;
     let background = question.background(&mut fill.answer, pressure_mpa)?;
     Ok(FillAnswer { fill, liquid, background })

@@ -66,16 +66,16 @@ pub struct FitAnswer {
     /// The formula.
     #[serde(flatten)]
     pub formula: Document,
-    /// The intermediate tables, where they were asked for.
+    /// The intermediate tables, if requested.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tables: Vec<Table>,
-    /// The figures, where they were asked for.
+    /// The figures, if requested.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub figures: Vec<NamedFigure>,
     /// Rows of the table without an answer.
     #[serde(skip)]
     pub failed: usize,
-    /// What the methods for muscles of one make found on their way.
+    /// Intermediate results of the methods for muscles of one make.
     #[serde(skip)]
     pub fitted: Option<FittedFormula>,
 }
@@ -143,10 +143,7 @@ fn section(request: &FitRequest) -> Result<FitAnswer> {
     Ok(FitAnswer {
         formula: Document::Section(fitted.formula.clone()),
         tables: fitted.paper.as_ref().filter(|_| request.tables).map_or_else(Vec::new, tables),
-        figures: figures
-            .into_iter()
-            .map(|(name, figure)| NamedFigure { name: name.into(), figure })
-            .collect(),
+        figures,
         failed,
         fitted: Some(fitted),
     })
@@ -168,13 +165,14 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
         Form::Membrane => ModelKind::Universal,
         Form::Bulge => ModelKind::UniversalSmall,
     };
+    let samples = samples(&rows).map_err(|e| no_fit(&origin.name, e))?;
     let wanted = UniversalRequest {
+        samples: &samples,
         form,
         name: request.name.clone().unwrap_or_else(|| usual.name().into()),
         from: origin.from,
     };
-    let fitted = samples(&rows).and_then(|samples| universal(&samples, &wanted, progress));
-    let formula = Document::Universal(fitted.map_err(|e| no_fit(&origin.name, e))?);
+    let formula = Document::Universal(universal(&wanted, progress).map_err(|e| no_fit(&origin.name, e))?);
     Ok(FitAnswer { formula, tables: vec![], figures: vec![], failed: 0, fitted: None })
 }
 
@@ -253,7 +251,7 @@ impl FitRequest {
             stiffness: self.stiffness,
             ..NamedFields::default()
         });
-        Ok(Made::of(&fields.resolve()?))
+        Ok(Made::from_muscle(&fields.resolve()?))
     }
 
     fn points(&self) -> Result<Points> {
@@ -286,7 +284,7 @@ pub struct CheckFormulaAnswer {
     /// The formula, as its file holds it.
     #[serde(flatten)]
     pub formula: Document,
-    /// The equation with its numbers as LaTeX (amsmath), where it was asked for.
+    /// The equation with its numbers as LaTeX (amsmath), if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub latex: Option<String>,
 }
@@ -305,12 +303,12 @@ pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer
 }
 
 fn built_in(name: &str) -> Result<Document> {
-    let found = match name.parse::<ModelKind>() {
+    let formula = match name.parse::<ModelKind>() {
         Ok(ModelKind::Universal) => UniversalFormula::large(),
         Ok(ModelKind::UniversalSmall) => UniversalFormula::small(),
         _ => None,
     };
-    found.map(|formula| Document::Universal((*formula).clone())).ok_or_else(|| {
+    formula.map(|formula| Document::Universal((*formula).clone())).ok_or_else(|| {
         let message =
             format!("there is no built-in formula \"{name}\"; there are universal and universal-small");
         Problem::new(ProblemKind::Model, message, "").in_field("name")

@@ -91,10 +91,10 @@ pub struct IdentifyAnswer {
     pub data: String,
     /// What was understood of each table.
     pub understood: Vec<UnderstoodTable>,
-    /// What was found.
+    /// The identified constants.
     #[serde(flatten)]
-    pub found: Identification,
-    /// The muscle with the values found.
+    pub identified: Identification,
+    /// The muscle with the identified values.
     pub muscle: MuscleSummary,
     /// The same as a muscle file, with what was identified in its head.
     pub muscle_file: String,
@@ -107,7 +107,7 @@ pub struct IdentifyAnswer {
     pub laws: Vec<LawRow>,
     /// Warnings: contradictions, parameters that are not identifiable, missing measurements.
     pub warnings: Vec<String>,
-    /// The figure, where it was asked for.
+    /// The figure, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
 }
@@ -131,17 +131,17 @@ pub struct LawRow {
 }
 
 impl LawRow {
-    fn of(trial: LawTrial, best: f64) -> Self {
-        let (found, error) = match trial.found {
-            Ok(found) => (Some(found), None),
+    fn new(trial: LawTrial, best: f64) -> Self {
+        let (identified, error) = match trial.result {
+            Ok(identified) => (Some(identified), None),
             Err(error) => (None, Some(error.to_string())),
         };
         Self {
             law: trial.law.to_owned(),
-            rms_n: found.as_ref().map(|found| found.rms_n),
-            aicc_difference: found.as_ref().map(|_| trial.aicc - best),
-            neighbour_correlation: found.as_ref().map(|_| trial.neighbours),
-            parameters: found.map_or_else(Vec::new, |found| found.parameters),
+            rms_n: identified.as_ref().map(|identified| identified.rms_n),
+            aicc_difference: identified.as_ref().map(|_| trial.aicc - best),
+            neighbour_correlation: identified.as_ref().map(|_| trial.neighbours),
+            parameters: identified.map_or_else(Vec::new, |identified| identified.parameters),
             doubt: error.or(trial.doubt),
         }
     }
@@ -207,15 +207,15 @@ impl From<&PointFit> for IdentifiedPoint {
     }
 }
 
-/// The muscle with the values found as a muscle file.
-fn muscle_file(data: &str, model: &str, found: &Identification, measured: bool) -> Result<String> {
+/// The muscle with the identified values as a muscle file.
+fn muscle_file(data: &str, model: &str, identified: &Identification, measured: bool) -> Result<String> {
     // Points of a formula are no bench.
-    let muscle = if measured { found.with_bench() } else { found.muscle.clone() };
+    let muscle = if measured { identified.with_bench() } else { identified.muscle.clone() };
     let text = format!(
         "# Identified from {} with the model {}:\n# {}\n{}",
         line(data),
         line(model),
-        in_one_line(&found.parameters),
+        in_one_line(&identified.parameters),
         to_toml(&muscle)
     );
     readable(text)
@@ -224,7 +224,7 @@ fn muscle_file(data: &str, model: &str, found: &Identification, measured: bool) 
 /// A muscle file that every command reads again.
 pub(crate) fn readable(text: String) -> Result<String> {
     let wrong = |error| {
-        let message = format!("the constants that were found make no muscle: {error}");
+        let message = format!("the identified constants make no muscle: {error}");
         let hint = "give bounds (`bounds` NAME=LOW:HIGH), or fix what the points do not determine";
         Problem::new(ProblemKind::NotConverged, message, hint)
     };
@@ -242,7 +242,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     }
     let (free, fixed) = request.parameters(&muscle)?;
     let build = |m: &Muscle| model.build(m);
-    let asked = Request {
+    let input = Request {
         muscle: &muscle,
         free: &free,
         fixed: &fixed,
@@ -254,39 +254,39 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         history: request.branches == Branches::History,
     };
     model.admit(&muscle)?;
-    let mut found =
-        if free.is_empty() { identify_default(&asked)? } else { mckibben_fit::identify::identify(&asked)? };
+    let mut identified =
+        if free.is_empty() { identify_default(&input)? } else { mckibben_fit::identify::identify(&input)? };
     let laws = if request.laws {
-        let sought: Vec<Parameter> = found
+        let sought: Vec<Parameter> = identified
             .parameters
             .iter()
             .map(|p| free.iter().find(|q| q.target == p.target).copied().unwrap_or(Parameter::free(p.target)))
             .collect();
-        let trials = try_laws(&Request { free: &sought, ..asked })?;
+        let trials = try_laws(&Request { free: &sought, ..input })?;
         let best = trials.first().map_or(0.0, |t| t.aicc);
-        trials.into_iter().map(|t| LawRow::of(t, best)).collect()
+        trials.into_iter().map(|t| LawRow::new(t, best)).collect()
     } else {
         vec![]
     };
-    // Constants that were found hold for the stretches of the points; those that were kept for those of their data.
-    let kept = found.muscle.tube().rubber == muscle.tube().rubber;
-    let beyond = if kept { beyond_data(&found, &model) } else { None };
-    let summary = MuscleSummary::from(&found.muscle);
+    // Identified constants hold for the stretches of the points; those that were kept for those of their data.
+    let kept = identified.muscle.tube().rubber == muscle.tube().rubber;
+    let beyond = if kept { beyond_data(&identified, &model) } else { None };
+    let summary = MuscleSummary::from(&identified.muscle);
     let figure = request.figure.as_ref().map(|unit| {
-        let about = format!("{}. {}", summary.line(unit), in_one_line(&found.parameters));
-        figure::identified(&found, &build, &origin, &about, unit)
+        let about = format!("{}. {}", summary.line(unit), in_one_line(&identified.parameters));
+        figure::identified(&identified, &build, &origin, &about, unit)
     });
     Ok(IdentifyAnswer {
         model: model.name().into(),
-        muscle_file: muscle_file(&origin, model.name(), &found, request.formula.is_none())?,
+        muscle_file: muscle_file(&origin, model.name(), &identified, request.formula.is_none())?,
         data: origin,
         understood,
         muscle: summary,
         laws,
-        warnings: self::warnings(request, &found, beyond),
+        warnings: self::warnings(request, &identified, beyond),
         figure,
-        points: std::mem::take(&mut found.points),
-        found,
+        points: std::mem::take(&mut identified.points),
+        identified,
     })
 }
 
@@ -315,7 +315,7 @@ impl IdentifyRequest {
             sets.push((read, file.name.clone()));
         }
         if let Some(name) = &self.formula {
-            sets.push((self.of_formula(name, muscle)?, format!("the formula {name}")));
+            sets.push((self.formula_points(name, muscle)?, format!("the formula {name}")));
         }
         if sets.is_empty() {
             let hint = "give `data` with pressures, contractions and forces, or `formula` paper";
@@ -335,7 +335,7 @@ impl IdentifyRequest {
     }
 
     /// A formula's pulls as if they had been measured.
-    fn of_formula(&self, name: &str, muscle: &Muscle) -> Result<Vec<DataPoint>> {
+    fn formula_points(&self, name: &str, muscle: &Muscle) -> Result<Vec<DataPoint>> {
         let model = Model::named(name, &self.model.formulas, &MeshFields::default())?;
         let pressures = list("pressures_mpa", &self.pressures_mpa, || steps(5, 0.05, 0.25))?;
         let contractions = contractions(&self.contractions, || steps(5, 0.0, 0.2))?;
@@ -359,7 +359,7 @@ impl IdentifyRequest {
                 let force_n = model.force_n(&mut workspace, pressure_mpa, contraction)?;
                 let branch = Some(Direction::Mean);
                 let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
-                points.push(DataPoint { section, line: points.len() as u64 + 2, ..DataPoint::of(at) });
+                points.push(DataPoint { section, line: points.len() as u64 + 2, ..DataPoint::new(at) });
             }
         }
         Ok(points)
@@ -420,7 +420,7 @@ pub fn with_error_bar(p: &Identified) -> (String, String) {
     (number(p.value, digits.max(3)), number(p.half_width, 2))
 }
 
-/// Constants that were found, each with its ± and what is doubtful of it.
+/// Identified constants, each with its ± and what is doubtful of it.
 pub fn in_one_line(parameters: &[Identified]) -> String {
     let one = |p: &Identified| {
         let (value, bar) = with_error_bar(p);
@@ -438,21 +438,21 @@ pub fn in_one_line(parameters: &[Identified]) -> String {
 }
 
 /// Where the points stretch the rubber beyond the data of its constants.
-fn beyond_data(found: &Identification, model: &Model) -> Option<Warning> {
-    let model = model.build(&found.muscle).ok()?;
-    let asked: Vec<(f64, f64)> =
-        found.points.iter().map(|f| (f.point.at.pressure_mpa, f.point.at.contraction)).collect();
+fn beyond_data(identified: &Identification, model: &Model) -> Option<Warning> {
+    let model = model.build(&identified.muscle).ok()?;
+    let states: Vec<(f64, f64)> =
+        identified.points.iter().map(|f| (f.point.at.pressure_mpa, f.point.at.contraction)).collect();
     let workspace = &mut Workspace::new();
-    let stretch = largest_stretch(&mut Evaluation::new(&*model, workspace, Options::default()), &asked)?;
-    Warning::of_stretch(&found.muscle.tube().rubber, stretch)
+    let stretch = largest_stretch(&mut Evaluation::new(&*model, workspace, Options::default()), &states)?;
+    Warning::of_stretch(&identified.muscle.tube().rubber, stretch)
 }
 
 /// What the identification says, and first that it was that of the prototype where no muscle was given.
-fn warnings(request: &IdentifyRequest, found: &Identification, beyond: Option<Warning>) -> Vec<String> {
+fn warnings(request: &IdentifyRequest, identified: &Identification, beyond: Option<Warning>) -> Vec<String> {
     let prototype = (MuscleFields::default() == request.muscle).then(|| {
         let measures = MuscleSummary::from(&Muscle::prototype()).line(&Units::default());
         format!("no muscle was given: these are the constants of a muscle of the prototype's measures ({measures})")
     });
     let beyond = beyond.map(|warning| warning.to_string());
-    prototype.into_iter().chain(found.notes.iter().cloned()).chain(beyond).collect()
+    prototype.into_iter().chain(identified.notes.iter().cloned()).chain(beyond).collect()
 }

@@ -4,11 +4,11 @@ use crate::{
     Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result, Scale,
     TextFile, Units, above_zero, breakdown, burst_of, figure, finite, number, put_first, said_of, warnings,
 };
-use mckibben::joint::{Joint, JointError, JointMap, JointModel, JointPoint, Rest, Turning, parse_joint};
-use mckibben::warning::Warning;
-use mckibben::{
-    cancel, model::Workspace, muscle::Muscle, progress::Progress, size, threads, units::short_numbers,
+use mckibben::joint::{
+    Joint, JointError, JointMap, JointModel, JointPoint, JointTarget, Rest, Turning, parse_joint,
 };
+use mckibben::warning::Warning;
+use mckibben::{cancel, model::Workspace, muscle::Muscle, progress::Progress, size, threads};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -27,19 +27,19 @@ pub struct JointFields {
 impl JointFields {
     /// The names of the muscle files that a joint file names.
     pub fn files_of(joint: &TextFile) -> Result<Vec<String>> {
-        let file = parse_joint(&joint.text).map_err(|e| Problem::from(e.of(Path::new(&joint.name))))?;
+        let file = parse_joint(&joint.text).map_err(|e| Problem::from(e.in_file(Path::new(&joint.name))))?;
         Ok(file.files().map(str::to_owned).collect())
     }
 
     pub(crate) fn resolve(&self) -> Result<Joint> {
         let text = self.joint.as_ref().ok_or_else(|| Problem::missing("joint", "a joint file (TOML)"))?;
-        let file = parse_joint(&text.text).map_err(|e| Problem::from(e.of(Path::new(&text.name))))?;
+        let file = parse_joint(&text.text).map_err(|e| Problem::from(e.in_file(Path::new(&text.name))))?;
         let muscle = |name: &str| -> Result<Muscle> {
             let of = self.muscles.iter().find(|m| m.name == name).ok_or_else(|| {
                 let message = format!("{}: its muscle file {name} is missing", text.name);
                 Problem::new(ProblemKind::File, message, "").in_field("muscles")
             })?;
-            MuscleFields::of_file(of.clone()).resolve()
+            MuscleFields::from_file(of.clone()).resolve()
         };
         let muscles = file.files().map(muscle).collect::<Result<Vec<_>, _>>()?;
         file.with(muscles).map_err(|e| Problem::new(ProblemKind::File, format!("{}: {e}", text.name), ""))
@@ -87,8 +87,8 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     let named = Model::choose(&request.model)?;
     let models = joint.muscles().iter().map(|m| named.bound(&m.muscle)).collect::<Result<Vec<_>, _>>()?;
     let model = JointModel::new(&joint, models.iter().map(|m| &**m).collect(), request.extrapolate)?;
-    let mut asked = Asked { model: &model, workspaces: model.workspaces(), said: vec![] };
-    let rows = asked.rows(request, progress);
+    let mut solver = Solver { model: &model, workspaces: model.workspaces(), warnings: vec![] };
+    let rows = solver.rows(request, progress);
     cancel::check()?;
     let mut rows = rows?;
     if !request.without_start_pressures {
@@ -102,10 +102,11 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
             size::points("map", points)?;
             size::bytes("map", MAP_POINT_BYTES * points)?;
             let supply = supply(request)?;
-            asked.said.extend(model.outside(supply)?.into_iter().map(Warning::from));
+            solver.warnings.extend(model.outside(supply)?.into_iter().map(Warning::from));
             let map = model.map(supply, count, progress)?;
-            let first = map.gaps.first();
-            asked.said.extend(first.map(|gap| gaps(map.gaps.len(), map.points.len(), "points", &gap.reason)));
+            let gap = map.gaps.first();
+            let gap = gap.map(|gap| gaps(map.gaps.len(), map.points.len(), "points", &gap.reason));
+            solver.warnings.extend(gap);
             Some(map)
         }
     };
@@ -122,8 +123,8 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         rows.iter().filter_map(of).fold(supplied, f64::max)
     };
     let said: Vec<Warning> =
-        bursts.iter().enumerate().flat_map(|(i, found)| said_of(found, highest(i), 0.0)).collect();
-    let mut warnings = Warning::gravest(&asked.said);
+        bursts.iter().enumerate().flat_map(|(i, burst)| said_of(burst, highest(i), 0.0)).collect();
+    let mut warnings = Warning::gravest(&solver.warnings);
     put_first(&mut warnings, said);
     let mut answer = JointAnswer {
         uncertainty_text: largest_uncertainty(&rows),
@@ -151,13 +152,13 @@ fn supply(request: &JointRequest) -> Result<f64> {
     above_zero(ProblemKind::Quantity, "max_pressure_mpa", supply)
 }
 
-struct Asked<'m> {
+struct Solver<'m> {
     model: &'m JointModel<'m>,
     workspaces: Vec<Workspace>,
-    said: Vec<Warning>,
+    warnings: Vec<Warning>,
 }
 
-impl Asked<'_> {
+impl Solver<'_> {
     fn rows(&mut self, request: &JointRequest, progress: &dyn Progress) -> Result<Vec<JointRow>> {
         let families = &request.pressures_mpa;
         let angles = request.angles_deg.as_deref();
@@ -180,6 +181,8 @@ impl Asked<'_> {
         for &angle in angles.unwrap_or_default() {
             finite("angles_deg", angle)?;
         }
+        let torque_nm = finite("torque_nm", request.torque_nm.unwrap_or(0.0))?;
+        request.stiffness_nm_per_rad.map(|k| finite("stiffness_nm_per_rad", k)).transpose()?;
         let all = families.len().max(1) * angles.map_or(1, <[f64]>::len);
         size::points("angles_deg", all as f64)?;
         let mut rows = vec![];
@@ -196,11 +199,8 @@ impl Asked<'_> {
                 }
                 let max = supply(request)?;
                 for &angle_deg in angles {
-                    let torque_nm = finite("torque_nm", request.torque_nm.unwrap_or(0.0))?;
                     let stiffness_nm_per_rad = request.stiffness_nm_per_rad;
-                    let stiffness_nm_per_rad =
-                        stiffness_nm_per_rad.map(|k| finite("stiffness_nm_per_rad", k)).transpose()?;
-                    let wanted = mckibben::joint::JointTarget { angle_deg, torque_nm, stiffness_nm_per_rad };
+                    let wanted = JointTarget { angle_deg, torque_nm, stiffness_nm_per_rad };
                     let point = self.model.pressures(&mut self.workspaces, wanted, max)?;
                     let halves = self.model.pressure_uncertainties_mpa(&mut self.workspaces, &point);
                     let half = |i: usize| halves.get(i).copied().flatten();
@@ -217,24 +217,24 @@ impl Asked<'_> {
                     progress.report(i, families.len());
                     progress.check()?;
                     let points = self.model.along(&mut self.workspaces, pressures, angles);
-                    let gap = |e: &Result<_, JointError>| e.as_ref().is_err_and(JointError::is_of_point);
+                    let is_gap = |e: &Result<_, JointError>| e.as_ref().is_err_and(JointError::is_of_point);
                     // A family goes on beside angles at which a muscle has no state.
-                    let without = points.iter().filter(|point| gap(point)).count();
-                    let (only, mut said) = (without == points.len(), None);
+                    let without = points.iter().filter(|point| is_gap(point)).count();
+                    let (only, mut gap) = (without == points.len(), None);
                     for point in points {
                         match point {
-                            Err(error) if !only && error.is_of_point() => said = said.or(Some(error)),
+                            Err(error) if !only && error.is_of_point() => gap = gap.or(Some(error)),
                             point => rows.push(self.row(point?, None)?),
                         }
                     }
                     let angles = angles.len();
-                    self.said.extend(said.map(|error| gaps(without, angles, "angles", &error.to_string())));
+                    let gap = gap.map(|error| gaps(without, angles, "angles", &error.to_string()));
+                    self.warnings.extend(gap);
                 }
             }
             (false, None) => {
-                let outside = finite("torque_nm", request.torque_nm.unwrap_or(0.0))?;
                 for pressures in families {
-                    for rest in self.model.rests(&mut self.workspaces, pressures, outside)? {
+                    for rest in self.model.rests(&mut self.workspaces, pressures, torque_nm)? {
                         let angle = rest.angle_deg();
                         let point = self.model.at(&mut self.workspaces, pressures, angle, Turning::Mean)?;
                         let balance = matches!(rest, Rest::Balance { .. });
@@ -259,7 +259,7 @@ impl Asked<'_> {
             Ok(Some(there.torque_nm))
         };
         let (plus, minus) = (turning(Turning::Plus)?, turning(Turning::Minus)?);
-        self.said.extend(warnings::of_points(point.muscles.iter().map(|m| &m.answer)));
+        self.warnings.extend(warnings::of_points(point.muscles.iter().map(|m| &m.answer)));
         let first = point.muscles.first();
         let second = point.muscles.get(1);
         let response = |m: &mckibben::joint::MuscleState| m.answer.response;
@@ -308,15 +308,15 @@ fn add_start_pressures(model: &JointModel<'_>, rows: &mut [JointRow]) {
         wanted.extend(known.map(|(kind, e)| (key(kind, e), e)));
     }
     let wanted: Vec<((usize, i64), f64)> = wanted.into_iter().collect();
-    let found = threads::map(&wanted, |&((kind, _), contraction)| {
+    let pressures = threads::map(&wanted, |&((kind, _), contraction)| {
         model.start_pressure_mpa(kind, &mut Workspace::new(), contraction)
     });
-    let found: BTreeMap<(usize, i64), Option<f64>> =
-        wanted.into_iter().map(|(key, _)| key).zip(found).collect();
-    let of = |i: usize, e: f64| found.get(&key(kinds[i], e)).copied().flatten();
+    let pressures: BTreeMap<(usize, i64), Option<f64>> =
+        wanted.into_iter().map(|(key, _)| key).zip(pressures).collect();
+    let start_pressure = |i: usize, e: f64| pressures.get(&key(kinds[i], e)).copied().flatten();
     for row in rows {
-        row.start_pressure_1_mpa = of(0, row.contraction_1);
-        row.start_pressure_2_mpa = row.contraction_2.and_then(|e| of(1, e));
+        row.start_pressure_1_mpa = start_pressure(0, row.contraction_1);
+        row.start_pressure_2_mpa = row.contraction_2.and_then(|e| start_pressure(1, e));
     }
 }
 
@@ -326,35 +326,6 @@ fn word(rest: &Rest) -> RestWord {
         Rest::Balance { stable: false, .. } => RestWord::Unstable,
         Rest::Limit { .. } => RestWord::Limit,
         Rest::Loose { .. } => RestWord::Loose,
-    }
-}
-
-impl From<JointError> for Problem {
-    fn from(error: JointError) -> Self {
-        let message = error.to_string();
-        match error {
-            JointError::Cancelled(cancelled) => cancelled.into(),
-            JointError::Muscle { error, .. } => {
-                let inner = Self::from(error);
-                Self { message: short_numbers(&message).into_owned(), ..inner }
-            }
-            JointError::OutOfReach { .. } => Self::new(
-                ProblemKind::NoAnswer,
-                message,
-                "a higher `max_pressure_mpa`, or a larger pulley or muscle",
-            ),
-            JointError::Angle { .. } => {
-                Self::new(ProblemKind::OutOfRange, message, "").in_field("angles_deg")
-            }
-            JointError::Pressures { muscles, .. } => {
-                let example = if muscles == 2 { "such as 2 bar and 1 bar" } else { "such as 2 bar" };
-                Self::new(ProblemKind::Usage, message, example).in_field("pressures_mpa")
-            }
-            JointError::OneMuscle => {
-                Self::new(ProblemKind::Usage, message, "").in_field("stiffness_nm_per_rad")
-            }
-            _ => Self::new(ProblemKind::File, message, ""),
-        }
     }
 }
 
@@ -432,13 +403,13 @@ pub struct JointAnswer {
     /// The pressures that its weakest muscle bears.
     #[serde(flatten)]
     pub limits: PressureLimits,
-    /// What the joint reaches, where it was asked for.
+    /// What the joint reaches, if requested.
     pub map: Option<JointMap>,
     /// The largest ± of the torques, in words: `at φ 20°: ± 2.0 N m (95 %): friction unknown 1.7, model against tests 0.8`.
     pub uncertainty_text: Option<String>,
     /// Warnings.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// The figure, where it was asked for.
+    /// The figure, if requested.
     pub figure: Option<Figure>,
 }

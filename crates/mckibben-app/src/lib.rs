@@ -91,7 +91,7 @@ pub use identify::*;
 pub use joint::*;
 pub use library::*;
 pub use load::{LoadAnswer, LoadFields, LoadedAt};
-pub use many::{ArrayError, BoundModel, Many, PointQuantity, Unanswered, with_parameters};
+pub use many::{ArrayError, BoundModel, Many, PointQuantity, with_parameters};
 pub use mckibben::model::ModelEntry;
 pub use mckibben_design::TubePart;
 pub use mckibben_motion::{Event, Subject};

@@ -5,14 +5,14 @@ use mckibben::analysis::Evaluation;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::{model::Workspace, muscle::file::to_toml, threads};
 use mckibben_fit::validation::case::Facts;
-use mckibben_fit::validation::library::{self, Agreement, PREFIX, agreement, library};
+use mckibben_fit::validation::library::{self, LibraryAgreement, PREFIX, agreement, library};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A muscle of the library.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct LibraryMuscle {
-    /// Its name, which may stand where a muscle file may (`lib:dmsp-20-300`), and what is known of it.
+    /// Its name, which replaces a muscle file (`lib:dmsp-20-300`), and what is known of it.
     #[serde(flatten)]
     pub facts: Facts,
     /// The muscle.
@@ -41,13 +41,13 @@ pub struct LibraryDetails {
     /// What was identified.
     pub identified: Vec<String>,
     /// How it agrees with its points.
-    pub agreement: Agreement,
+    pub agreement: LibraryAgreement,
     /// The muscle file, with the bench that states its ±.
     pub muscle_file: TextFile,
 }
 
 impl LibraryMuscle {
-    fn of(facts: &Facts, muscle: &Muscle) -> Result<Self, Problem> {
+    fn new(facts: &Facts, muscle: &Muscle) -> Result<Self, Problem> {
         let (model, w) = (Model::FE.build(muscle)?, &mut Workspace::new());
         let (pressure_mpa, points) = muscle.bench().map_or((0.0, 0), |b| (b.pressure_mpa.1, b.points));
         let mut model = Evaluation::new(&*model, w, Direction::Mean);
@@ -67,7 +67,7 @@ impl LibraryMuscle {
 
 /// The muscles of the library.
 pub(crate) fn library_muscles() -> Result<Vec<LibraryMuscle>, Problem> {
-    threads::map(&library()?, |(case, muscle)| LibraryMuscle::of(&case.facts, muscle)).into_iter().collect()
+    threads::map(&library()?, |(case, muscle)| LibraryMuscle::new(&case.facts, muscle)).into_iter().collect()
 }
 
 /// A muscle of the library by its name, with or without `lib:`; `None` where there is none of that name.
@@ -78,7 +78,7 @@ pub(crate) fn library_details(name: &str) -> Result<Option<LibraryDetails>, Prob
     };
     let file = TextFile { name: format!("{}.toml", case.facts.name), text: to_toml(muscle) };
     Ok(Some(LibraryDetails {
-        muscle: LibraryMuscle::of(&case.facts, muscle)?,
+        muscle: LibraryMuscle::new(&case.facts, muscle)?,
         fit: case.fit_of_library().map(|fit| fit.name.clone()).unwrap_or_default(),
         identified: muscle.bench().map(|bench| bench.parameters.clone()).unwrap_or_default(),
         agreement: agreement(case, muscle, &|m: &Muscle| Model::FE.build(m)),

@@ -86,14 +86,14 @@ pub(crate) fn loaded(
     let mut stable: Vec<(f64, Option<Balance>)> = vec![];
     let mut at = vec![];
     for &pressure_mpa in pressures_mpa {
-        let found = evaluation.balances(&load, pressure_mpa);
+        let balances = evaluation.balances(&load, pressure_mpa);
         cancel::check()?;
-        let (found, error) = match found {
-            Ok(found) => (found, None),
+        let (equilibria, error) = match balances {
+            Ok(equilibria) => (equilibria, None),
             Err(error) => (vec![], Some(error)),
         };
-        stable.push((pressure_mpa, found.iter().find(|b| b.stable).cloned()));
-        at.push(LoadedAt { pressure_mpa, equilibria: found, error });
+        stable.push((pressure_mpa, equilibria.iter().find(|b| b.stable).cloned()));
+        at.push(LoadedAt { pressure_mpa, equilibria, error });
     }
     let least = stable.iter().min_by(|a, b| a.0.total_cmp(&b.0));
     let most = stable.iter().max_by(|a, b| a.0.total_cmp(&b.0));
@@ -101,7 +101,7 @@ pub(crate) fn loaded(
         (Some((low, from)), Some((high, Some(to)))) if low < high => {
             let (contraction, volume) = match from {
                 Some(from) => (from.answer.response.contraction, from.answer.response.volume_mm3),
-                // It stands on its stop.
+                // The load rests on its stop.
                 None => (0.0, evaluation.cavity_mm3(*low, 0.0).ok()),
             };
             Some(cycle(&load, length, (*low, contraction, volume), to))

@@ -3,10 +3,11 @@
 use crate::{MeshFields, Model, Problem, ProblemKind, Result, Units, figure};
 use mckibben::{muscle::Muscle, progress::Progress, size};
 use mckibben_fit::validation::case::{self, CaseError, Measurement, MuscleCase};
-pub use mckibben_fit::validation::case::{CaseFiles as MeasuredFolder, Facts as MeasuredFacts};
-pub use mckibben_fit::validation::report::{FitResult as MeasuredFit, MeasuredBranch};
-use mckibben_fit::validation::report::{Group, ReportError, report};
-pub use mckibben_fit::validation::rubber::RubberFitResult as MeasuredRubberFit;
+pub use mckibben_fit::validation::case::{Facts as MeasuredFacts, MeasuredFolder};
+use mckibben_fit::validation::report::{Group, report};
+pub use mckibben_fit::validation::report::{MeasuredBranch, MeasuredFit};
+use mckibben_fit::validation::residual::Fitter;
+pub use mckibben_fit::validation::rubber::RubberFit as MeasuredRubberFit;
 use mckibben_fit::validation::rubber::{self, RubberCase, RubberGroup};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -37,7 +38,7 @@ pub struct MeasuredAnswer {
     pub rubbers: Vec<MeasuredRubber>,
     /// Errors at their stresses, fit by fit.
     pub stresses: Vec<MeasuredStress>,
-    /// The figure, where it was asked for.
+    /// The figure, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
 }
@@ -63,7 +64,7 @@ pub struct MeasuredResult {
     pub fit: String,
     /// The points it was fitted to.
     pub fitted_to: String,
-    /// What is left of its points.
+    /// Residuals of its points.
     #[serde(flatten)]
     pub group: Group,
 }
@@ -87,20 +88,20 @@ pub struct MeasuredStress {
     pub case: String,
     /// Name of the fit.
     pub fit: String,
-    /// What is left of its points.
+    /// Residuals of its points.
     #[serde(flatten)]
     pub group: RubberGroup,
 }
 
 /// The validation report of every measured case.
 pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<MeasuredAnswer> {
-    let own = request.cases.iter().map(Measurement::read).collect::<Result<Vec<_>, _>>();
-    let own = own.map_err(|error| Problem::from(&error))?;
-    let (cases, stretched): (Vec<&MuscleCase>, Vec<&RubberCase>) = if own.is_empty() {
+    let read = request.cases.iter().map(Measurement::read).collect::<Result<Vec<_>, _>>();
+    let read = read.map_err(|error| Problem::from(&error))?;
+    let (cases, stretched): (Vec<&MuscleCase>, Vec<&RubberCase>) = if read.is_empty() {
         (case::muscles().map_err(Problem::from)?, case::rubbers().map_err(Problem::from)?)
     } else {
-        let muscles = own.iter().filter_map(Measurement::muscle);
-        (muscles.collect(), own.iter().filter_map(Measurement::rubber).collect())
+        let muscles = read.iter().filter_map(Measurement::muscle);
+        (muscles.collect(), read.iter().filter_map(Measurement::rubber).collect())
     };
     if request.figure.is_some() && cases.is_empty() {
         let message = "the figure shows measured muscles, and these cases are rubbers only: leave it out";
@@ -112,13 +113,13 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
     size::points("cases", (points + stresses) as f64)?;
     let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &MeshFields::default())?;
     let build = |muscle: &Muscle| model.build(muscle);
-    let found = report(&cases, &build, progress)?;
+    let reported = report(&cases, Fitter { build: &build, progress })?;
     let (rubbers, stresses) = rubbers(&stretched, progress)?;
     let name = model.name().to_owned();
-    let figure = request.figure.as_ref().map(|u| figure::measured(&cases, &found, (&name, &build), u));
-    let results = found.iter().flat_map(|r| r.groups.iter().map(|g| result(&cases, r, g)));
+    let figure = request.figure.as_ref().map(|u| figure::measured(&cases, &reported, (&name, &build), u));
+    let results = reported.iter().flat_map(|r| r.groups.iter().map(|g| result(&cases, r, g)));
     let case = |(number, case): (usize, &&MuscleCase)| {
-        let fits = found.iter().filter(|r| r.case == number).cloned().collect();
+        let fits = reported.iter().filter(|r| r.case == number).cloned().collect();
         MeasuredCase { facts: case.facts.clone(), points: case.points.len(), fits }
     };
     Ok(MeasuredAnswer {
@@ -145,19 +146,19 @@ fn rubbers(
     cases: &[&RubberCase],
     progress: &dyn Progress,
 ) -> Result<(Vec<MeasuredRubber>, Vec<MeasuredStress>)> {
-    let found = rubber::report(cases, progress)?;
-    let of = |(number, case): (usize, &&RubberCase)| {
-        let fits = found.iter().filter(|r| r.case == number).cloned().collect();
+    let reported = rubber::report(cases, progress)?;
+    let rubber = |(number, case): (usize, &&RubberCase)| {
+        let fits = reported.iter().filter(|r| r.case == number).cloned().collect();
         MeasuredRubber { facts: case.facts.clone(), points: case.count(), fits }
     };
-    let stresses = found.iter().flat_map(|r| {
+    let stresses = reported.iter().flat_map(|r| {
         let stress = |group: &RubberGroup| {
             let (case, fit) = (cases[r.case].facts.name.clone(), r.fit.clone());
             MeasuredStress { case, fit, group: group.clone() }
         };
         r.groups.iter().map(stress)
     });
-    Ok((cases.iter().enumerate().map(of).collect(), stresses.collect()))
+    Ok((cases.iter().enumerate().map(rubber).collect(), stresses.collect()))
 }
 
 impl From<&CaseError> for Problem {
@@ -168,17 +169,5 @@ impl From<&CaseError> for Problem {
             _ => ProblemKind::File,
         };
         Self::new(kind, error.to_string(), "")
-    }
-}
-
-impl From<ReportError> for Problem {
-    fn from(error: ReportError) -> Self {
-        let message = error.to_string();
-        let problem = match error {
-            ReportError::Cancelled(cancelled) => return cancelled.into(),
-            ReportError::Fit(_, error) => Self::from(error),
-            ReportError::Rubber(_, error) => Self::from(error),
-        };
-        Self { message: mckibben::units::short_numbers(&message).into_owned(), ..problem }
     }
 }

@@ -4,7 +4,7 @@ use crate::{Direction, MeshFields, ModelFields, Problem, ProblemKind, Result, Te
 use mckibben::answer::Options;
 use mckibben::formula::{Document, Formula, UniversalFormula};
 use mckibben::model::{
-    ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Universal, UnknownModel, with_ends,
+    ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Universal, unknown_model, with_ends,
 };
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::MeshSpec;
@@ -50,22 +50,22 @@ impl Model {
     pub fn named(name: &str, formulas: &[TextFile], mesh: &MeshFields) -> Result<Self> {
         let name = name.trim();
         if let Ok(elements) = name.parse::<Elements>() {
-            return Ok(Self::Elements(mesh.of(elements)?));
+            return Ok(Self::Elements(mesh.meshed(elements)?));
         }
         mesh.no_terminal()?;
         if let Some(file) = formulas.iter().find(|f| f.name == name) {
-            return Self::of_formula(file);
+            return Self::from_formula(file);
         }
         if let Ok(kind) = name.parse::<ModelKind>() {
             return Ok(Self::ClosedForm(kind));
         }
-        let names = Self::all().into_iter().map(|entry| entry.name).collect();
-        let message = UnknownModel::new(name, names).to_string();
+        let names: Vec<_> = Self::all().into_iter().map(|entry| entry.name).collect();
+        let message = unknown_model(name, &names).to_string();
         Err(Problem::new(ProblemKind::Model, message, ""))
     }
 
     /// The model of a formula's file.
-    pub fn of_formula(file: &TextFile) -> Result<Self> {
+    pub fn from_formula(file: &TextFile) -> Result<Self> {
         if !cfg!(feature = "whole") {
             let message = "formula files need the full engine; this is a reduced one";
             return Err(Problem::new(ProblemKind::Formula, message, ""));
@@ -137,7 +137,7 @@ impl fmt::Display for Model {
 
 impl MeshFields {
     /// Elements with this mesh.
-    fn of(&self, elements: Elements) -> Result<Elements> {
+    fn meshed(&self, elements: Elements) -> Result<Elements> {
         let elements = match elements {
             Elements::Axisymmetric(spec) => {
                 self.no_terminal()?;
@@ -181,7 +181,7 @@ impl MeshFields {
     }
 }
 
-/// Refuses both branches where one is stated, or where the friction is not known.
+/// Refuses both branches where one is requested, or where the friction is not known.
 pub(crate) fn check_both(options: Options, muscle: &Muscle) -> Result<()> {
     if options.direction == Direction::Mean {
         return check_branch(Options { direction: Direction::Contraction, ..options }, muscle);

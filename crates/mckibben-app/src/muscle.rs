@@ -19,7 +19,7 @@ impl MuscleFields {
         })
     }
 
-    /// A muscle with the fields' values in place of its own.
+    /// A muscle with the fields' values in place of those of the base.
     pub fn over(&self, base: &Muscle) -> Result<Muscle, Problem> {
         Ok(Muscle::from_parts(self.stated()?.over(base)?)?.with_bench_of(base))
     }
@@ -29,7 +29,7 @@ impl MuscleFields {
         Ok(self.stated()?.braid_on(outer_diameter_mm, base)?)
     }
 
-    /// What the fields state of a muscle, with the parts that their names stand for.
+    /// What the fields state of a muscle, with the parts that they name.
     fn stated(&self) -> Result<Stated, Problem> {
         let rubber = match (&self.named.rubber, &self.named.rubber_file) {
             (Some(_), Some(_)) => {
@@ -50,7 +50,7 @@ impl MuscleFields {
     }
 
     /// What the fields are of a muscle, each as it may be given; none where it has none of a name or a number.
-    pub fn of(muscle: &Muscle) -> Self {
+    pub fn from_muscle(muscle: &Muscle) -> Self {
         let (tube, braid) = (muscle.tube(), muscle.braid());
         let section = braid.strands.and_then(|strands| strands.section);
         let diameter_mm = |(area, _): (f64, f64)| (4.0 * area / PI).sqrt();
@@ -98,9 +98,9 @@ pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
     muscles::file(name).map(Cow::Owned).map_err(|error| Problem::new(ProblemKind::File, error, hint))
 }
 
-/// The muscle of a muscle file, or that of the library whose name stands in the place of one: `lib:dmsp-20-300`.
+/// The muscle of a muscle file, or that of the library whose name replaces one: `lib:dmsp-20-300`.
 pub fn muscle_of(file: &TextFile) -> Result<Muscle, Problem> {
-    Ok(parse_muscle(&text_of(file)?).map_err(|e| e.of(Path::new(&file.name)))?)
+    Ok(parse_muscle(&text_of(file)?).map_err(|e| e.in_file(Path::new(&file.name)))?)
 }
 
 /// A rubber of the library.

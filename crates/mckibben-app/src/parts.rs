@@ -35,7 +35,7 @@ pub enum PartKind {
 pub struct PartsListRequest {
     /// Only one kind.
     pub kind: Option<PartKind>,
-    /// Tubes of your own (TOML, as the catalogue), in place of the catalogue's.
+    /// Tubes and sleeves of your own (TOML, as the catalogues), in place of the catalogues'.
     pub parts: Option<TextFile>,
 }
 
@@ -125,7 +125,7 @@ pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer, Problem
     };
     Ok(PartsListAnswer {
         tubes,
-        sleeves: if wants(PartKind::Sleeves) { sleeves()? } else { vec![] },
+        sleeves: if wants(PartKind::Sleeves) { sleeves(request.parts.as_ref())? } else { vec![] },
         rubbers: if wants(PartKind::Rubbers) { rubbers()? } else { vec![] },
         muscles: if whole && wants(PartKind::Muscles) { library_muscles()? } else { vec![] },
         models: if wants(PartKind::Models) { Model::all() } else { vec![] },
@@ -145,7 +145,7 @@ pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer, Problem> {
     if found != PartShowAnswer::default() {
         return Ok(found);
     }
-    let (sleeves, rubbers, muscles) = (sleeves()?, rubbers()?, library::names());
+    let (sleeves, rubbers, muscles) = (sleeves(None)?, rubbers()?, library::names());
     let all = tubes.iter().map(|t| t.name.as_str()).chain(sleeves.iter().map(|s| s.name.as_str()));
     let all = all.chain(rubbers.iter().map(|r| r.name.as_str())).chain(muscles.iter().map(String::as_str));
     let all = all.chain(Model::all().into_iter().map(|m| m.name));

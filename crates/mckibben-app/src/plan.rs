@@ -34,7 +34,7 @@ const MOST_POINTS: u64 = 200_000;
 
 pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer> {
     let file = request.plan.as_ref().ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
-    let plan = Plan::parse(&file.text).map_err(|e| e.of(Path::new(&file.name)))?;
+    let plan = Plan::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?;
     let points = plan.muscles().saturating_mul(plan.points_per_muscle() as u64);
     if points > MOST_POINTS {
         let message = format!("{points} points exceed the limit of {MOST_POINTS} points in memory");

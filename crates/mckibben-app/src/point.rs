@@ -8,7 +8,7 @@ use crate::{
 use mckibben::answer::{Answer, Options};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::{
-    analysis::Burst, analysis::Evaluation, analysis::source_of, cancel, muscle::Direction, muscle::Muscle,
+    analysis::Burst, analysis::Evaluation, analysis::source_of, muscle::Direction, muscle::Muscle,
     progress::Progress, uncertainty::basis_of, units::NamedUnit,
 };
 use schemars::JsonSchema;
@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ForceRequest {
-    /// The muscle, the model, and how it is asked.
+    /// The muscle, the model, and how it is evaluated.
     #[serde(flatten)]
     pub question: QuestionFields,
     /// Gauge pressure P in MPa.
@@ -33,7 +33,7 @@ pub struct ForceRequest {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct PressureRequest {
-    /// The muscle, the model, and how it is asked.
+    /// The muscle, the model, and how it is evaluated.
     #[serde(flatten)]
     pub question: QuestionFields,
     /// Pull F in N.
@@ -48,7 +48,7 @@ pub struct PressureRequest {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ContractionRequest {
-    /// The muscle, the model, and how it is asked.
+    /// The muscle, the model, and how it is evaluated.
     #[serde(flatten)]
     pub question: QuestionFields,
     /// Pull F in N; default 0.
@@ -68,18 +68,18 @@ pub struct PointAnswer {
     /// The point.
     #[serde(flatten)]
     pub point: Answer,
-    /// The same while the muscle is shortened and while it is lengthened, where both were asked for.
+    /// The same while the muscle is shortened and while it is lengthened, if both are requested.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub branches: Vec<Answer>,
     /// All equilibria with the load, if any; the point is the first stable one, or the first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loaded: Option<LoadAnswer>,
-    /// What stands behind it.
+    /// The muscle, the model, limits and ±.
     #[serde(flatten)]
     pub background: Background,
 }
 
-/// What stands behind a point: its ±, what the muscle bears, the muscle, and the model.
+/// Data behind a point: its ±, what the muscle bears, the muscle, and the model.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Background {
     /// The ± of the pull in words.
@@ -134,20 +134,20 @@ pub fn contraction(request: &ContractionRequest, _progress: &dyn Progress) -> Re
     }
     let mut said: Option<LoadAnswer> = None;
     let mut answer = answered(question, request.both, |model| {
-        let found = loaded(&request.load, model, &[pressure_mpa])?;
-        if let Some(error) = found.iter().flat_map(|f| &f.at).find_map(|at| at.error.clone()) {
+        let answer = loaded(&request.load, model, &[pressure_mpa])?;
+        if let Some(error) = answer.iter().flat_map(|f| &f.at).find_map(|at| at.error.clone()) {
             return Err(error.into());
         }
-        let list = found.iter().flat_map(|f| &f.at).flat_map(|at| &at.equilibria);
+        let list = answer.iter().flat_map(|f| &f.at).flat_map(|at| &at.equilibria);
         let best = list.clone().find(|e| e.stable).or(list.clone().next()).map(|e| e.answer.clone());
-        said = said.take().or(found);
+        said = said.take().or(answer);
         best.ok_or_else(|| Problem::new(ProblemKind::NoAnswer, "there is no equilibrium with the load", ""))
     })?;
     answer.loaded = said;
     Ok(answer)
 }
 
-/// The point with its muscle, and where the model's numbers come from; with both branches where they are asked for.
+/// The point with its muscle, and where the model's numbers come from; with both branches if requested.
 fn answered(
     mut question: Question,
     both: bool,
@@ -165,9 +165,7 @@ fn answered(
             both.map(|direction| on(Options { direction, ..options })).collect::<Result<_, _>>()?;
         Ok((point, branches))
     };
-    let found = all();
-    cancel::check()?;
-    let (mut point, branches) = found?;
+    let (mut point, branches) = all()?;
     let all = std::iter::once(&point).chain(&branches);
     let highest_mpa = all.map(|a| a.response.pressure_mpa).fold(0.0, f64::max);
     let background = question.background(&mut point, highest_mpa)?;
@@ -228,7 +226,7 @@ pub(crate) fn pull(force_n: f64, options: Options) -> Result<()> {
     Err(Problem::new(ProblemKind::Quantity, message, hint).in_field("force_n"))
 }
 
-/// A muscle, a model, and how it is asked.
+/// A muscle, a model, and how it is evaluated.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct QuestionFields {
@@ -238,7 +236,7 @@ pub struct QuestionFields {
     /// The model.
     #[serde(flatten)]
     pub model: ModelFields,
-    /// How it is asked.
+    /// How it is evaluated.
     #[serde(flatten)]
     pub asking: AskFields,
 }
@@ -268,7 +266,7 @@ impl QuestionFields {
 }
 
 impl Question {
-    /// Its model with its memory, as it is asked.
+    /// Its model with its memory and its options.
     pub(crate) fn evaluation(&mut self) -> Evaluation<'_> {
         Evaluation::new(&*self.model, &mut self.workspace, self.options)
     }
@@ -278,14 +276,14 @@ impl Question {
         burst_of(&self.choice, &*self.model)
     }
 
-    /// What stands behind an answer, which warns of the highest pressure first.
+    /// Data behind an answer, which warns of the highest pressure first.
     pub(crate) fn background(&mut self, of: &mut Answer, highest_mpa: f64) -> Result<Background> {
         let burst = self.burst()?;
         put_first(&mut of.warnings, said_of(&burst, highest_mpa, QUIET_MPA));
         let (parts, pressure_mpa) = (of.uncertainty_parts_n, of.response.pressure_mpa);
         let model = &mut self.evaluation();
         Ok(Background {
-            uncertainty_words: UncertaintyWords::of(parts, model, pressure_mpa).with_branch(of, model),
+            uncertainty_words: UncertaintyWords::at(parts, model, pressure_mpa).with_branch(of, model),
             limits: (&burst).into(),
             muscle: (&self.muscle).into(),
             about: ModelAbout {
@@ -297,11 +295,11 @@ impl Question {
 }
 
 impl AskFields {
-    /// How a model of this muscle is asked.
+    /// How a model of this muscle is evaluated.
     pub(crate) fn options(self, muscle: &Muscle) -> Result<Options> {
         let Self { extrapolate, two_sided, direction } = self;
         let options = Options { extrapolate, two_sided, direction, friction_share: muscle.friction_share() };
         check_branch(options, muscle)?;
-        Ok(options.of(muscle))
+        Ok(options.for_muscle(muscle))
     }
 }

@@ -1,6 +1,7 @@
 //! Why a request has no answer: one type for every front end.
 
 use mckibben::cancel::Cancel;
+use mckibben::joint::JointError;
 use mckibben::{
     analysis::AnalysisError, cancel::Cancelled, formula::FormulaError, load::LoadError, model::ModelError,
     muscle::file::FileError, rubber::library::LibraryError, size::TooLarge, study::StudyError,
@@ -11,10 +12,12 @@ use mckibben_design::{SpecError, SpreadError, ToleranceError};
 use mckibben_export::ExportError;
 use mckibben_fem::FemError;
 use mckibben_fit::identify::{IdentifyError, ParameterError};
+use mckibben_fit::validation::report::ReportError;
 use mckibben_fit::{
     least_squares::EstimateError, rubber::TensionFitError, rubber_over_time::OverTimeFitError,
 };
 use mckibben_io::table::TableError;
+use mckibben_report::FigureError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
@@ -132,7 +135,7 @@ pub struct Nearest {
 
 /// Why a request has no answer.
 ///
-/// Message and hint name fields of the request in backquotes (`` `pressure_mpa` ``), so that a front end can put its own
+/// Message and hint name fields of the request in backquotes (`` `pressure_mpa` ``), so that a front end can put its
 /// word for them in place.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -168,6 +171,11 @@ impl Problem {
         self
     }
 
+    /// A table that cannot be read.
+    pub fn of_table(name: &str, error: &TableError) -> Self {
+        Self::new(ProblemKind::Data, format!("{name}: {error}"), "")
+    }
+
     /// A field that must be there and is not.
     pub fn missing(field: &str, expected: &str) -> Self {
         Self::new(ProblemKind::Usage, format!("`{field}` is missing; expected {expected}"), "")
@@ -199,22 +207,24 @@ impl std::error::Error for Problem {}
 /// What comes of a request.
 pub type Result<T, E = Problem> = std::result::Result<T, E>;
 
-/// Errors of the layers below in their own words: the kind of problem that each is, what to do about it and the field to blame; errors that are told
-/// as what they hold; and what is of another kind.
+/// Errors of the layers below in their words: the kind of problem that each is, what to do about it and the field to blame; errors that are told
+/// as what they hold (`of`), those with their sentence around it (`around`), and what is of another kind.
 macro_rules! problems {
-    ($($error:ident: $kind:ident $($hint:literal)? $(in $field:literal)? $(of $($inner:ident)+)? $({
-        $($of:pat => $own:ident $($advice:literal)? $(in $blamed:literal)?;)+
+    ($($error:ident: $kind:ident $($hint:literal)? $(in $field:literal)? $(of $($inner:ident)+)? $(, around $held:ident in ($outer:pat))* $({
+        $($variant:pat => $other:ident $($advice:literal)? $(in $blamed:literal)?;)+
     })?;)+) => {$(
         impl From<$error> for Problem {
             #[allow(unreachable_patterns, clippy::match_single_binding, reason = "some errors are all of one kind")]
             fn from(error: $error) -> Self {
+                let message = error.to_string();
                 let (kind, hint, field) = match error {
                     $($($error::$inner(inner) => return inner.into(),)+)?
-                    $($($of => (ProblemKind::$own, concat!("", $($advice)?), concat!("", $($blamed)?)),)+)?
+                    $($outer => return Self { message: short_numbers(&message).into_owned(), ..$held.into() },)*
+                    $($($variant => (ProblemKind::$other, concat!("", $($advice)?), concat!("", $($blamed)?)),)+)?
                     _ => (ProblemKind::$kind, concat!("", $($hint)?), concat!("", $($field)?)),
                 };
                 let field = (!field.is_empty()).then(|| field.to_owned());
-                Self { field, ..Self::new(kind, error.to_string(), hint) }
+                Self { field, ..Self::new(kind, message, hint) }
             }
         }
     )+};
@@ -229,6 +239,7 @@ problems! {
     ParameterError: Parameter;
     SpreadError: Tolerance "take smaller tolerances";
     ToleranceError: Quantity in "tolerance";
+    FigureError: Output;
     StudyError: NoAnswer of Model Analysis Muscle;
     FitError: Fit of Cancelled;
     SpecError: Specification of Cancelled {
@@ -257,6 +268,14 @@ problems! {
         TensionFitError::NoBetter { .. } => NoAnswer "take `terms` with a smaller number";
         TensionFitError::TooFew { .. } => Fit "take a law with fewer constants, or leave `up_to_stretch` out";
     };
+    JointError: File of Cancelled, around error in (JointError::Muscle { error, .. }) {
+        JointError::OutOfReach { .. } => NoAnswer "a higher `max_pressure_mpa`, or a larger pulley or muscle";
+        JointError::Angle { .. } => OutOfRange in "angles_deg";
+        JointError::Pressures { muscles: 2, .. } => Usage "such as 2 bar and 1 bar" in "pressures_mpa";
+        JointError::Pressures { .. } => Usage "such as 2 bar" in "pressures_mpa";
+        JointError::OneMuscle => Usage in "stiffness_nm_per_rad";
+    };
+    ReportError: Fit of Cancelled, around error in (ReportError::Fit(_, error)), around error in (ReportError::Rubber(_, error));
     OverTimeFitError: Fit of Law {
         OverTimeFitError::NotConverged { .. } => NotConverged "take `laws` with fewer constants";
     };
@@ -312,7 +331,7 @@ impl From<AnalysisError> for Problem {
                 nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa: None, contraction });
             }
             AnalysisError::StrandsBreak { .. } => {
-                hint = "ask less of it, or take stronger strands".to_owned()
+                hint = "reduce pressure or pull, or take stronger strands".to_owned()
             }
             AnalysisError::Unknown { .. } => {}
         }
@@ -326,13 +345,6 @@ impl From<FemError> for Problem {
     }
 }
 
-impl Problem {
-    /// A table that cannot be read.
-    pub fn of_table(name: &str, error: &TableError) -> Self {
-        Self::new(ProblemKind::Data, format!("{name}: {error}"), "")
-    }
-}
-
 impl From<CampaignError> for Problem {
     fn from(error: CampaignError) -> Self {
         let kind = match error {
@@ -342,7 +354,6 @@ impl From<CampaignError> for Problem {
             CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => ProblemKind::Damaged,
             CampaignError::Incomplete { .. } => ProblemKind::Incomplete,
             CampaignError::Write { .. }
-            | CampaignError::Encode(_)
             | CampaignError::Threads(_)
             | CampaignError::Foreign { .. }
             | CampaignError::Appeared { .. } => ProblemKind::Output,
@@ -364,7 +375,7 @@ static PLACE: Mutex<Option<String>> = Mutex::new(None);
 ///
 /// A stack that overflows and memory that runs out are no panics: they end the process.
 pub fn guarded<T, E: From<Problem>>(work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
-    // What the work had in its hands is dropped with it: nobody sees a half-made value.
+    // Values of the work are dropped with it: no half-made value remains.
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|cause| Err(internal(&*cause).into()))
 }
 
@@ -379,7 +390,7 @@ pub fn within<T, E: From<Problem>>(cancel: &Cancel, work: impl FnOnce() -> Resul
     })
 }
 
-/// For a front end that owns its process, once at its start: panics are written to nobody, and [`guarded`] says where they
+/// For a front end that owns its process, once at its start: panics are not written, and [`guarded`] says where they
 /// happened. With `RUST_BACKTRACE` set they are written to standard error as ever.
 pub fn panics_are_problems() {
     let usual = take_hook();

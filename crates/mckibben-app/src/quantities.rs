@@ -1,6 +1,5 @@
 //! `quantities`, `units` and `measures`: what a user typed, as numbers, the units there are, and every number that describes a muscle.
 
-use crate::muscle_fields::STIFFNESS_FIELD;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::muscle::measures::{MEASURES, STIFFNESS};
 use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_values};
@@ -195,7 +194,7 @@ impl From<&'static Measure> for MeasureEntry {
         Self {
             key: m.key,
             group: m.section(),
-            field: m.field.or(named.then_some(STIFFNESS_FIELD)),
+            field: m.field.or(named.then_some("stiffness")),
             label: m.label,
             symbol: Some(m.symbol).filter(|s| !s.is_empty()),
             // A strain may be a percentage.

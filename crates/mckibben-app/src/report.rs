@@ -9,7 +9,7 @@ use mckibben::analysis::{Burst, FailurePressure, SAFETY};
 use mckibben::muscle::Direction;
 use mckibben::{curve::Test, muscle::file::to_toml, progress::Progress, warning::is_of_burst};
 use mckibben_build::{Plan, drawing_svg};
-use mckibben_report::{Body, Document, Figure, Part};
+use mckibben_report::{Document, Figure, Part};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -60,12 +60,12 @@ pub(crate) fn report(
         progress.check()
     };
     let pressure_mpa = plan.operating.pressure_mpa;
-    let asked = CheckRequest {
+    let wanted = CheckRequest {
         question: request.muscle.clone().into(),
         pressure_mpa: Some(pressure_mpa),
         ..CheckRequest::default()
     };
-    let shown = check(&asked, progress)?;
+    let shown = check(&wanted, progress)?;
     step(1)?;
     // To a whole percent: a state that one can set.
     let usual = (50.0 * plan.operating.free_contraction).round() / 100.0;
@@ -83,13 +83,13 @@ pub(crate) fn report(
     let units = &request.units;
     let said = shown.warnings.iter().filter(|w| is_of_burst(w)).cloned().map(Part::Text);
     let mut parts: Vec<Part> = said.chain(state(&shown, &point, units)).collect();
-    let of = ShapeRequest {
+    let deformed = ShapeRequest {
         muscle: request.muscle.clone(),
         pressure_mpa: Some(pressure_mpa),
         contraction: Some(contraction),
         ..ShapeRequest::default()
     };
-    parts.push(body_of(&of, progress)?);
+    parts.push(body_part(&deformed, progress)?);
     step(3)?;
     parts.extend(front(plan, burst, units));
     parts.push(Part::Heading("Curves".into()));
@@ -146,18 +146,18 @@ fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
 
 /// The deformed muscle by itself.
 pub fn body(request: &ShapeRequest, progress: &dyn Progress) -> Result<Document> {
-    let parts = vec![body_of(request, progress)?];
+    let parts = vec![body_part(request, progress)?];
     Ok(Document { title: "The deformed muscle".into(), parts, ..Document::default() })
 }
 
-fn body_of(request: &ShapeRequest, progress: &dyn Progress) -> Result<Part> {
+fn body_part(request: &ShapeRequest, progress: &dyn Progress) -> Result<Part> {
     let mut answer = shape(request, progress)?;
     for list in answer.arrays.values_mut() {
         // A few micrometres are finer than a screen.
         list.iter_mut().for_each(|v| *v = (*v * 1e4).round() / 1e4);
     }
     let data = serde_json::to_string(&answer).unwrap_or_default();
-    Ok(Part::Body(Body { data }))
+    Ok(Part::Body(data))
 }
 
 fn curves(
@@ -167,22 +167,19 @@ fn curves(
     progress: &dyn Progress,
 ) -> Result<Option<Figure>> {
     let shares = |n: usize| (1..=n).map(|i| pressure_mpa * i as f64 / n as f64).collect::<Vec<_>>();
-    let asked = CurveRequest {
+    let wanted = CurveRequest {
         test,
         question: request.muscle.clone().into(),
         pressures_mpa: Some(shares(if test == Test::Isobaric { 5 } else { 20 })),
-        contractions: None,
-        forces_n: None,
-        load: Default::default(),
-        both: false,
         figure: Some(request.units.clone()),
+        ..CurveRequest::default()
     };
-    Ok(curve(&asked, progress)?.figure)
+    Ok(curve(&wanted, progress)?.figure)
 }
 
 /// What other models say.
 fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) -> Result<Vec<Part>> {
-    let asked = CompareRequest {
+    let wanted = CompareRequest {
         models: MODELS.map(str::to_owned).to_vec(),
         muscle: request.muscle.clone(),
         pressures_mpa: Some(vec![0.5 * pressure_mpa, pressure_mpa]),
@@ -190,12 +187,13 @@ fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) ->
         figure: Some(request.units.clone()),
         ..CompareRequest::default()
     };
-    let answer = compare(&asked, progress)?;
+    let answer = compare(&wanted, progress)?;
     let force = &request.units.force;
     let shown =
         |v: Option<f64>| v.map_or_else(|| "–".to_owned(), |v| format!("{} {}", force.to(v, 2), force.name));
-    let rows = answer.models.iter().filter(|m| m.model != answer.reference);
-    let rows = rows.map(|m| vec![m.model.clone(), shown(m.rms_n), shown(m.max_n)]).collect();
+    let rows = answer.models.iter().filter(|m| m.errors.model != answer.reference);
+    let rows =
+        rows.map(|m| vec![m.errors.model.clone(), shown(m.errors.rms_n), shown(m.errors.max_n)]).collect();
     let mut parts = vec![
         Part::Heading("Other models".into()),
         Part::Text(format!("Their differences from {}.", answer.reference)),

@@ -1,7 +1,7 @@
 //! Answers as labelled rows, which the terminal and the report print. They follow from the keys of an answer: how a key ends says the unit of its numbers.
 //!
-//! Keys stand with blanks between them, each as `key+half=label:4%~`, all but the key optional: `half` is the key of its ±, `_` in a label is a
-//! blank, and behind `:` are the digits. Of a column all numbers have as many decimals; with `~` behind the digits each has its own. `%` shows a
+//! Keys have blanks between them, each as `key+half=label:4%~`, all but the key optional: `half` is the key of its ±, `_` in a label is a
+//! blank, and behind `:` are the digits. Of a column all numbers have as many decimals; with `~` behind the digits each has as many as it needs. `%` shows a
 //! ratio in per cent, and `#` a number without its unit. A dot leads into an object; lists in an object are ranges.
 //!
 //! Sentences have such keys in braces, and in brackets what is left out where one of its keys has no value.
@@ -26,7 +26,7 @@ pub fn value<T: Serialize>(of: &T) -> Value {
 
 /// The values of an object, each with its label; those that are not there are left out.
 pub fn listed(of: &Value, keys: &str, u: &Units) -> Vec<Row> {
-    let keys = keys.split_whitespace().map(|token| Key::of(token, u));
+    let keys = keys.split_whitespace().map(|token| Key::parse(token, u));
     keys.filter_map(|key| Some((key.label.clone(), key.text(of)?))).collect()
 }
 
@@ -38,8 +38,8 @@ pub fn said(of: &Value, sentence: &str, u: &Units) -> String {
         let (inside, behind) = part.split_once(if is_key { '}' } else { ']' }).unwrap_or((part, ""));
         out += before;
         if is_key {
-            out += &Key::of(inside, u).text(of).unwrap_or_else(|| "–".into());
-        } else if keys_of(inside).all(|key| Key::of(key, u).text(of).is_some()) {
+            out += &Key::parse(inside, u).text(of).unwrap_or_else(|| "–".into());
+        } else if keys_of(inside).all(|key| Key::parse(key, u).text(of).is_some()) {
             out += &said(of, inside, u);
         }
         rest = behind;
@@ -75,7 +75,7 @@ fn at<'a>(of: &'a Value, path: &str) -> Option<&'a Value> {
 }
 
 impl<'a> Key<'a> {
-    pub fn of(token: &'a str, u: &Units) -> Self {
+    pub fn parse(token: &'a str, u: &Units) -> Self {
         let (head, format) = token.split_once(':').unwrap_or((token, ""));
         let (head, label) = head.split_once('=').map_or((head, None), |(head, label)| (head, Some(label)));
         let (path, half) = head.split_once('+').map_or((head, None), |(path, half)| (path, Some(half)));
@@ -95,7 +95,7 @@ impl<'a> Key<'a> {
 
     pub fn number(&self, of: &Value, path: &str) -> Option<f64> {
         let number = at(of, path)?.as_f64()?;
-        // What is left of rounding is nothing.
+        // A rounding error about zero is zero.
         Some(if number.abs() < 1e-9 { 0.0 } else { self.factor * number })
     }
 
@@ -118,7 +118,7 @@ impl<'a> Key<'a> {
     }
 }
 
-/// The unit in which the numbers of a key are shown, and how many of it the key's own unit is.
+/// The unit in which the numbers of a key are shown, and how many of it the unit of the key is.
 fn unit(key: &str, u: &Units) -> (String, f64) {
     let of = |scale: &Scale| (scale.name.clone(), scale.value(1.0));
     let Some(named) = NamedUnit::of_field(key) else { return (String::new(), 1.0) };
@@ -170,15 +170,15 @@ pub fn estimated(muscle: &MuscleSummary) -> &'static str {
     }
 }
 
-const ASKED: &str = "line=muscle model pressure_mpa=pressure contraction=contraction:% shortening_mm=shortening force_n=pull:5";
+const REQUESTED: &str = "line=muscle model pressure_mpa=pressure contraction=contraction:% shortening_mm=shortening force_n=pull:5";
 const POINT: &str = "stiffness_n_per_mm force_per_pressure_n_per_mpa=pull_per_pressure start_pressure_mpa=starts_to_pull_at free_contraction:% buckling_load_n=buckles_at_a_push_of:5 bulged_diameter_mm volume_mm3 strand_tension_n=tension_of_one_strand braid_tension_n=tension_of_all_strands";
 const STRETCHES: &str =
     "middle_stretch=stretch_at_mid-length,_inside:3 max_stretch=99th_percentile_of_stretch:3";
 
-/// A point of a muscle. The ± belongs to what was asked.
-pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<Row> {
+/// A point of a muscle. The ± belongs to the computed quantity.
+pub fn point_rows(answer: &PointAnswer, computed: PointQuantity, u: &Units) -> Vec<Row> {
     let (a, b, mut row) = (&answer.point, &answer.background, value(answer));
-    let (key, digits, half, of) = match asked {
+    let (key, digits, half, of) = match computed {
         PointQuantity::Force => ("force_n", ":5", "uncertainty_n", ""),
         PointQuantity::Pressure => ("pressure_mpa", "", "pressure_uncertainty_mpa", "of the pull "),
         PointQuantity::Contraction => ("contraction", ":%", "contraction_uncertainty", "of the pull "),
@@ -192,12 +192,12 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
     if a.slack {
         row["force_n"] = format!("{} (slack: the muscle would have to push)", u.force.show(0.0)).into();
     }
-    let mut list = listed(&row, &ASKED.replace(&format!("{key}="), &format!("{key}+{half}=")), u);
+    let mut list = listed(&row, &REQUESTED.replace(&format!("{key}="), &format!("{key}+{half}=")), u);
     if let [shortening, lengthening] = &answer.branches[..] {
         let [mut first, mut second] = [shortening, lengthening].map(value);
         let band = first[key].as_f64().zip(second[key].as_f64()).map(|(a, b)| (a - b).abs());
         for (branch, shown) in [(shortening, &mut first), (lengthening, &mut second)] {
-            if branch.slack && asked == PointQuantity::Force {
+            if branch.slack && computed == PointQuantity::Force {
                 shown[key] = "slack".into();
             }
         }

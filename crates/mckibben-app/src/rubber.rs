@@ -22,7 +22,7 @@ pub struct RubberSummary {
     pub curve: bool,
     /// Largest engineering strain of the test.
     pub max_strain: Option<f64>,
-    /// The laws that can be asked for (`NAME:LAW`), with spaces between them.
+    /// The laws that can be requested (`NAME:LAW`), with spaces between them.
     pub laws: String,
     /// Where the data come from.
     pub source: String,
@@ -33,11 +33,11 @@ pub struct RubberSummary {
 pub struct RubberDetails {
     #[serde(flatten)]
     pub entry: RubberEntry,
-    /// The laws that can be asked for: `NAME:LAW`.
+    /// The laws that can be requested: `NAME:LAW`.
     pub laws: Vec<String>,
     /// The laws fitted to it: those of its curve by ranges of stretch, then the published ones.
     pub fits: Vec<LibraryFit>,
-    /// The word for `rubber` by which the fits are found that are taken.
+    /// The word for `rubber` that names the fits that are taken.
     pub rubber: String,
     /// Warnings about the fit that the prototype uses.
     pub warnings: Vec<String>,
@@ -50,11 +50,11 @@ pub struct LibraryFit {
     pub law: String,
     /// The same with the number of its terms.
     pub name: String,
-    /// Whether it is what the name that was asked for means for a muscle with this very reach; between two reaches it means constants between
+    /// Whether it is what the requested name means for a muscle with this very reach; between two reaches it means constants between
     /// theirs, beyond the last reach those of the last.
     pub by_reach: bool,
     /// Largest stretch that a muscle may reach for this range of data to cover it; none for published constants that
-    /// stand for comparison.
+    /// are given for comparison.
     pub reach_up_to: Option<f64>,
     /// Its constants; those in MPa end in `_mpa`.
     #[serde(flatten, serialize_with = "columns")]
@@ -112,22 +112,22 @@ pub(crate) fn rubbers() -> Result<Vec<RubberSummary>, Problem> {
 pub(crate) fn rubber_details(name: &str) -> Result<Option<RubberDetails>, Problem> {
     let plain = name.split(':').next().unwrap_or_default();
     let Ok(entry) = library::entry(plain) else { return Ok(None) };
-    let found = rubber(name)?;
-    let word = found.name.clone().unwrap_or_else(|| entry.name.clone());
+    let named = rubber(name)?;
+    let word = named.name.clone().unwrap_or_else(|| entry.name.clone());
     let fitted = entry.windows.iter().flat_map(|w| w.laws.iter().map(|l| of_curve(&word, w, l)));
     let published = entry.fits.iter().map(|fit| as_published(&word, entry, fit));
     Ok(Some(RubberDetails {
         laws: entry.laws(),
         fits: fitted.chain(published).collect(),
         entry: entry.clone(),
-        warnings: library::warnings(&found),
+        warnings: library::warnings(&named),
         rubber: word,
     }))
 }
 
 /// Whether a law is what a word means with data up to a stretch.
 fn means(word: &str, law: &Law, fitted_to_stretch: Option<f64>) -> bool {
-    library::find_up_to(word, fitted_to_stretch.unwrap_or(1.0)).is_ok_and(|found| found.law == *law)
+    library::find_up_to(word, fitted_to_stretch.unwrap_or(1.0)).is_ok_and(|named| named.law == *law)
 }
 
 fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
@@ -172,8 +172,8 @@ fn planar_difference(law: &Law, best: &Law, end: f64) -> f64 {
     const STEPS: u32 = 40;
     let stretches = (1..=STEPS).map(|i| 1.0 + (end - 1.0) * f64::from(i) / f64::from(STEPS));
     let (apart, largest) = stretches.fold((0.0_f64, f64::MIN_POSITIVE), |(apart, largest), stretch| {
-        let (own, best) = (law.planar_stress_mpa(stretch), best.planar_stress_mpa(stretch));
-        (apart.max((own - best).abs()), largest.max(best.abs()))
+        let (stress, best) = (law.planar_stress_mpa(stretch), best.planar_stress_mpa(stretch));
+        (apart.max((stress - best).abs()), largest.max(best.abs()))
     });
     apart / largest
 }

@@ -90,18 +90,32 @@ pub struct RubberFitAnswer {
     pub failed: Vec<String>,
     /// Warnings.
     pub warnings: Vec<String>,
-    /// Muscle file with that law, where the request has the muscle that receives it.
+    /// Muscle file with that law. With a softening it is the law of the first loading, with a relaxation alone the one at once, each with its constants.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub muscle_file: Option<String>,
-    /// Relaxation, where it was asked for.
+    /// Hoop stretch of the muscle up to which the laws were examined.
+    #[serde(skip)]
+    pub hoop_stretch: f64,
+    /// What receives the rubber.
+    #[serde(skip)]
+    receiver: Receiver,
+    /// Relaxation, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub relaxation: Option<PronyFit>,
-    /// Softening, where it was asked for.
+    /// Softening, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub softening: Option<SofteningFit>,
-    /// The figure, where it was asked for.
+    /// The figure, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
+}
+
+/// A muscle that receives a rubber.
+#[derive(Debug, Clone)]
+struct Receiver {
+    muscle: Muscle,
+    /// Name of the rubber there; default that of the table.
+    rubber_name: Option<String>,
 }
 
 /// A constant with the law that it belongs to: a row of a table.
@@ -150,28 +164,22 @@ impl RubberFitAnswer {
         self.laws.iter().flat_map(rows).collect()
     }
 
-    /// A muscle file with the recommended law. With a softening it is the law of the first loading, with a relaxation alone the one at once,
-    /// each with its constants.
-    pub fn muscle_file(&self, request: &RubberFitRequest) -> Result<String> {
-        let taken = self.taken().ok_or_else(|| {
-            let message =
-                "none of these laws is stable over the stretches of a muscle; no muscle file is written";
-            Problem::new(ProblemKind::NoAnswer, message, "add `stable`, or take `laws` neo-hookean")
-        })?;
+    /// The muscle with a law.
+    fn with_law(&self, law: &FittedLaw) -> Result<String> {
         let (relaxation, softening) = (self.relaxation.as_ref(), self.softening.as_ref());
         let over_time = softening.map(|s| &s.first_loading).or(relaxation.map(|r| &r.instantaneous));
         let stem = || Path::new(&self.data).file_stem().map(|s| s.to_string_lossy().into_owned());
-        let base = request.base()?;
-        let mut tube = base.tube().clone();
+        let Receiver { muscle, rubber_name } = &self.receiver;
+        let mut tube = muscle.tube().clone();
         tube.rubber = Rubber {
-            name: request.name.clone().or_else(stem),
-            // 1 + strain has digits that nobody measured.
+            name: rubber_name.clone().or_else(stem),
+            // 1 + strain has more digits than the measurement.
             fitted_to_stretch: Some((self.fitted_to_stretch * 1e4).round() / 1e4),
             softening: softening.map(|s| OgdenRoxburgh { r: s.r, m_mpa: s.m_mpa, beta: s.beta }),
             prony: relaxation.map(PronyFit::prony),
-            ..Rubber::of(over_time.unwrap_or(&taken.law).clone())
+            ..Rubber::new(over_time.unwrap_or(&law.law).clone())
         };
-        readable(to_toml(&base.with_tube(tube)?))
+        readable(to_toml(&muscle.with_tube(tube)?))
     }
 }
 
@@ -181,18 +189,19 @@ const APART: &str = "softening and relaxation were fitted separately, each witho
 /// The laws that follow the tests, with the errors of their constants, and where they are stable.
 pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result<RubberFitAnswer> {
     let settings = request.settings()?;
-    request.base()?;
+    let muscle = request.muscle.as_ref().map_or_else(|| Ok(Muscle::prototype()), muscle_of)?;
     let file = request.data.as_ref().ok_or_else(|| Problem::missing("data", "a table of tension tests"))?;
     let positive = |field: &str, value: Option<f64>| {
         value.map(|value| above_zero(ProblemKind::Quantity, field, value)).transpose()
     };
     let options = ReadOptions {
+        columns: request.columns.clone(),
         mode: request.mode,
         area_mm2: positive("area_mm2", request.area_mm2)?,
         gauge_length_mm: positive("gauge_length_mm", request.gauge_length_mm)?,
     };
-    let (points, table) = read_tests(file.text.as_bytes(), options, &request.columns)
-        .map_err(|error| Problem::of_table(&file.name, &error))?;
+    let (points, table) =
+        read_tests(file.text.as_bytes(), &options).map_err(|error| Problem::of_table(&file.name, &error))?;
     let has = |quantities: &[&str]| table.columns.iter().any(|c| quantities.contains(&c.quantity.as_str()));
     let area = request.area_mm2.is_some() && !has(&["force"]);
     Problem::refuse_unused(&[("area_mm2", area)], "the table has stresses, and no `columns` of forces")?;
@@ -239,21 +248,16 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         relaxation,
         softening,
         muscle_file: None,
+        hoop_stretch: settings.hoop_stretch,
+        receiver: Receiver { muscle, rubber_name: request.name.clone() },
         figure: request.figure.then(|| figure::tension(&fit, &file.name)),
         laws: fit.laws,
     };
-    if request.muscle.is_some() && answer.taken().is_some() {
-        answer.muscle_file = Some(answer.muscle_file(request)?);
-    }
+    answer.muscle_file = answer.taken().map(|law| answer.with_law(law)).transpose()?;
     Ok(answer)
 }
 
 impl RubberFitRequest {
-    /// The muscle that gets the rubber.
-    fn base(&self) -> Result<Muscle> {
-        self.muscle.as_ref().map_or_else(|| Ok(Muscle::prototype()), muscle_of)
-    }
-
     fn settings(&self) -> Result<FitSettings> {
         let usual = FitSettings::default();
         Ok(FitSettings {
@@ -269,7 +273,7 @@ impl RubberFitRequest {
         })
     }
 
-    /// The laws that are asked for; none means all that the points determine.
+    /// The requested laws; none means all that the points determine.
     fn forms(&self) -> Result<Vec<Form>> {
         let mut forms: Vec<Form> = vec![];
         if self.laws.is_empty() && self.terms.is_none() {
@@ -282,14 +286,14 @@ impl RubberFitRequest {
         Problem::refuse_unused(&[("terms", alone)], "none of these `laws` has a selectable number of terms")?;
         let all = ["all".to_owned()];
         for word in if self.laws.is_empty() { &all[..] } else { &self.laws } {
-            let found = if word.trim() == "all" { Form::all() } else { Form::parse(word) };
-            if found.is_empty() {
+            let named = if word.trim() == "all" { Form::all() } else { Form::parse(word) };
+            if named.is_empty() {
                 let short: String = word.trim().chars().take(60).collect();
                 let hint = format!("known: {}, all", Form::words().join(", "));
                 let message = format!("there is no law \"{short}\"");
                 return Err(Problem::new(ProblemKind::Rubber, message, hint).in_field("laws"));
             }
-            for form in found {
+            for form in named {
                 let wanted = form.terms().is_none_or(|n| self.terms.is_none_or(|wanted| n == wanted));
                 if wanted && !forms.contains(&form) {
                     forms.push(form);

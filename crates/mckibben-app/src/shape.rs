@@ -4,7 +4,7 @@ use crate::{
     MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite, given, pull, ratio,
 };
 use mckibben::answer::{Answer, Options};
-use mckibben::{analysis::Evaluation, cancel, model::Workspace, muscle::Muscle, progress::Progress};
+use mckibben::{analysis::Evaluation, model::Workspace, muscle::Muscle, progress::Progress};
 use mckibben_fem::axisymmetric::{Axisymmetric, Section};
 use mckibben_fem::{elements::Elements, output::Stations, simulation::free_contraction, with_ends};
 use schemars::JsonSchema;
@@ -70,10 +70,8 @@ pub fn shape(request: &ShapeRequest, _progress: &dyn Progress) -> Result<ShapeAn
     let fe = Axisymmetric::with_mesh(&muscle.between_ends(), mesh)
         .map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
     let workspace = &mut Workspace::new();
-    let found = at((&fe, &muscle), workspace, pressure_mpa, request);
-    cancel::check()?;
-    let (point, shape_contraction, section) = found?;
-    let stations = Stations::of(&section);
+    let (point, shape_contraction, section) = at((&fe, &muscle), workspace, pressure_mpa, request)?;
+    let stations = Stations::from_section(&section);
     let count = stations.nodes.first().map_or(0, |(_, list)| list.len()) / stations.across.max(1);
     let arrays = stations.nodes.into_iter().chain(stations.strands);
     Ok(ShapeAnswer {
@@ -95,7 +93,7 @@ fn at(
     pressure_mpa: f64,
     request: &ShapeRequest,
 ) -> Result<(Answer, f64, Section), Problem> {
-    // The same equilibria, of the whole muscle, whose ends may give way.
+    // The same equilibria, of the whole muscle, whose ends may be displaced.
     let whole = with_ends(muscle, Box::new(fe.clone()));
     let mut evaluation = Evaluation::new(&*whole, workspace, Options::default());
     let contraction = match request.force_n {

@@ -36,7 +36,7 @@ pub struct UncertaintyWords {
 
 impl UncertaintyWords {
     /// Of the ± of a pull at a pressure by a model.
-    pub(crate) fn of(parts: Option<UncertaintyParts>, model: &mut Evaluation<'_>, pressure_mpa: f64) -> Self {
+    pub(crate) fn at(parts: Option<UncertaintyParts>, model: &mut Evaluation<'_>, pressure_mpa: f64) -> Self {
         let left = parts.and_then(|parts| bench_n(&parts, model, pressure_mpa));
         let mut out = Self { bench_uncertainty_n: left, parts, pressure_mpa, ..Self::default() };
         (out.text, out.bench) = (out.text_in(&Units::default()), out.bench_in(&Units::default()));
@@ -69,7 +69,7 @@ impl UncertaintyWords {
     }
 }
 
-/// What the suggested test would leave of a ± in N; `None` where the muscle was measured, or where it helps little.
+/// The ± in N after the suggested test; `None` where the muscle was measured, or where it helps little.
 fn bench_n(parts: &UncertaintyParts, model: &mut Evaluation<'_>, pressure_mpa: f64) -> Option<f64> {
     let left =
         model.identified_n(pressure_mpa).filter(|_| parts.fit.is_none() || parts.transfer.is_some())?;

@@ -6,7 +6,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::{borrow::Cow, fmt, str::FromStr};
 
-/// Values inside (MPa, N, mm, and quotients of these) below which nobody measures anything: what rounding leaves of zero.
+/// Values inside (MPa, N, mm, and quotients of these) below every measurement: zero but for rounding.
 const NOTHING: f64 = 1e-9;
 
 /// Sentences with these words have moduli, stresses and energies, which stay in MPa.
@@ -23,7 +23,7 @@ pub struct Scale {
 }
 
 impl Scale {
-    fn of(unit: Unit, digits: usize) -> Self {
+    fn new(unit: Unit, digits: usize) -> Self {
         Self { name: unit.name.into(), factor: unit.outside(), digits }
     }
 
@@ -56,7 +56,7 @@ impl Scale {
         self.to(inside, self.digits)
     }
 
-    /// `2.5`, to so many digits; what is left of rounding is nothing.
+    /// `2.5`, to so many digits; rounding errors about zero are zero.
     pub fn to(&self, inside: f64, digits: usize) -> String {
         number(if inside.abs() < NOTHING { 0.0 } else { self.value(inside) }, digits)
     }
@@ -100,9 +100,9 @@ impl Units {
             _ => Scale { name: "cm³".into(), factor: (1.0, 1000.0), digits: 4 },
         };
         Self {
-            pressure: Scale::of(pressure, 4),
-            force: Scale::of(force, 5),
-            length: Scale::of(length, 5),
+            pressure: Scale::new(pressure, 4),
+            force: Scale::new(force, 5),
+            length: Scale::new(length, 5),
             volume,
             named,
         }
@@ -129,16 +129,16 @@ impl Units {
     /// The units behind texts that a user typed, as far as people who type them want to read them too; of each kind the first.
     pub fn typed<'a>(texts: impl IntoIterator<Item = &'a str>) -> Self {
         let known = ["bar", "kPa", "MPa", "psi", "lbf", "in"];
-        let mut found: [Option<&str>; 3] = [None; 3];
+        let mut units: [Option<&str>; 3] = [None; 3];
         for text in texts.into_iter().flat_map(|text| text.split([',', '@'])) {
             let unit = text.trim().rsplit(|c: char| c.is_ascii_digit() || ".: ".contains(c)).next();
             let of = [Dimension::Pressure, Dimension::Force, Dimension::Length].into_iter().enumerate();
             let named = of.into_iter().find_map(|(i, kind)| Some((i, kind.unit(unit?)?.name)));
             if let Some((i, name)) = named.filter(|(_, name)| known.contains(name)) {
-                found[i].get_or_insert(name);
+                units[i].get_or_insert(name);
             }
         }
-        let list: Vec<&str> = found.into_iter().flatten().collect();
+        let list: Vec<&str> = units.into_iter().flatten().collect();
         list.join(",").parse().unwrap_or_default()
     }
 
@@ -215,8 +215,7 @@ impl FromStr for Units {
         let mut units = kinds.map(Dimension::unit_inside);
         let mut named = vec![];
         for word in text.split(',').map(str::trim).filter(|word| !word.is_empty()) {
-            let found = (0..3).find_map(|i| Some((i, kinds[i].unit(word)?)));
-            let Some((i, unit)) = found else {
+            let Some((i, unit)) = (0..3).find_map(|i| Some((i, kinds[i].unit(word)?))) else {
                 let names: Vec<&str> = kinds.into_iter().flat_map(Dimension::unit_names).collect();
                 let word: String = word.chars().take(40).collect();
                 return Err(format!(

@@ -2,6 +2,7 @@
 
 use mckibben::muscle::{BraidStiffness, Muscle};
 use mckibben::rubber::Law;
+use mckibben::units::trimmed;
 
 /// A number with so many significant digits, without an exponent where it is short without.
 pub fn number(v: f64, digits: usize) -> String {
@@ -13,9 +14,7 @@ pub fn number(v: f64, digits: usize) -> String {
         return format!("{v:.*e}", digits.saturating_sub(1));
     }
     let decimals = (digits as i32 - 1 - magnitude).max(0) as usize;
-    let text = format!("{v:.decimals$}");
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    if text == "-0" { "0".into() } else { text.into() }
+    trimmed(v, decimals)
 }
 
 /// Air in normal litres: `0.356 normal L`.
@@ -83,7 +82,7 @@ pub fn aligned(column: &[Option<f64>], digits: usize) -> Vec<String> {
     column.iter().map(one).collect()
 }
 
-/// A ratio as a percentage; what is left of rounding is nothing.
+/// A ratio as a percentage; rounding errors about zero are zero.
 pub fn percent(ratio: f64) -> String {
     format!("{} %", number(if ratio.abs() < 1e-9 { 0.0 } else { 100.0 * ratio }, 4))
 }

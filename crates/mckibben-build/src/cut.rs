@@ -1,4 +1,4 @@
-//! What is cut, and how long.
+//! Lengths of tube and sleeve to cut.
 
 use mckibben::muscle::Muscle;
 use mckibben::sleeve::{Helix, library};
@@ -55,7 +55,7 @@ const ROWS: usize = 5;
 
 impl Cut {
     /// The cut of a muscle, whose sleeve has `relaxed_diameter_mm` as it comes off the roll.
-    pub(crate) fn of(muscle: &Muscle, relaxed_diameter_mm: Option<f64>) -> Self {
+    pub(crate) fn new(muscle: &Muscle, relaxed_diameter_mm: Option<f64>) -> Self {
         let sheet = muscle.build_sheet();
         // A stretched tube is thinner by √λp all over.
         let thicker = muscle.tube().prestretch.sqrt();

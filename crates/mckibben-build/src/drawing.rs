@@ -1,13 +1,13 @@
 //! The drawing: the muscle at rest, half in section; the same at the working pressure; a cross-section; parts and title block on A4.
 
 use crate::frame::{self, FRAME_MM, TITLE_MM, largest, ratio};
-use crate::text::{fixed, mm, percent, significant};
+use crate::text::{mm, percent, significant, trimmed};
 use crate::view::{View, diameter};
 use crate::{Clamps, Fitting, Plan};
 use mckibben_report::{Anchor, Pen, Sheet};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// What lies above all of the lower part, in mm.
+/// Upper end of the lower part, in mm.
 const LOWER_MM: f64 = 78.0;
 /// Room for the views of the muscle: its length, and both diameters together.
 const ROOM_MM: (f64, f64) = (245.0, 60.0);
@@ -28,7 +28,7 @@ struct Body<'a> {
 }
 
 impl<'a> Body<'a> {
-    fn of(plan: &'a Plan) -> Self {
+    fn new(plan: &'a Plan) -> Self {
         let head = plan.air_plug.head().iter().map(|p| p[0]).fold(0.0, f64::max);
         let collar = 0.5 * plan.eye_plug.stem.collar_diameter_mm;
         Self {
@@ -50,14 +50,14 @@ impl<'a> Body<'a> {
 
 /// The drawing on paper; the cross-section is enlarged as far as there is room.
 pub(crate) fn on_paper(plan: &Plan) -> Sheet {
-    let body = Body::of(plan);
+    let body = Body::new(plan);
     let (scale, section_scale) = (body.scale(), largest(|s| s * plan.over_sleeve_mm <= SECTION_MM));
     let mut sheet = frame::sheet(plan, "McKibben muscle", 1, scale);
     let [left, bottom, right, top] = FRAME_MM;
     // The ends of both plugs have the same distance from the frame.
     let x = 0.5 * (left + right) + 0.5 * scale * (body.left - body.right);
     let bulged = (0.5 * plan.operating.bulged_diameter_mm).max(body.widest);
-    // Above the first view, between both, below the second; what is left is shared.
+    // Above the first view, between both, below the second; the rest is shared.
     let used = 22.0 + 22.0 + 12.0 + 2.0 * scale * (body.widest + bulged);
     let spare = ((top - LOWER_MM - used) / 3.0).max(0.0);
     let mut y = top - 22.0 - spare - scale * body.widest;
@@ -228,14 +228,14 @@ fn strands(body: &Body<'_>, v: &mut View<'_>) {
 /// The muscle at the working pressure, free to contract.
 fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
     let (plan, half) = (body.plan, body.half);
-    let found = &plan.operating;
-    let stroke = 2.0 * half * found.free_contraction;
+    let operating = &plan.operating;
+    let stroke = 2.0 * half * operating.free_contraction;
     let thickness = body.sleeve - 0.5 * plan.muscle.outer_diameter_mm();
     axis(v, half + body.left, half + body.right - stroke);
     let middle = -0.5 * stroke;
     for sign in [-1.0, 1.0] {
-        let right = found.contour_mm.iter().map(|[z, r]| [middle + z.abs(), sign * (r + thickness)]);
-        let left = found.contour_mm.iter().rev().map(|[z, r]| [middle - z.abs(), sign * (r + thickness)]);
+        let right = operating.contour_mm.iter().map(|[z, r]| [middle + z.abs(), sign * (r + thickness)]);
+        let left = operating.contour_mm.iter().rev().map(|[z, r]| [middle - z.abs(), sign * (r + thickness)]);
         let outer = sign * 0.5 * plan.clamped_diameter_mm;
         let end = half + plan.air_plug.stem.length_mm;
         let all: Vec<[f64; 2]> = [[-end, outer], [-half, outer]]
@@ -247,16 +247,16 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
         v.line(Pen::Outline, &all);
     }
     heads(body, v, stroke, false);
-    let widest = 0.5 * found.bulged_diameter_mm + thickness;
+    let widest = 0.5 * operating.bulged_diameter_mm + thickness;
     v.inside(middle + 0.35 * half, (-widest, widest), &diameter(2.0 * widest));
     let row = -(v.scale * widest.max(body.widest) + 6.0);
     let clamp = -0.5 * plan.clamped_diameter_mm;
-    v.across((-half, half - stroke), (clamp, clamp), row, &fixed(2.0 * half - stroke, 1));
-    v.across((half - stroke, half), (clamp, 0.0), row, &format!("stroke {}", fixed(stroke, 1)));
+    v.across((-half, half - stroke), (clamp, clamp), row, &trimmed(2.0 * half - stroke, 1));
+    v.across((half - stroke, half), (clamp, 0.0), row, &format!("stroke {}", trimmed(stroke, 1)));
     let text = format!(
         "At {} without load: contracted by {}",
-        found.pressure(found.pressure_mpa),
-        percent(found.free_contraction)
+        operating.pressure(operating.pressure_mpa),
+        percent(operating.free_contraction)
     );
     label(v, widest.max(body.widest), 3.0, &text);
 }
@@ -291,25 +291,25 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
     v.sheet.text([x, y + 4.5], 3.0, Anchor::Middle, text);
 }
 
-/// What the muscle is and does, in words.
+/// The data of the muscle, in words.
 fn data(plan: &Plan, sheet: &mut Sheet) {
-    let (muscle, found, safety) = (&plan.muscle, &plan.operating, &plan.safety);
+    let (muscle, operating, safety) = (&plan.muscle, &plan.operating, &plan.safety);
     let x = 104.0;
     let mut y = LOWER_MM - 6.0;
     let known =
-        |value: Option<f64>| value.map_or_else(|| "not known".into(), |p| plan.operating.pressure_alone(p));
+        |value: Option<f64>| value.map_or_else(|| "not known".into(), |p| operating.pressure_alone(p));
     let strands = plan.cut.sleeve.strands.map_or_else(|| "not stated".into(), |n| n.to_string());
     let rows = [
         format!("Braid angle θ₀ {}°", mm(muscle.braid().angle_deg)),
         format!("Strands {strands}"),
         format!("Tube to cut {} mm", mm(plan.cut.tube_mm)),
-        format!("Working pressure {}", plan.operating.pressure_alone(safety.pressure_mpa)),
-        format!("Blocked force {} N", significant(found.blocked_force_n, 3)),
-        format!("Free contraction {}", percent(found.free_contraction)),
-        format!("Burst pressure {}", known(found.burst.map(|b| b.0))),
-        format!("Allowed pressure {}", known(found.allowed_mpa)),
-        format!("Proof test {}, water", plan.operating.pressure_alone(safety.proof_pressure_mpa)),
-        format!("Numbers by model {}", found.model),
+        format!("Working pressure {}", operating.pressure_alone(safety.pressure_mpa)),
+        format!("Blocked force {} N", significant(operating.blocked_force_n, 3)),
+        format!("Free contraction {}", percent(operating.free_contraction)),
+        format!("Burst pressure {}", known(operating.burst.map(|b| b.0))),
+        format!("Allowed pressure {}", known(operating.allowed_mpa)),
+        format!("Proof test {}, water", operating.pressure_alone(safety.proof_pressure_mpa)),
+        format!("Numbers by model {}", operating.model),
     ];
     for row in rows {
         sheet.text([x, y], 2.3, Anchor::Start, row);

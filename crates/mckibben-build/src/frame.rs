@@ -1,7 +1,7 @@
 //! The sheets: A4 with a frame and a title block, and the scales in use.
 
 use crate::Plan;
-use crate::text::{fixed, mm, significant};
+use crate::text::{mm, significant, trimmed};
 use mckibben_report::{Anchor, Pen, Sheet};
 
 /// A4 across, and the frame on it (ISO 5457): left, bottom, right, top.
@@ -19,7 +19,7 @@ pub(crate) fn largest(fits: impl Fn(f64) -> bool) -> f64 {
 
 /// `1:2`, `5:1`.
 pub(crate) fn ratio(scale: f64) -> String {
-    if scale >= 1.0 { format!("{}:1", fixed(scale, 0)) } else { format!("1:{}", fixed(1.0 / scale, 0)) }
+    if scale >= 1.0 { format!("{}:1", trimmed(scale, 0)) } else { format!("1:{}", trimmed(1.0 / scale, 0)) }
 }
 
 /// An empty sheet of the two of a build, with frame and title block.

@@ -1,8 +1,8 @@
 //! From a muscle to what a workshop needs: a drawing (SVG, PDF), two plugs (STL), a cut list, a bill of materials, steps with the
 //! numbers of this muscle, and a sheet for its first test, which `identify` reads back.
 //!
-//! [`Plan::new`] makes all numbers from the muscle and from what a model found of it ([`Operating`]); [`files`] writes them down. What practice
-//! chose, and no source states, is a constant with a comment.
+//! [`Plan::new`] makes all numbers from the muscle and from the results of a model ([`Operating`]); [`files`] writes them down. A choice of
+//! practice that no source states is a constant with a comment.
 //!
 //! Units: mm, MPa, N.
 
@@ -28,12 +28,12 @@ pub use clamps::Clamps;
 pub use cut::{Cut, SleeveCut, SleeveLength};
 pub use plug::{AirPlug, EyePlug, Fitting, Stem, UnknownFitting};
 
-/// What made a file, in its first line.
+/// The program, in the first line of a file.
 const MARK: &str = "mckibben build";
 pub use material::BuildPart;
 pub use mesh::Mesh;
 pub use plan::{Plan, Wishes};
-pub use safety::{Operating, Safety, highest_mpa, proof_mpa};
+pub use safety::{Operating, Safety, highest_mpa, proof_mpa, relief_mpa};
 pub use test_points::TestPoint;
 
 pub use mckibben_io::files::{Content, File};

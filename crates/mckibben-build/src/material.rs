@@ -1,7 +1,7 @@
 //! The bill of materials.
 
-use crate::text::{fixed, mm};
-use crate::{AirPlug, Clamps, Cut, EyePlug, Fitting, SleeveCut};
+use crate::text::{mm, trimmed};
+use crate::{Clamps, Cut, Fitting, Plan, SleeveCut};
 use mckibben::muscle::Muscle;
 use mckibben::rubber::library as rubbers;
 use mckibben::sleeve::library as sleeves;
@@ -9,7 +9,7 @@ use mckibben_design::tubes::{self, TubePart};
 
 /// Density of printed plugs in g/mm³: solid PETG, 1.27 g/cm³ (PLA has 1.24).
 const PRINTED_G_PER_MM3: f64 = 1.27e-3;
-/// Part and muscle have the same diameters within so many mm.
+/// Tolerance of equal diameters of part and muscle, in mm.
 const SAME_MM: f64 = 0.011;
 
 /// A line of the bill.
@@ -43,13 +43,8 @@ fn tube_of(muscle: &Muscle, cut: &Cut) -> Option<&'static TubePart> {
     })
 }
 
-pub(crate) fn bill(
-    muscle: &Muscle,
-    cut: &Cut,
-    clamps: Clamps,
-    (air_plug, eye_plug): (&AirPlug, &EyePlug),
-    end_load_n: f64,
-) -> Vec<BuildPart> {
+pub(crate) fn bill(plan: &Plan) -> Vec<BuildPart> {
+    let Plan { muscle, cut, air_plug, eye_plug, .. } = plan;
     let tube = tube_of(muscle, cut);
     let rubber = muscle.tube().rubber.name.as_deref();
     let of_rubber = || rubber.and_then(|n| rubbers::entry(n).ok()).and_then(|e| e.density_kg_per_m3);
@@ -70,17 +65,15 @@ pub(crate) fn bill(
         price: tube.and_then(|t| t.price.clone()),
         source: tube.map(|t| t.source.clone()),
     };
-    let clamped_by = match clamps {
+    let clamp = match plan.clamps {
         Clamps::Ties { width_mm, .. } => format!("cable tie, {} mm wide", mm(width_mm)),
         Clamps::Crimped => "crimped ferrule or hose clamp".into(),
     };
-    let bought = |number, part: String, amount: &str| BuildPart {
-        number,
-        part,
-        amount: amount.into(),
-        ..BuildPart::default()
+    let bought = |number, part: String, amount: &str| {
+        let amount = amount.into();
+        BuildPart { number, part, amount, ..BuildPart::default() }
     };
-    let printed = air_plug.is_printed(end_load_n);
+    let printed = plan.is_printed();
     let plug = |number, part: &str, volume_mm3: f64| BuildPart {
         mass_g: printed.then_some(PRINTED_G_PER_MM3 * volume_mm3),
         ..bought(number, part.into(), if printed { "1, printed solid" } else { "1, turned from metal" })
@@ -94,7 +87,7 @@ pub(crate) fn bill(
         sleeve(muscle, &cut.sleeve),
         plug(3, "air plug (air-plug.stl)", air_plug.mesh().volume_mm3()),
         plug(4, "eye plug (eye-plug.stl)", eye_plug.mesh().volume_mm3()),
-        bought(5, clamped_by, &clamps.amount()),
+        bought(5, clamp, &plan.clamps.amount()),
         bought(6, fitting, "1"),
         bought(7, format!("bolt M{}", mm(eye_plug.bolt_mm)), "1"),
     ]
@@ -108,7 +101,7 @@ fn sleeve(muscle: &Muscle, cut: &SleeveCut) -> BuildPart {
     let volume = rubber_free.map(|(n, area)| f64::from(n) * area * cut.strand_mm);
     let angle = mm(muscle.braid().angle_deg);
     let amount = match (cut.relaxed_mm, cut.relaxed_diameter_mm) {
-        (Some(length), Some(diameter)) => format!("{} mm at ⌀ {} mm", fixed(length, 1), mm(diameter)),
+        (Some(length), Some(diameter)) => format!("{} mm at ⌀ {} mm", trimmed(length, 1), mm(diameter)),
         _ => format!("{} mm on the tube", mm(cut.mounted_mm)),
     };
     let strands = cut.strands.map_or_else(String::new, |n| format!(", {n} strands"));

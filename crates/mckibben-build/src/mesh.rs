@@ -88,12 +88,12 @@ impl Mesh {
 
     /// Volume in mm³ by the theorem of Gauss.
     pub fn volume_mm3(&self) -> f64 {
-        let of = |t: &[usize; 3]| {
+        let volume = |t: &[usize; 3]| {
             let [a, b, c] = t.map(|i| self.corners[i]);
             let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
             (a[0] * cross[0] + a[1] * cross[1] + a[2] * cross[2]) / 6.0
         };
-        self.triangles.iter().map(of).sum()
+        self.triangles.iter().map(volume).sum()
     }
 
     /// The surface as binary STL: a header of 80 bytes, then normal and corners of each triangle in 32 bits.

@@ -1,19 +1,17 @@
 //! All numbers of a build.
 
 use crate::clamps::Tie;
-use crate::material::{self};
-use crate::plug::{self};
-use crate::test_points::{self};
 use crate::{AirPlug, BuildPart, Clamps, Cut, EyePlug, Fitting, Operating, Safety, Stem, TestPoint};
+use crate::{material, plug, test_points};
 use mckibben::analysis::burst::ends::clamp_load_n;
 use mckibben::muscle::Muscle;
 use mckibben::refused::Refused;
 use std::f64::consts::PI;
 
-/// What the builder may choose.
+/// Choices of the builder.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Wishes {
-    /// What the hose is connected to.
+    /// The connection of the hose.
     pub fitting: Option<Fitting>,
     /// Bolt of the eye in mm.
     pub bolt_mm: Option<f64>,
@@ -25,20 +23,19 @@ pub struct Wishes {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
     pub muscle: Muscle,
-    /// What a model found of it.
+    /// Its results by a model.
     pub operating: Operating,
     pub cut: Cut,
     /// Diameter over the sleeve in mm: two strands cross on each side.
     pub over_sleeve_mm: f64,
-    /// Diameter over tube and sleeve on a plug in mm: what a clamp closes on.
+    /// Diameter over tube and sleeve on a plug in mm, on which a clamp closes.
     pub clamped_diameter_mm: f64,
     /// Inner diameter in mm of a crimped ferrule: the wall is pressed to three quarters of its thickness (a choice).
     pub crimp_diameter_mm: f64,
-    /// What an end must hold in N: the blocked force and the pressure on the bore.
+    /// The load of an end in N: the blocked force and the pressure on the bore.
     pub end_load_n: f64,
-    /// What one tie holds in N, by estimate.
+    /// The holding force of one tie in N, by estimate.
     pub tie_holds_n: f64,
-    /// What holds the ends.
     pub clamps: Clamps,
     /// The plug with the air passage.
     pub air_plug: AirPlug,
@@ -57,26 +54,25 @@ impl Plan {
 
     pub fn new(muscle: Muscle, operating: Operating, wishes: &Wishes) -> Result<Self, Refused> {
         let (length_mm, least_mm) = (muscle.terminals().insertion_mm(), Self::LEAST_INSERTION_MM);
-        if length_mm < least_mm {
-            let message = format!(
+        Refused::unless(length_mm >= least_mm, ["insertion_mm"], || {
+            format!(
                 "a length of {length_mm} mm on each plug holds no clamp; state `insertion_mm` of at least {least_mm} mm ([terminals] of the muscle file)"
-            );
-            return Err(Refused { fields: vec!["insertion_mm"], message });
-        }
-        if let Some(bolt_mm) = wishes.bolt_mm.filter(|b| !(2.0..=64.0).contains(b)) {
-            let message = format!("a bolt of {bolt_mm} mm does not fit; give a diameter from 2 to 64 mm");
-            return Err(Refused { fields: vec!["bolt_mm"], message });
-        }
-        let cut = Cut::of(&muscle, wishes.sleeve_diameter_mm);
-        if let Some(diameter_mm) =
-            wishes.sleeve_diameter_mm.filter(|_| cut.sleeve.relaxed_diameter_mm != wishes.sleeve_diameter_mm)
-        {
-            let message = format!(
-                "a sleeve of {diameter_mm} mm cannot be pulled over this tube: its strands allow diameters up to {:.1} mm",
+            )
+        })?;
+        let bolt_fits = wishes.bolt_mm.is_none_or(|bolt_mm| (2.0..=64.0).contains(&bolt_mm));
+        Refused::unless(bolt_fits, ["bolt_mm"], || {
+            let bolt_mm = wishes.bolt_mm.unwrap_or_default();
+            format!("a bolt of {bolt_mm} mm does not fit; give a diameter from 2 to 64 mm")
+        })?;
+        let cut = Cut::new(&muscle, wishes.sleeve_diameter_mm);
+        let diameter_mm = wishes.sleeve_diameter_mm.or(cut.sleeve.relaxed_diameter_mm);
+        Refused::unless(cut.sleeve.relaxed_diameter_mm == diameter_mm, ["sleeve_diameter_mm"], || {
+            format!(
+                "a sleeve of {} mm cannot be pulled over this tube: its strands allow diameters up to {:.1} mm",
+                diameter_mm.unwrap_or_default(),
                 muscle.strand_length_per_turn_mm() / PI
-            );
-            return Err(Refused { fields: vec!["sleeve_diameter_mm"], message });
-        }
+            )
+        })?;
         let strand_mm = cut.sleeve.strand_area_mm2.map(|area| (4.0 * area / PI).sqrt());
         let sleeve_mm = if muscle.braid().thickness_mm > 0.0 {
             muscle.braid().thickness_mm
@@ -88,18 +84,12 @@ impl Plan {
         let end_load_n = clamp_load_n(&muscle, operating.blocked_force_n.max(0.0), operating.pressure_mpa);
         let bolt_mm = wishes.bolt_mm.unwrap_or_else(|| plug::bolt_mm(end_load_n));
         let tie = Tie::around(bore_mm);
-        let stem = Stem::new(
-            (bore_mm, muscle.terminals().plug_diameter_mm),
-            length_mm,
-            over_sleeve_mm,
-            tie.width_mm,
-            plug::foot_mm(bolt_mm),
-        );
-        let clamps = Clamps::of(tie, stem.grooves, end_load_n);
+        let foot_mm = plug::foot_mm(bolt_mm);
+        let stem = Stem::new(muscle.terminals(), bore_mm, over_sleeve_mm, tie.width_mm, foot_mm);
+        let clamps = Clamps::for_load(tie, stem.grooves, end_load_n);
         let fitting = wishes.fitting.unwrap_or_else(|| Fitting::usual(muscle.outer_diameter_mm()));
         let (air_plug, eye_plug) = (AirPlug::new(stem, fitting), EyePlug::new(stem, bolt_mm));
-        let parts = material::bill(&muscle, &cut, clamps, (&air_plug, &eye_plug), end_load_n);
-        Ok(Self {
+        let mut plan = Self {
             clamped_diameter_mm: stem.diameter_mm + 2.0 * (cut.tube_wall_mm + sleeve_mm),
             crimp_diameter_mm: stem.diameter_mm + 2.0 * (0.75 * cut.tube_wall_mm + sleeve_mm),
             over_sleeve_mm,
@@ -110,11 +100,13 @@ impl Plan {
             air_plug,
             eye_plug,
             safety: Safety::new(&operating),
-            parts,
+            parts: vec![],
             test: test_points::points(&operating),
             muscle,
             operating,
-        })
+        };
+        plan.parts = material::bill(&plan);
+        Ok(plan)
     }
 
     /// Whether a printed air plug bears the load of its end; else both plugs are turned from metal.
@@ -127,7 +119,7 @@ impl Plan {
         self.parts.iter().filter_map(|p| p.mass_g).sum()
     }
 
-    /// Pressures in MPa from which the test sheet takes its own: shares of the working pressure, to 0.01 MPa where that leaves all of them.
+    /// Pressures in MPa for the test sheet: shares of the working pressure, to 0.01 MPa where they then differ.
     pub fn test_pressures_mpa(working_mpa: f64) -> [f64; 5] {
         let step = if working_mpa >= 0.1 { 0.01 } else { working_mpa / 100.0 };
         [0.3, 0.5, 0.7, 0.85, 1.0].map(|share| match share {
@@ -136,7 +128,7 @@ impl Plan {
         })
     }
 
-    /// What should be said beside the plan, in sentences.
+    /// Warnings, in sentences.
     pub fn warnings(&self) -> Vec<String> {
         let mut out = vec![];
         let bore_mm = self.air_plug.stem.bore_mm();

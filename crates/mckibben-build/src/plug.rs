@@ -2,6 +2,7 @@
 
 use crate::Mesh;
 use crate::mesh::{FACETS, Ring};
+use mckibben::muscle::Terminals;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 use std::str::FromStr;
@@ -36,7 +37,7 @@ const BOLTS_MM: [(f64, f64); 9] = [
 /// Tension in MPa that a printed plug is taken to bear across its layers, from one to the next: a choice.
 pub(crate) const PRINTED_MPA: f64 = 10.0;
 
-/// What both plugs have.
+/// The stem of both plugs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stem {
     /// Diameter in mm: the bore and the interference.
@@ -57,17 +58,12 @@ pub struct Stem {
 }
 
 impl Stem {
-    /// The stem for a tube, as wide as is stated, under a sleeve of a diameter over its strands, for ties of a width; the collar has room for a foot.
-    pub(crate) fn new(
-        (bore_mm, stated_mm): (f64, Option<f64>),
-        length_mm: f64,
-        over_sleeve_mm: f64,
-        tie_mm: f64,
-        foot_mm: f64,
-    ) -> Self {
+    /// The stem for a bore, under a sleeve of an outer diameter, for ties of a width; the collar has room for a foot.
+    pub(crate) fn new(ends: &Terminals, bore_mm: f64, outer_mm: f64, tie_mm: f64, foot_mm: f64) -> Self {
+        let length_mm = ends.insertion_mm();
         let (share, least, most) = INTERFERENCE;
         let usual_mm = bore_mm + (share * bore_mm).clamp(least.min(0.2 * bore_mm), most);
-        let diameter_mm = stated_mm.unwrap_or(usual_mm);
+        let diameter_mm = ends.plug_diameter_mm.unwrap_or(usual_mm);
         let interference_mm = diameter_mm - bore_mm;
         let groove_width_mm = tie_mm + GROOVE_ROOM_MM;
         let fits = |n: f64| length_mm >= n * groove_width_mm + (n + 1.0) * LAND_MM;
@@ -79,7 +75,7 @@ impl Stem {
             grooves: [2, 1].into_iter().find(|n| fits(f64::from(*n))).unwrap_or(0) as usize,
             groove_width_mm,
             groove_depth_mm: (GROOVE_DEPTH.0 * diameter_mm).min(GROOVE_DEPTH.1),
-            collar_diameter_mm: (over_sleeve_mm + 2.0 * COLLAR_MM.1).max(foot_mm + 1.0),
+            collar_diameter_mm: (outer_mm + 2.0 * COLLAR_MM.1).max(foot_mm + 1.0),
             collar_mm: COLLAR_MM.0,
         }
     }
@@ -136,7 +132,7 @@ impl Stem {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AirPlug {
     pub stem: Stem,
-    /// What the hose is connected to.
+    /// The connection of the hose.
     pub fitting: Fitting,
     /// Diameter of the passage in mm.
     pub passage_mm: f64,
@@ -165,7 +161,7 @@ impl AirPlug {
         4.0 * load_n / (PI * (root_mm * root_mm - self.passage_mm * self.passage_mm))
     }
 
-    /// Radii and heights of what is above the collar's edge: outside up, and down to the passage.
+    /// Radii and heights above the edge of the collar: outside up, and down to the passage.
     pub(crate) fn head(&self) -> Vec<[f64; 2]> {
         let (top, hole) = (self.stem.top_mm(), 0.5 * self.passage_mm);
         match (self.fitting, self.fitting.thread_mm()) {
@@ -306,7 +302,7 @@ impl EyePlug {
     }
 }
 
-/// What the hose is connected to. A push-in fitting is screwed into one of the threads.
+/// The connection of the hose. A push-in fitting is screwed into one of the threads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Fitting {
     /// M5 × 0.8.
@@ -335,7 +331,7 @@ impl Fitting {
     /// Below this outer diameter of the tube in mm the thread M5 is chosen, above it G1/8. A choice: the boss is then about as wide as the muscle.
     const SMALL_MM: f64 = 15.0;
 
-    /// What is chosen for a tube of an outer diameter.
+    /// The default for a tube of an outer diameter.
     pub(crate) fn usual(outer_diameter_mm: f64) -> Self {
         if outer_diameter_mm < Self::SMALL_MM { Self::M5 } else { Self::G18 }
     }

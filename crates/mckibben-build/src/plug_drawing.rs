@@ -123,7 +123,7 @@ fn stem(v: &mut View<'_>, stem: &Stem, length_mm: f64) {
     v.beside((-collar, collar), stem.length_mm, -17.0, &diameter(stem.collar_diameter_mm));
 }
 
-/// What a view shows, below it.
+/// The names of a view, below it.
 fn names(v: &mut View<'_>, height_mm: f64, lines: &[&str]) {
     let y = v.origin[1] - 0.5 * v.scale * height_mm - 24.0;
     for (i, line) in lines.iter().enumerate() {

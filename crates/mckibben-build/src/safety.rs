@@ -4,7 +4,7 @@ use crate::text::significant;
 use mckibben::analysis::{ATMOSPHERE_MPA, FailureMode};
 use mckibben::units::Unit;
 
-/// What a model found of the muscle.
+/// Results of a model for the muscle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Operating {
     pub model: String,
@@ -32,7 +32,7 @@ pub struct Operating {
 }
 
 impl Operating {
-    /// A pressure as people read it: `2.5 bar`; `0.25 MPa (2.5 bar)` where no unit was asked for.
+    /// A pressure as people read it: `2.5 bar`; `0.25 MPa (2.5 bar)` in the default unit.
     pub(crate) fn pressure(&self, mpa: f64) -> String {
         let bar = format!(" ({} bar)", significant(10.0 * mpa, 3));
         self.pressure_alone(mpa) + if self.pressure_unit.name == "MPa" { &bar } else { "" }
@@ -50,7 +50,7 @@ const PROOF_TO_WORKING: f64 = 2.0;
 /// A proof is at most this share of the burst pressure, so that it does not destroy a good muscle: a choice.
 const PROOF_TO_BURST: f64 = 0.75;
 
-/// Pressures, and what they store.
+/// Pressures of the tests, and the energy of their air.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct Safety {
     /// Working pressure, MPa.
@@ -67,13 +67,13 @@ pub struct Safety {
 
 impl Safety {
     /// The tests of a muscle.
-    pub(crate) fn new(of: &Operating) -> Self {
+    pub(crate) fn new(operating: &Operating) -> Self {
         Self {
-            pressure_mpa: of.pressure_mpa,
-            proof_pressure_mpa: of.proof.0,
-            leak_pressure_mpa: of.pressure_mpa,
-            air_energy_j: energy_j(of.pressure_mpa, of.volume_mm3),
-            air_energy_at_proof_j: energy_j(of.proof.0, of.proof.1),
+            pressure_mpa: operating.pressure_mpa,
+            proof_pressure_mpa: operating.proof.0,
+            leak_pressure_mpa: operating.pressure_mpa,
+            air_energy_j: energy_j(operating.pressure_mpa, operating.volume_mm3),
+            air_energy_at_proof_j: energy_j(operating.proof.0, operating.proof.1),
         }
     }
 }
@@ -83,13 +83,23 @@ pub fn highest_mpa(burst_mpa: f64) -> f64 {
     PROOF_TO_BURST * burst_mpa
 }
 
+/// A relief valve opens at this multiple of the pressure that is set.
+const RELIEF: f64 = 1.1;
+
+/// The pressure of a relief valve in MPa to three digits: above the one that is set, and not above the highest that the muscle may have.
+pub fn relief_mpa(pressure_mpa: f64, highest_mpa: f64) -> f64 {
+    let relief = highest_mpa.min(RELIEF * pressure_mpa);
+    let step = 10f64.powf(relief.log10().floor() - 2.0);
+    ((relief / step * (1.0 + 1e-9)).floor() * step).max(pressure_mpa.min(highest_mpa))
+}
+
 /// Pressure of the proof test in MPa.
 pub fn proof_mpa(pressure_mpa: f64, burst_mpa: Option<f64>) -> f64 {
     (PROOF_TO_WORKING * pressure_mpa).min(burst_mpa.map_or(f64::INFINITY, highest_mpa))
 }
 
 /// Energy in J of air at a gauge pressure: E = p V ln(p/p₀), p absolute. It is the work of an isothermal expansion to the atmosphere, an upper
-/// bound of what the air can do.
+/// bound of the work of the air.
 pub fn energy_j(gauge_mpa: f64, volume_mm3: f64) -> f64 {
     let absolute = gauge_mpa.max(0.0) + ATMOSPHERE_MPA;
     1e-3 * absolute * volume_mm3 * (absolute / ATMOSPHERE_MPA).ln()

@@ -1,6 +1,7 @@
 //! Cut list, bill of materials and steps, in Markdown.
 
-use crate::text::{fixed, mm, percent, significant};
+use crate::safety::relief_mpa;
+use crate::text::{mm, percent, significant, trimmed};
 use crate::{BuildPart, Clamps, Fitting, Plan, SleeveLength};
 use mckibben_io::clean;
 use mckibben_io::files::File;
@@ -10,41 +11,41 @@ type Values = Vec<(&'static str, String)>;
 
 /// The whole page, with links to the other files.
 pub(crate) fn markdown(plan: &Plan, files: &[File]) -> String {
-    let (muscle, found) = (&plan.muscle, &plan.operating);
+    let (muscle, operating) = (&plan.muscle, &plan.operating);
     let link = |file: &File| format!("| [{0}]({0}) | {1} |", file.name, file.about);
     let files: Vec<String> = files.iter().map(link).collect();
     let mut values: Values = vec![
         ("outer", mm(muscle.outer_diameter_mm())),
         ("length", mm(muscle.length_mm())),
         ("angle", mm(muscle.braid().angle_deg)),
-        ("turn", fixed(muscle.length_mm() / muscle.turns(), 1)),
-        ("pressure", found.pressure(found.pressure_mpa)),
-        ("blocked", significant(found.blocked_force_n, 3)),
-        ("percent", percent(found.free_contraction)),
-        ("stroke", fixed(found.free_contraction * muscle.length_mm(), 1)),
+        ("turn", trimmed(muscle.length_mm() / muscle.turns(), 1)),
+        ("pressure", operating.pressure(operating.pressure_mpa)),
+        ("blocked", significant(operating.blocked_force_n, 3)),
+        ("percent", percent(operating.free_contraction)),
+        ("stroke", trimmed(operating.free_contraction * muscle.length_mm(), 1)),
         ("points", plan.test.len().to_string()),
         ("files", files.join("\n")),
     ];
-    if found.allowed_mpa.is_some_and(|allowed| found.pressure_mpa > allowed * (1.0 + 1e-9)) {
+    if operating.allowed_mpa.is_some_and(|allowed| operating.pressure_mpa > allowed * (1.0 + 1e-9)) {
         values.push(("above", String::new()));
     }
     values.extend(cut_list(plan));
     values.extend(plugs(plan));
     values.extend(clamping(plan));
     values.extend(tests(plan));
-    // What others have written comes last: it has no places.
+    // Texts of others come last: they have no places.
     let warnings: Vec<String> =
         plan.warnings().iter().map(|w| format!("**Warning:** {}.", clean::markdown(w))).collect();
     values.extend((!warnings.is_empty()).then(|| ("warned", warnings.join("\n\n"))));
     values.extend(bill(plan));
-    values.push(("model", clean::markdown(&found.model)));
+    values.push(("model", clean::markdown(&operating.model)));
     render(include_str!("../templates/readme.md"), &[], &values)
 }
 
 fn cut_list(plan: &Plan) -> Values {
     let (cut, sleeve) = (&plan.cut, &plan.cut.sleeve);
-    let row = |of: &dyn Fn(&SleeveLength) -> String| {
-        let cells: Vec<String> = sleeve.by_diameter.iter().map(of).collect();
+    let row = |cell: &dyn Fn(&SleeveLength) -> String| {
+        let cells: Vec<String> = sleeve.by_diameter.iter().map(cell).collect();
         cells.join(" | ")
     };
     let stretch = plan.muscle.tube().prestretch;
@@ -53,15 +54,15 @@ fn cut_list(plan: &Plan) -> Values {
         ("cut_outer", mm(cut.tube_outer_diameter_mm)),
         ("insertion", mm(plan.muscle.terminals().insertion_mm())),
         if stretch == 1.0 { ("slack", String::new()) } else { ("stretch", significant(stretch, 4)) },
-        ("strand", fixed(sleeve.strand_mm, 1)),
+        ("strand", trimmed(sleeve.strand_mm, 1)),
         ("strands", sleeve.strands.map_or_else(String::new, |n| format!(" It has {n} strands."))),
         ("diameters", row(&|r| mm(r.diameter_mm))),
         ("columns", "|---".repeat(sleeve.by_diameter.len())),
-        ("lengths", row(&|r| fixed(r.length_mm, 0))),
+        ("lengths", row(&|r| trimmed(r.length_mm, 0))),
     ];
     values.extend(match (sleeve.relaxed_mm, sleeve.relaxed_diameter_mm) {
         (Some(length), Some(diameter)) => {
-            vec![("relaxed", fixed(length, 1)), ("relaxed_diameter", mm(diameter))]
+            vec![("relaxed", trimmed(length, 1)), ("relaxed_diameter", mm(diameter))]
         }
         _ => vec![("mounted", mm(sleeve.mounted_mm))],
     });
@@ -136,17 +137,22 @@ fn clamping(plan: &Plan) -> Values {
 }
 
 fn tests(plan: &Plan) -> Values {
-    let (safety, found) = (&plan.safety, &plan.operating);
-    let burst = found.burst.map_or_else(
+    let (safety, operating) = (&plan.safety, &plan.operating);
+    let burst = operating.burst.map_or_else(
         || "not known: no number for it is stated".into(),
-        |(burst_mpa, by)| format!("{}: {by}", found.pressure(burst_mpa)),
+        |(burst_mpa, by)| format!("{}: {by}", operating.pressure(burst_mpa)),
     );
     vec![
-        ("working", found.pressure(safety.pressure_mpa)),
+        ("working", operating.pressure(safety.pressure_mpa)),
         ("burst", burst),
-        ("allowed", found.allowed_mpa.map_or_else(|| "not known".into(), |mpa| found.pressure(mpa))),
-        ("proof", found.pressure(safety.proof_pressure_mpa)),
-        ("leak", found.pressure(safety.leak_pressure_mpa)),
+        ("allowed", operating.allowed_mpa.map_or_else(|| "not known".into(), |mpa| operating.pressure(mpa))),
+        (
+            "relief",
+            operating
+                .pressure(relief_mpa(safety.pressure_mpa, operating.allowed_mpa.unwrap_or(f64::INFINITY))),
+        ),
+        ("proof", operating.pressure(safety.proof_pressure_mpa)),
+        ("leak", operating.pressure(safety.leak_pressure_mpa)),
         ("energy", significant(safety.air_energy_j, 2)),
         ("energy_at_proof", significant(safety.air_energy_at_proof_j, 2)),
     ]

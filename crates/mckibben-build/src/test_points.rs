@@ -1,6 +1,6 @@
 //! The points of the first test.
 
-use crate::text::{fixed, mm};
+use crate::text::{mm, trimmed};
 use crate::{Operating, Plan};
 use mckibben::muscle::Direction;
 
@@ -17,7 +17,7 @@ pub struct TestPoint {
 
 /// Contractions of the test, as shares of the free contraction at the working pressure.
 const SHARES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
-/// Points are kept up to this share of the free contraction at their own pressure: beyond it the muscle hardly pulls.
+/// Points are kept up to this share of the free contraction at their pressure: beyond it the pull is small.
 const PULLS: f64 = 0.85;
 
 /// The points in the order of the test: at each length the pressure rises, then falls.
@@ -59,8 +59,8 @@ pub(crate) fn csv(plan: &Plan) -> String {
             Direction::Elongation => "elongation",
             Direction::Contraction | Direction::Mean => "contraction",
         };
-        let (p, e) = (fixed(point.pressure_mpa, 5), fixed(point.contraction, 4));
-        let distance = fixed(length_mm * (1.0 - point.contraction), 1);
+        let (p, e) = (trimmed(point.pressure_mpa, 5), trimmed(point.contraction, 4));
+        let distance = trimmed(length_mm * (1.0 - point.contraction), 1);
         out.push_str(&format!("{p},{e},,{branch},{distance}\n"));
     }
     out

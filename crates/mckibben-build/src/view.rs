@@ -172,7 +172,7 @@ fn dimension(sheet: &mut Sheet, a: [f64; 2], b: [f64; 2], text: &str) {
     sheet.text([end[0] + 1.0, end[1] + 1.0], SMALL_MM, Anchor::Start, text);
 }
 
-/// About as wide as a text is set, in mm.
+/// The approximate width of a text, in mm.
 pub(crate) fn width_of(text: &str) -> f64 {
     0.75 * SMALL_MM * text.chars().count() as f64
 }

@@ -29,8 +29,8 @@ fn blocked_force_of_an_ideal_muscle() -> Result<f64, Box<dyn Error>> {
 
     // Which muscle pulls 700 N at a contraction of 15 % with 0.25 MPa? The smallest comes first.
     let spec = Spec::new(vec![OperatingPoint { force_n: 700.0, contraction: 0.15 }], 0.25);
-    let found = design(&spec, &|m| Ok(Box::new(ThickWall::new(m))))?;
-    let best = found.candidates.first().ok_or("no muscle fits")?;
+    let outcome = design(&spec, &|m| Ok(Box::new(ThickWall::new(m))))?;
+    let best = outcome.candidates.first().ok_or("no muscle fits")?;
     println!(
         "D0 {:.1} mm, s {:.2} mm at {:.3} MPa",
         best.muscle.outer_diameter_mm(),
@@ -44,7 +44,7 @@ fn blocked_force_of_an_ideal_muscle() -> Result<f64, Box<dyn Error>> {
     let pull = fe.response(workspace, 0.25, 0.15)?;
     std::fs::create_dir_all(&folder)?;
     let section = fe.section_at(workspace, 0.25, 0.15)?;
-    for file in VtuSeries::new("the muscle that was found").add(Shape::of_section(&section), &pull)? {
+    for file in VtuSeries::new("the best muscle").add(Shape::of_section(&section), &pull)? {
         std::fs::write(folder.join(file.name), file.text)?;
     }
     println!("by finite elements {:.0} N; shape in {}", pull.force_n, folder.display());

@@ -30,7 +30,7 @@ fn shear_modulus() -> Result<f64, Box<dyn Error>> {
     // The recommended law goes into a muscle: what does the prototype pull if it is cast from this silicone?
     let law = &fit.laws[fit.recommended.ok_or("no law is stable in a muscle")?].law;
     let mut tube = Muscle::prototype().tube().clone();
-    tube.rubber = Rubber::of(law.clone());
+    tube.rubber = Rubber::new(law.clone());
     let muscle = Muscle::prototype().with_tube(tube)?;
     let pull = ThickWall::new(&muscle).response(&mut Workspace::new(), 0.2, 0.10)?;
     println!("with {} it pulls {:.0} N at 0.2 MPa and 10 %", law.name(), pull.force_n);

@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     modulus_with_half_width().map(drop)
 }
 
-/// Returns the shear modulus that was found and the half-width of its 95 % interval, in MPa.
+/// Returns the shear modulus and the half-width of its 95 % interval, in MPa.
 fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
     let muscle = parse_muscle(MUSCLE)?;
     let points = read_data(POINTS.as_bytes())?;
@@ -27,15 +27,15 @@ fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
         Err(error) => Err(error.into()),
     };
     let request = Request::new(&muscle, &[], &points, &build);
-    let found = identify_default(&request)?;
-    for p in &found.parameters {
+    let result = identify_default(&request)?;
+    for p in &result.parameters {
         println!("{:<18} {:8.3} ± {:.3} {}", p.name, p.value, p.half_width, p.unit);
     }
-    for note in &found.notes {
+    for note in &result.notes {
         println!("mind: {note}");
     }
-    println!("rms {:.1} N on {} points", found.rms_n, points.len());
-    let modulus = found.parameter(Target::Law(0)).ok_or("the modulus was not free")?;
+    println!("rms {:.1} N on {} points", result.rms_n, points.len());
+    let modulus = result.parameter(Target::Law(0)).ok_or("the modulus was not free")?;
     Ok((modulus.value, modulus.half_width))
 }
 

@@ -3,8 +3,8 @@
 
 use mckibben::status::Status;
 
-/// A row of a campaign's table: a muscle, a question, and what came out. Failures are rows too. How each is called in
-/// tables, and its unit, says [`crate::columns`].
+/// A row of a campaign's table: a muscle, a point, and its answer. Failures are rows too. Their names in
+/// tables, and units, are in [`crate::columns`].
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PointRow {
     /// Number of the muscle in the plan, from 0.
@@ -23,7 +23,7 @@ pub struct PointRow {
     pub constants: Vec<(String, f64)>,
     /// k of one strand family in N/mm; `None` for inextensible strands.
     pub stiffness_of_braid_n_per_mm: Option<f64>,
-    /// What varies beside these, with its column: (`seating_mm`, 1.5).
+    /// Other measures that vary, with their columns: (`seating_mm`, 1.5).
     pub measures: Vec<(String, f64)>,
     /// P in MPa.
     pub pressure_mpa: f64,
@@ -53,7 +53,7 @@ pub struct PointRow {
     pub iterations: u32,
 }
 
-/// What a column tells.
+/// The role of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     Question,
@@ -61,7 +61,7 @@ pub enum Role {
     Note,
 }
 
-/// Where a row keeps what is in a column.
+/// The place of a column in a row.
 #[derive(Debug)]
 pub enum Slot<'a> {
     /// A large whole number.

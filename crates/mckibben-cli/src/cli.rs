@@ -1,7 +1,7 @@
 //! The commands: their texts (`commands.txt`), and what runs them.
 
 use crate::{
-    Asked, Failure, Format, commands::build, commands::campaign, commands::check, commands::compare,
+    Args, Format, Problem, commands::build, commands::campaign, commands::check, commands::compare,
     commands::curve, commands::design, commands::export, commands::fill, commands::fit, commands::help,
     commands::identify, commands::joint, commands::motion, commands::parts, commands::point,
     commands::rubber, commands::schema, commands::serve, commands::simulate, commands::validate, spec::flags,
@@ -37,7 +37,7 @@ pub struct Cli {
 }
 
 /// Runs a command; the exit code where it ends well.
-type Run = fn(&Asked) -> Result<u8, Failure>;
+type Run = fn(&Args) -> Result<u8, Problem>;
 
 /// Every command, in the order of the help.
 const COMMANDS: [(&str, Run); 28] = [
@@ -100,7 +100,7 @@ fn request(name: &str) -> Value {
     command.map_or(Value::Null, |command| command.schema()["request"].take())
 }
 
-/// Adds the flags and examples of a command, whose name stands where its examples come.
+/// Adds the flags and examples of a command, whose name is in the place of its examples.
 fn with_flags(command: Command) -> Command {
     let name = command.get_after_help().map(ToString::to_string).unwrap_or_default();
     let text = text_of(&name).1;
@@ -142,7 +142,7 @@ fn first_example(all: &str) -> String {
 }
 
 /// The command that was typed: its name, its flags, and what runs it.
-pub fn asked(matches: &ArgMatches, format: Format) -> Option<(String, Asked, Run)> {
+pub fn typed_command(matches: &ArgMatches, format: Format) -> Option<(String, Args, Run)> {
     let (mut leaf, mut path) = (matches, vec![]);
     while let Some((name, inner)) = leaf.subcommand() {
         path.push(name);
@@ -156,5 +156,5 @@ pub fn asked(matches: &ArgMatches, format: Format) -> Option<(String, Asked, Run
     let name_of = |arg: String| Some(arg.strip_prefix("--")?.split('=').next()?.to_owned());
     let typed: Vec<String> = args.filter_map(name_of).collect();
     flags.iter_mut().for_each(|flag| flag.called(&typed));
-    Some((name, Asked { format, flags, matches: leaf.clone(), request }, *run))
+    Some((name, Args { format, flags, matches: leaf.clone(), request }, *run))
 }

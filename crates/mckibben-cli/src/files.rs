@@ -1,6 +1,6 @@
 //! Files that users name, read for the application layer.
 
-use crate::failure::Failure;
+use crate::unread;
 use mckibben::muscle::file;
 use mckibben_app::{Model, PAPER, Problem, TextFile};
 use mckibben_fit::validation::library;
@@ -8,13 +8,13 @@ use mckibben_io::table::{MAX_BYTES, read_text};
 use std::path::Path;
 
 /// A file written by hand: a joint, a plan.
-pub fn text(path: &Path) -> Result<TextFile, Failure> {
-    let text = file::read_text(path).map_err(|e| Problem::from(e.of(path)))?;
+pub fn text(path: &Path) -> Result<TextFile, Problem> {
+    let text = file::read_text(path).map_err(|e| Problem::from(e.in_file(path)))?;
     Ok(TextFile { name: path.display().to_string(), text })
 }
 
 /// A muscle file. `paper` is the paper's muscle, and `lib:NAME` one of the library, where no file has that name.
-pub fn muscle(path: &Path) -> Result<TextFile, Failure> {
+pub fn muscle(path: &Path) -> Result<TextFile, Problem> {
     let named = path == Path::new(PAPER) || path.to_str().and_then(library::named).is_some();
     if named && !path.exists() {
         return Ok(TextFile { name: path.display().to_string(), text: String::new() });
@@ -23,20 +23,20 @@ pub fn muscle(path: &Path) -> Result<TextFile, Failure> {
 }
 
 /// A muscle file that another file names: relative to that file, or of the library.
-pub fn muscle_beside(folder: &Path, name: &str) -> Result<TextFile, Failure> {
+pub fn muscle_beside(folder: &Path, name: &str) -> Result<TextFile, Problem> {
     if library::named(name).is_some() { muscle(Path::new(name)) } else { muscle(&folder.join(name)) }
 }
 
 /// A table, whatever program wrote it. Such files may be long.
-pub fn table(path: &Path) -> Result<TextFile, Failure> {
+pub fn table(path: &Path) -> Result<TextFile, Problem> {
     let name = path.display().to_string();
-    let bytes = mckibben_io::files::read(path, MAX_BYTES as u64).map_err(|e| Failure::unread(path, &e))?;
+    let bytes = mckibben_io::files::read(path, MAX_BYTES as u64).map_err(|e| unread(path, &e))?;
     let text = read_text(bytes.as_slice()).map_err(|error| Problem::of_table(&name, &error))?;
     Ok(TextFile { name, text })
 }
 
 /// The formula behind a model's word, where that is the path of one and not the name of a model.
-pub fn formula(word: &str) -> Result<Option<TextFile>, Failure> {
+pub fn formula(word: &str) -> Result<Option<TextFile>, Problem> {
     let word = word.trim();
     let path = Path::new(word);
     if word.to_ascii_lowercase().ends_with(".json") || (!Model::is_taken(word) && path.is_file()) {

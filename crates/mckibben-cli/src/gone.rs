@@ -1,6 +1,6 @@
 //! Words of version 1 that are gone, each with its successor.
 
-use crate::failure::Failure;
+use crate::Problem;
 use mckibben_app::ProblemKind;
 
 /// Words that a command line may begin with, and what to type in their place.
@@ -27,7 +27,7 @@ const GONE: [(&str, &str); 16] = [
 ];
 
 /// A command line that begins with a word that is gone is an error with its successor, and so is a force for `force`.
-pub fn check(args: &[String]) -> Result<(), Failure> {
+pub fn check(args: &[String]) -> Result<(), Problem> {
     let typed = args.get(1..).unwrap_or_default();
     let begins =
         |words: &str| words.split(' ').enumerate().all(|(i, word)| typed.get(i).is_some_and(|w| w == word));
@@ -35,12 +35,12 @@ pub fn check(args: &[String]) -> Result<(), Failure> {
     if begins("force") && typed.iter().any(takes_force) {
         let hint = "`mckibben pressure` and `mckibben contraction` take a force";
         let message = "`mckibben force` gives the force at a pressure and a contraction";
-        return Err(Failure::input(ProblemKind::Usage, message, hint));
+        return Err(Problem::new(ProblemKind::Usage, message, hint));
     }
     match GONE.iter().find(|(words, _)| begins(words)) {
         Some((words, instead)) => {
             let message = format!("`mckibben {words}` is gone");
-            Err(Failure::input(ProblemKind::Usage, message, *instead))
+            Err(Problem::new(ProblemKind::Usage, message, *instead))
         }
         None => Ok(()),
     }
@@ -49,15 +49,16 @@ pub fn check(args: &[String]) -> Result<(), Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::command;
+    use crate::{cli::command, exit_code, problem::as_text};
 
     #[test]
     fn a_word_that_is_gone_names_its_successor_which_is_a_command() {
         for (words, instead) in GONE {
             let args: Vec<String> = format!("mckibben {words} x").split(' ').map(str::to_owned).collect();
-            let failure = check(&args).unwrap_err();
-            assert_eq!(failure.exit(), 2);
-            assert!(failure.to_text().contains(instead), "{}", failure.to_text());
+            let problem = check(&args).unwrap_err();
+            assert_eq!(exit_code(Some(&problem)), 2);
+            let text = as_text(&problem);
+            assert!(text.contains(instead), "{text}");
             let new = instead.split_once("`mckibben ").unwrap().1.split([' ', '`']).next().unwrap();
             assert!(command().find_subcommand(new).is_some(), "{words}: {new}");
             assert!(check(&args[1..]).is_ok());

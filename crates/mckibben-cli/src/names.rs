@@ -13,7 +13,7 @@ use std::ffi::OsStr;
 pub struct Names(Vec<String>);
 
 /// The names for a flag.
-pub fn of(flag: &str) -> Option<Names> {
+pub fn for_flag(flag: &str) -> Option<Names> {
     Some(Names(match flag {
         "model" | "models" => Model::all().into_iter().map(|m| m.name.to_owned()).collect(),
         "target" => {
@@ -28,7 +28,8 @@ pub fn of(flag: &str) -> Option<Names> {
         // Everything with a name.
         "any" => {
             let tubes = mckibben_design::tubes::catalogue().ok()?.iter().map(|t| t.name.clone());
-            let lists = ["braid", "rubber", "model"].into_iter().filter_map(of).flat_map(|names| names.0);
+            let lists =
+                ["braid", "rubber", "model"].into_iter().filter_map(for_flag).flat_map(|names| names.0);
             tubes.chain(lists).chain(library::names()).collect()
         }
         _ => return None,
@@ -60,7 +61,7 @@ mod tests {
             ("braid", "s-muscle-20"),
             ("any", "dmsp-20-300"),
         ] {
-            let names = of(flag).unwrap();
+            let names = for_flag(flag).unwrap();
             assert!(names.possible_values().unwrap().any(|v| v.get_name() == one), "{one}");
             let parsed = names.parse_ref(&Command::new("mckibben"), None, OsStr::new("formula.json"));
             assert_eq!(parsed.unwrap(), "formula.json");

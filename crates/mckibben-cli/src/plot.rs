@@ -1,19 +1,19 @@
 //! Figures into files.
 
 use crate::output::{emit, ending, save as save_file};
-use crate::{Asked, Failure, quantity};
+use crate::{Args, Problem, quantity};
 use mckibben::units::Dimension;
 use mckibben_app::ProblemKind;
 use mckibben_report::{Figure, FigureError};
 
 /// Refuses a figure that could not be written, before any work is done for it.
-pub fn check(asked: &Asked) -> Result<(), Failure> {
-    width_mm(asked)?;
-    if let Some(path) = asked.path("plot_data").filter(|path| ending(path).as_deref() != Some("csv")) {
+pub fn check(args: &Args) -> Result<(), Problem> {
+    width_mm(args)?;
+    if let Some(path) = args.path("plot_data").filter(|path| ending(path).as_deref() != Some("csv")) {
         let message = format!("--plot-data: {} must end in .csv", path.display());
-        return Err(Failure::input(ProblemKind::Output, message, ""));
+        return Err(Problem::new(ProblemKind::Output, message, ""));
     }
-    let Some(path) = asked.path("plot") else { return Ok(()) };
+    let Some(path) = args.path("plot") else { return Ok(()) };
     if ending(&path).is_some_and(|e| ["svg", "png", "pdf", "html", "htm"].contains(&e.as_str())) {
         return Ok(());
     }
@@ -21,29 +21,23 @@ pub fn check(asked: &Asked) -> Result<(), Failure> {
 }
 
 /// Writes a figure, where there is one and a file is named for it.
-pub fn save(figure: Option<Figure>, asked: &Asked) -> Result<(), Failure> {
-    let (Some(mut figure), Some(path)) = (figure, asked.path("plot")) else { return Ok(()) };
-    if let Some(path) = asked.path("plot_data") {
+pub fn save(figure: Option<Figure>, args: &Args) -> Result<(), Problem> {
+    let (Some(mut figure), Some(path)) = (figure, args.path("plot")) else { return Ok(()) };
+    if let Some(path) = args.path("plot_data") {
         emit(figure.to_csv(), Some(&path))?;
     }
-    if let Some(width_mm) = width_mm(asked)? {
+    if let Some(width_mm) = width_mm(args)? {
         figure = figure.width_mm(width_mm);
     }
     save_file(Some(&path), &figure.bytes(&path)?)
 }
 
-fn width_mm(asked: &Asked) -> Result<Option<f64>, Failure> {
-    let Some(text) = asked.text("plot_width") else { return Ok(None) };
+fn width_mm(args: &Args) -> Result<Option<f64>, Problem> {
+    let Some(text) = args.text("plot_width") else { return Ok(None) };
     let width = quantity("--plot-width", &text, Dimension::Length)?;
     if (20.0..=2000.0).contains(&width) {
         return Ok(Some(width));
     }
     let message = format!("--plot-width: {width} mm; a figure is 20 to 2000 mm wide");
-    Err(Failure::input(ProblemKind::Quantity, message, ""))
-}
-
-impl From<FigureError> for Failure {
-    fn from(error: FigureError) -> Self {
-        Self::input(ProblemKind::Output, error.to_string(), "")
-    }
+    Err(Problem::new(ProblemKind::Quantity, message, ""))
 }

@@ -1,16 +1,16 @@
 //! Progress on a terminal, and the wish to stop by Ctrl-C.
 
-use crate::{Failure, number};
+use crate::{Problem, number};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mckibben::{cancel::Cancel, progress::Progress};
-use mckibben_app::Problem;
+use mckibben_app::ProblemKind;
 use signal_hook::{consts, flag};
 use std::fmt::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock, Mutex, Once, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Set by Ctrl-C and the signals that end a process, which are taken over when the first bar is made.
+/// Set by Ctrl-C and the signals that end a process, which are taken over when a command begins.
 static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 /// The signals that end a process.
 #[cfg(unix)]
@@ -30,15 +30,15 @@ pub fn cancel() -> Cancel {
     Arc::clone(&STOPPED).into()
 }
 
-/// Whether the work came to its own end: what came out of cancelled work is no answer, and is not written.
-pub fn ended() -> Result<(), Failure> {
-    Ok(cancel().check().map_err(Problem::from)?)
+/// Refuses the result of cancelled work: what came out of cancelled work is no answer, and is not written.
+pub fn ended() -> Result<(), Problem> {
+    Ok(cancel().check()?)
 }
 
 /// How a command ended: what it says that failed in cancelled work is no reason.
-pub fn last_word(done: Result<u8, Failure>) -> Result<u8, Failure> {
+pub fn last_word(done: Result<u8, Problem>) -> Result<u8, Problem> {
     match done {
-        Err(failure) if !failure.is_internal() => ended().and(Err(failure)),
+        Err(problem) if problem.kind != ProblemKind::Internal => ended().and(Err(problem)),
         done => done,
     }
 }
@@ -50,7 +50,7 @@ pub fn no_signal_for_long_files() {
     let _ = flag::register(consts::SIGXFSZ, Arc::default());
 }
 
-/// Whether a signal asked for the end. From the first call on the first signal no longer ends the program by itself; the
+/// Whether a signal came that ends a process. From the first call on the first signal no longer ends the program by itself; the
 /// second one does.
 pub fn stopped() -> bool {
     static TAKEN: Once = Once::new();
@@ -93,16 +93,6 @@ pub struct Bar {
 impl Bar {
     /// A bar that counts things of this name.
     pub fn new(things: &str) -> Self {
-        Self::drawn(things, Some(Instant::now() + SOON))
-    }
-
-    /// One that nobody sees.
-    pub fn hidden() -> Self {
-        Self::drawn("", None)
-    }
-
-    fn drawn(things: &str, from: Option<Instant>) -> Self {
-        watched();
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         let template = format!("{{bar:32}} {{pos}}/{{len}} {things}, {{rate}}, {{eta}} left{{msg}}");
         if let Ok(style) = ProgressStyle::with_template(&template) {
@@ -112,7 +102,7 @@ impl Bar {
             };
             bar.set_style(style.with_key("rate", rate));
         }
-        Self { bar, from: Mutex::new(from) }
+        Self { bar, from: Mutex::new(Some(Instant::now() + SOON)) }
     }
 
     /// Draws it from its time on.

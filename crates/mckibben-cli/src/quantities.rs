@@ -1,32 +1,32 @@
 //! From the texts of flags to numbers.
 
-use crate::Failure;
+use crate::{Problem, bad_flag};
 use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_values, short_numbers};
 use mckibben_app::ProblemKind;
 use std::sync::OnceLock;
 
-pub fn quantity(flag: &str, text: &str, dimension: Dimension) -> Result<f64, Failure> {
-    let found = parse_quantity(text, dimension).map_err(|e| Failure::flag(flag, ProblemKind::Quantity, e))?;
+pub fn quantity(flag: &str, text: &str, dimension: Dimension) -> Result<f64, Problem> {
+    let value = parse_quantity(text, dimension).map_err(|e| bad_flag(flag, ProblemKind::Quantity, e))?;
     let text = text.trim();
-    if dimension == Dimension::Volume && found != 0.0 && text.parse::<f64>().is_ok() {
+    if dimension == Dimension::Volume && value != 0.0 && text.parse::<f64>().is_ok() {
         // Volumes are read in mL, and the unit inside is a thousandth of it.
         let message = format!("{flag}: \"{text}\" has no unit, and a bare number is mm³");
-        return Err(Failure::input(ProblemKind::Quantity, message, format!("write {text}mL or {text}mm3")));
+        return Err(Problem::new(ProblemKind::Quantity, message, format!("write {text}mL or {text}mm3")));
     }
-    mind_the_unit(flag, text, dimension);
-    Ok(found)
+    check_unit(flag, text, dimension);
+    Ok(value)
 }
 
-/// What to mind about the unit of a pressure that was typed.
-static MIND: OnceLock<String> = OnceLock::new();
+/// The note on the unit of a pressure that was typed.
+static UNIT_NOTE: OnceLock<String> = OnceLock::new();
 
-/// What the user should mind about a pressure that was typed as a bare number; to be said beside an answer, and where there is none.
+/// The note on a pressure that was typed as a bare number, beside an answer or a problem.
 pub fn unit_hint() -> Option<&'static str> {
-    MIND.get().map(String::as_str)
+    UNIT_NOTE.get().map(String::as_str)
 }
 
 /// A bare number is a pressure in MPa; where that is high, bar was probably meant.
-fn mind_the_unit(flag: &str, text: &str, dimension: Dimension) {
+fn check_unit(flag: &str, text: &str, dimension: Dimension) {
     const HIGH_MPA: f64 = 1.0;
     if dimension != Dimension::Pressure || !(flag.ends_with("pressure") || flag == "--supply") {
         return;
@@ -34,12 +34,12 @@ fn mind_the_unit(flag: &str, text: &str, dimension: Dimension) {
     let parts = text.split([',', ':']).flat_map(|part| part.split(".."));
     let numbers: Result<Vec<f64>, _> = parts.map(|part| part.trim().parse::<f64>()).collect();
     if let Some(high) = numbers.ok().and_then(|list| list.into_iter().find(|p| *p >= HIGH_MPA)) {
-        MIND.get_or_init(|| format!("{flag} {text}: {}", meant(high)));
+        UNIT_NOTE.get_or_init(|| format!("{flag} {text}: {}", meant(high)));
     }
 }
 
 /// Refuses what is no contraction ratio. No muscle shortens by its whole length, so that `15` was meant as 15 %.
-pub fn check_contractions(flag: &str, text: &str, list: &[f64]) -> Result<(), Failure> {
+pub fn check_contractions(flag: &str, text: &str, list: &[f64]) -> Result<(), Problem> {
     let Some(&e) = list.iter().find(|e| e.abs() >= 1.0) else { return Ok(()) };
     let text = text.trim();
     let message = format!("{flag}: \"{text}\" is not a valid contraction ratio ΔL/L0, which lies below 1");
@@ -48,18 +48,18 @@ pub fn check_contractions(flag: &str, text: &str, list: &[f64]) -> Result<(), Fa
     } else {
         "write 15% or 0.15".to_owned()
     };
-    Err(Failure::input(ProblemKind::Quantity, message, hint))
+    Err(Problem::new(ProblemKind::Quantity, message, hint))
 }
 
 /// A list or range from a flag.
-pub fn values(flag: &str, text: &str, dimension: Dimension) -> Result<Values, Failure> {
+pub fn values(flag: &str, text: &str, dimension: Dimension) -> Result<Values, Problem> {
     let wrong = |e: RangeError| {
         let quantity = matches!(e, RangeError::Quantity(_));
-        Failure::flag(flag, if quantity { ProblemKind::Quantity } else { ProblemKind::Range }, e)
+        bad_flag(flag, if quantity { ProblemKind::Quantity } else { ProblemKind::Range }, e)
     };
-    let found = parse_values(text, dimension).map_err(wrong)?;
-    mind_the_unit(flag, text, dimension);
-    Ok(found)
+    let values = parse_values(text, dimension).map_err(wrong)?;
+    check_unit(flag, text, dimension);
+    Ok(values)
 }
 
 /// What a bare pressure as high as no muscle bears may have been meant to be.

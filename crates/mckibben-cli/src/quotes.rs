@@ -1,13 +1,13 @@
 //! A missing quote around a number and its unit.
 
-use crate::failure::Failure;
+use crate::Problem;
 use mckibben::units::{Dimension, parse_values};
 use mckibben_app::ProblemKind;
 use std::path::Path;
 
-/// A quantity whose unit is an argument of its own, because a quote is missing: `-p 2 bar`. Only where that argument is no file, so that
+/// A quantity whose unit is a separate argument, because a quote is missing: `-p 2 bar`. Only where that argument is no file, so that
 /// the command line would be refused anyway, with a stranger reason.
-pub fn check_quotes(args: &[String]) -> Result<(), Failure> {
+pub fn check_quotes(args: &[String]) -> Result<(), Problem> {
     let bare = |text: &str| text.parse::<f64>().is_ok() || parse_values(text, Dimension::Ratio).is_ok();
     for (i, words) in args.windows(3).enumerate() {
         let [flag, number, unit] = words else { continue };
@@ -22,7 +22,7 @@ pub fn check_quotes(args: &[String]) -> Result<(), Failure> {
         let message = format!("{flag} {number} {unit}: a quote is missing around the number and its unit");
         let short = if unit.contains(' ') { String::new() } else { format!("{flag} {number}{unit} or ") };
         let hint = format!("write {short}{flag} '{number} {unit}'");
-        return Err(Failure::input(ProblemKind::Usage, message, hint));
+        return Err(Problem::new(ProblemKind::Usage, message, hint));
     }
     Ok(())
 }
@@ -30,6 +30,7 @@ pub fn check_quotes(args: &[String]) -> Result<(), Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::problem::as_text;
 
     fn args(line: &str) -> Vec<String> {
         line.split(' ').map(str::to_owned).collect()
@@ -37,7 +38,7 @@ mod tests {
 
     #[test]
     fn a_unit_by_itself_behind_a_number_is_a_missing_quote() {
-        let said = |line: &str| check_quotes(&args(line)).unwrap_err().to_text();
+        let said = |line: &str| as_text(&check_quotes(&args(line)).unwrap_err());
         let text = said("force -p 2 bar");
         assert!(text.contains("-p 2 bar: a quote is missing"), "{text}");
         assert!(text.contains("write -p 2bar or -p '2 bar'"), "{text}");

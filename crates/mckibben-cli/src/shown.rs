@@ -1,11 +1,11 @@
 //! The units in which this run shows quantities to people: those of `--units`; else those of the first pressure, force and length on the
-//! command line; else those of the file that asks; else MPa, N and mm. JSON and CSV have units of their own.
+//! command line; else those of the drive file; else MPa, N and mm. JSON and CSV have fixed units.
 
-use crate::{Asked, Flag};
+use crate::{Args, Flag};
 use mckibben_app::units::Units;
 use std::{borrow::Cow, sync::OnceLock};
 
-/// Flags whose unit a user wants to read, too. A modulus is not among them: nobody reads pressures in GPa.
+/// Flags whose unit a user wants to read, too. A modulus is not among them: pressures are not read in GPa.
 const FLAGS: [&str; 11] = [
     "pressure",
     "max-pressure",
@@ -20,16 +20,16 @@ const FLAGS: [&str; 11] = [
     "radius",
 ];
 
-static ASKED: OnceLock<Units> = OnceLock::new();
+static TYPED: OnceLock<Units> = OnceLock::new();
 static OF_FILE: OnceLock<Units> = OnceLock::new();
 
 /// Looks at a command line that was understood: at `--units`, else at the flags in the order in which they were typed.
-pub fn take(asked: &Asked) {
-    let named = asked.matches.try_get_one::<Box<Units>>("units").ok().flatten();
+pub fn take(args: &Args) {
+    let named = args.matches.try_get_one::<Box<Units>>("units").ok().flatten();
     let typed = || {
-        let flags = asked.flags.iter().filter(|flag| FLAGS.contains(&&*flag.long));
+        let flags = args.flags.iter().filter(|flag| FLAGS.contains(&&*flag.long));
         let one = |flag: &Flag| {
-            asked.matches.indices_of(&flag.id).into_iter().flatten().zip(asked.texts(&flag.id)).collect()
+            args.matches.indices_of(&flag.id).into_iter().flatten().zip(args.texts(&flag.id)).collect()
         };
         let mut texts: Vec<(usize, String)> = flags.flat_map(|flag| -> Vec<_> { one(flag) }).collect();
         texts.sort();
@@ -37,28 +37,28 @@ pub fn take(asked: &Asked) {
     };
     let units = named.map_or_else(typed, |units| (**units).clone());
     if named.is_some() || units != Units::default() {
-        ASKED.get_or_init(|| units);
+        TYPED.get_or_init(|| units);
     }
 }
 
-/// Takes the units of a file that asks, where no flag says any: those of the quantities behind its keys `pressure`.
+/// Takes the units of a drive file, where no flag states any: those of the quantities behind its keys `pressure`.
 pub fn take_file(text: &str) {
     let pressure = |line: &str| {
         let (key, value) = line.split_once('=')?;
         let quantity = value.split('"').nth(1)?;
         (key.trim() == "pressure").then(|| quantity.to_owned())
     };
-    let found: Vec<String> = text.lines().filter_map(pressure).collect();
-    OF_FILE.get_or_init(|| Units::typed(found.iter().map(String::as_str)));
+    let pressures: Vec<String> = text.lines().filter_map(pressure).collect();
+    OF_FILE.get_or_init(|| Units::typed(pressures.iter().map(String::as_str)));
 }
 
 pub fn units() -> Units {
-    ASKED.get().or_else(|| OF_FILE.get()).cloned().unwrap_or_default()
+    TYPED.get().or_else(|| OF_FILE.get()).cloned().unwrap_or_default()
 }
 
 /// A sentence of the layers below in these units.
 pub fn sentence(text: &str) -> Cow<'_, str> {
-    match ASKED.get().or_else(|| OF_FILE.get()) {
+    match TYPED.get().or_else(|| OF_FILE.get()) {
         Some(units) => units.sentence(text),
         None => Cow::Borrowed(text),
     }

@@ -8,7 +8,7 @@ use mckibben::{muscle::Measure, units::Dimension};
 use mckibben_app::{rows::without_unit, units::Units};
 use serde_json::Value;
 
-/// What a command or a group of flags is called, behind which its text stands.
+/// What a command or a group of flags is called, before its text.
 const TEXTS: &str = include_str!("commands.txt");
 
 /// The text of a command, or of flags that commands share: its first line, and the others.
@@ -50,7 +50,7 @@ pub struct Flag {
     /// The field of the request that it fills.
     pub field: String,
     /// Whether the request has that field.
-    pub is_asked: bool,
+    pub is_in_request: bool,
     pub long: String,
     pub kind: Kind,
     aliases: Vec<String>,
@@ -82,7 +82,7 @@ fn add(line: &str, request: &Value, heading: &mut String, out: &mut Vec<Flag>) {
         } else if let Some(name) = token.strip_suffix(':') {
             *heading = name.replace('_', " ");
         } else {
-            out.push(Flag::of(token, heading, help, request));
+            out.push(Flag::parse(token, heading, help, request));
         }
     }
 }
@@ -107,9 +107,9 @@ pub fn flag_of(field: &str, flags: &[Flag]) -> Option<String> {
     };
     let fills = |flag: &&Flag| flag.field.rsplit('.').next() == Some(field);
     let named = |flag: &&Flag| [&name, name.trim_end_matches('s')].contains(&&*flag.long);
-    let own = flags.iter().filter(|flag| !flag.is_argument);
-    let found = own.clone().find(fills).or_else(|| own.clone().find(named)).map(|flag| flag.long.clone());
-    Some(format!("--{}", found.or_else(|| Measure::of_field(field)?.flag())?))
+    let mut flags = flags.iter().filter(|flag| !flag.is_argument);
+    let flag = flags.clone().find(fills).or_else(|| flags.find(named)).map(|flag| flag.long.clone());
+    Some(format!("--{}", flag.or_else(|| Measure::of_field(field)?.flag())?))
 }
 
 /// A schema without its reference.
@@ -123,7 +123,7 @@ fn name_of(node: &Value) -> Option<&str> {
 }
 
 impl Kind {
-    fn of(node: &Value, root: &Value) -> Self {
+    fn from_schema(node: &Value, root: &Value) -> Self {
         let dimension = serde_json::from_value(node["x-quantity"].clone()).unwrap_or(Dimension::Ratio);
         let words = resolved(node, root)["oneOf"].as_array();
         let kind = node["type"].as_str().or_else(|| node["type"][0].as_str());
@@ -134,7 +134,7 @@ impl Kind {
             (_, Some("boolean")) => Self::Truth,
             (_, Some("number")) => Self::Number(dimension),
             (_, Some("integer")) => Self::Whole,
-            (_, Some("array")) => match Self::of(&node["items"], root) {
+            (_, Some("array")) => match Self::from_schema(&node["items"], root) {
                 Self::Number(_) => Self::Numbers(dimension),
                 Self::Numbers(_) => Self::Lists(dimension),
                 Self::File => Self::Files,
@@ -194,7 +194,7 @@ fn described(node: &Value) -> String {
 }
 
 impl Flag {
-    fn of(token: &str, heading: &str, help: Option<&str>, request: &Value) -> Self {
+    fn parse(token: &str, heading: &str, help: Option<&str>, request: &Value) -> Self {
         let (head, value, marks) = match token.split_once('<') {
             Some((head, rest)) => {
                 let (value, marks) = rest.rsplit_once('>').unwrap_or((rest, ""));
@@ -219,7 +219,7 @@ impl Flag {
         let measure =
             Measure::of_field(field).filter(|_| node.as_ref().is_some_and(|n| n.get("x-key").is_some()));
         let kind = match &node {
-            Some(node) => Kind::of(node, request),
+            Some(node) => Kind::from_schema(node, request),
             None if value.is_some() => Kind::Text,
             None => Kind::Truth,
         };
@@ -234,7 +234,7 @@ impl Flag {
         Self {
             id: id.to_owned(),
             field: field.to_owned(),
-            is_asked: node.is_some(),
+            is_in_request: node.is_some(),
             value: value.unwrap_or_else(usual),
             long,
             aliases: names.collect(),
@@ -247,7 +247,7 @@ impl Flag {
         }
     }
 
-    /// Takes the name under which it was typed; both branches are asked for in place of one.
+    /// Takes the name under which it was typed; `both` is a name of the flag that selects a branch.
     pub fn called(&mut self, typed: &[String]) {
         let both = (self.field == "direction").then(|| "both".to_owned());
         let mut others = self.aliases.iter().chain(&both);
@@ -315,13 +315,10 @@ impl Flag {
         let arg = arg.value_name(name.to_owned());
         let arg = if is_path { arg.value_hint(ValueHint::AnyPath) } else { arg };
         let arg = match missing {
-            Some(missing) => arg
-                .num_args(0..=1)
-                .default_missing_value(missing.to_owned())
-                .require_equals(!missing.is_empty()),
+            Some(missing) => arg.num_args(0..=1).default_missing_value(missing.to_owned()),
             None => arg,
         };
-        if let Some(names) = names::of(&self.id) {
+        if let Some(names) = names::for_flag(&self.id) {
             let arg = arg.value_parser(names).hide_possible_values(!["laws", "target"].contains(&&*self.id));
             return if matches!(self.kind, Kind::Texts(_)) { arg.value_delimiter(',') } else { arg };
         }
@@ -342,6 +339,8 @@ impl Flag {
             Kind::Texts(_) => arg.value_delimiter(',').allow_hyphen_values(true),
             Kind::File | Kind::Files => arg,
             Kind::Text if is_path || self.is_argument || name == "NAME" => arg,
+            // What begins with a hyphen is the next flag.
+            _ if missing.is_some() => arg,
             _ => arg.allow_hyphen_values(true),
         }
     }

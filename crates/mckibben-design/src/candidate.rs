@@ -2,7 +2,7 @@
 
 use crate::limit::{Probe, Score};
 use crate::trial::Trial;
-use crate::{Limit, OperatingPoint};
+use crate::{Below, Limit, OperatingPoint};
 use mckibben::analysis::{Burst, Evaluation, burst};
 use mckibben::model::{ModelError, Response};
 use mckibben::muscle::Muscle;
@@ -50,10 +50,18 @@ pub struct Candidate {
     /// The limit that keeps it from being better: the one that is met by least, where less than 1 % of it is left.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub binds: Option<Limit>,
+    /// The kinds of limits with the least share that is to spare of each, the tightest first.
+    #[serde(skip)]
+    pub spare: Vec<(Limit, f64)>,
+    /// Why it is not used up to the pressure of the supply.
+    #[serde(skip)]
+    pub below: Option<Below>,
     /// The operating points in the order of the specification.
     pub points: Vec<CandidatePoint>,
     /// Pressure to set, in MPa: the largest that any point needs.
     pub pressure_mpa: f64,
+    /// Pressure in MPa at which the lower end of the ± (95 %) meets every point, where supply and muscle allow it.
+    pub sure_pressure_mpa: Option<f64>,
     /// Highest pressure in MPa that supply and muscle allow: all that is said of the maximum pressure is of this one.
     pub highest_pressure_mpa: f64,
     /// Least margin over the points.
@@ -72,16 +80,6 @@ pub struct Candidate {
 }
 
 impl Candidate {
-    /// Whether it has less to spare than its ± at one of its points.
-    pub fn is_doubtful(&self) -> bool {
-        let tight = |q: &CandidatePoint| {
-            let wanted_n = q.wanted.force_n;
-            let spare_n = (q.force_at_max_pressure_n - wanted_n) * wanted_n.signum();
-            q.uncertainty_n.is_some_and(|half| spare_n < half)
-        };
-        self.points.iter().any(tight)
-    }
-
     /// Largest outer diameter over the points, in mm.
     pub fn bulged_diameter_mm(&self) -> Option<f64> {
         self.largest(|p| p.response.bulged_diameter_mm)
@@ -149,6 +147,15 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
     }
     from_thick_wall.sort_unstable();
     from_thick_wall.dedup();
+    let mut spare: Vec<(Limit, f64)> = probe.checks.iter().map(|c| (c.limit, -c.excess())).collect();
+    spare.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let mut known = vec![];
+    spare.retain(|(limit, _)| {
+        !known.contains(limit) && {
+            known.push(*limit);
+            true
+        }
+    });
     let further = |a: f64, e: f64| if e.abs() > a.abs() { e } else { a };
     let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, further);
     Ok(Candidate {
@@ -158,7 +165,10 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
         free_contraction: free,
         work_j: trial.evaluation().work_per_stroke_j(max, 0.0, furthest).ok(),
         burst: Burst { safety: trial.burst.safety, ..found },
+        sure_pressure_mpa: trial.sure_mpa(),
         highest_pressure_mpa: max,
+        below: trial.below,
+        spare,
         from_thick_wall,
         points,
         tube: None,

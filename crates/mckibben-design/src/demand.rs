@@ -130,6 +130,42 @@ impl Demand {
         }
     }
 
+    /// The same over a share of the way; the torques of a joint have theirs from its angles.
+    pub(super) fn shorter(&self, share: f64) -> Self {
+        match self {
+            Self::Points(points) => {
+                let one = |q: &OperatingPoint| OperatingPoint { contraction: share * q.contraction, ..*q };
+                Self::Points(points.iter().map(one).collect())
+            }
+            Self::Load { load, way: Lift::Stroke(mm) } => {
+                Self::Load { load: load.clone(), way: Lift::Stroke(share * mm) }
+            }
+            Self::Load { load, way: Lift::Contraction(ratio) } => {
+                Self::Load { load: load.clone(), way: Lift::Contraction(share * ratio) }
+            }
+            Self::Joint(_) => self.clone(),
+        }
+    }
+
+    /// The number that says how far: the first contraction, or the stroke in mm; `None` of a joint, and of a muscle that does not shorten.
+    pub(super) fn way(&self) -> Option<f64> {
+        let way = match self {
+            Self::Points(points) => points.first()?.contraction,
+            Self::Load { way: Lift::Stroke(way) | Lift::Contraction(way), .. } => *way,
+            Self::Joint(_) => return None,
+        };
+        Some(way).filter(|way| *way != 0.0)
+    }
+
+    /// The number that says how much: the first pull in N or torque in N m; of a load 1.
+    pub(super) fn size(&self) -> f64 {
+        match self {
+            Self::Points(points) => points.first().map_or(1.0, |q| q.force_n.abs()),
+            Self::Load { .. } => 1.0,
+            Self::Joint(joint) => joint.torques.first().map_or(1.0, |t| t.torque_nm),
+        }
+    }
+
     /// Checks what is wanted of a muscle of a length in mm.
     pub(super) fn check(&self, length_mm: f64) -> Result<(), SpecError> {
         match self {

@@ -5,6 +5,7 @@ use crate::trial::{Below, Trial};
 use crate::{Build, Objective, OperatingPoint, Spec};
 use mckibben::model::{ModelError, ThickWall};
 use mckibben::muscle::Muscle;
+use mckibben::units::Dimension;
 use serde::{Deserialize, Serialize};
 
 /// A kind of limit.
@@ -58,6 +59,42 @@ impl Check {
     pub fn excess(&self) -> f64 {
         self.limit.missed_by(self.value, self.bound)
     }
+
+    /// What the muscle has and what it may have, with pressures, forces and lengths written by `show`.
+    pub fn describe(&self, show: impl Fn(Dimension, f64) -> String) -> String {
+        let (value, bound) = (self.value, self.bound);
+        match self.limit {
+            Limit::Force => {
+                let mpa = |p| show(Dimension::Pressure, p);
+                let below = self.by.map_or_else(String::new, |below| format!("; {}", below.describe(mpa)));
+                format!(
+                    "{} at {} and {} %, {} required{below}",
+                    show(Dimension::Force, if value * bound > 0.0 { value.trunc() } else { 0.0 }),
+                    mpa(self.pressure_mpa),
+                    round(100.0 * self.contraction),
+                    show(Dimension::Force, bound)
+                )
+            }
+            Limit::BulgedDiameter => {
+                let bulged = (10.0 * value).round() / 10.0;
+                let [bulged, limit] = [bulged, bound].map(|v| show(Dimension::Length, v));
+                format!("bulged diameter {bulged}, at most {limit} allowed")
+            }
+            Limit::MaxStretch => format!("rubber stretched to {value:.2}, at most {bound} allowed"),
+            Limit::Buckling => {
+                let [push, limit] = [value.ceil(), bound.floor()].map(|v| show(Dimension::Force, v));
+                format!("buckles at {limit} between two joints, {push} required")
+            }
+            Limit::LiquidVolume => {
+                let (volume, limit) = ((0.1 * value).ceil() / 100.0, round(1e-3 * bound));
+                format!("takes {volume} mL of liquid, at most {limit} mL allowed")
+            }
+        }
+    }
+}
+
+fn round(v: f64) -> f64 {
+    (v * 1e4).round() / 1e4
 }
 
 /// What muscles are ranked by, the smaller the better: the objective, then what decides between two that are equal in it.
@@ -76,6 +113,11 @@ impl Probe {
     /// The limit that is missed by most, or met by least.
     pub(super) fn worst(&self) -> Option<&Check> {
         self.checks.iter().max_by(|a, b| a.excess().total_cmp(&b.excess()))
+    }
+
+    /// The shares by which limits are missed, summed.
+    pub(super) fn miss(&self) -> f64 {
+        self.checks.iter().map(|c| c.excess().max(0.0)).sum()
     }
 
     /// Whether every limit is met.

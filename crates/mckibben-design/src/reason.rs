@@ -1,6 +1,6 @@
 //! Why a muscle does not fit.
 
-use crate::{Below, Check, Limit};
+use crate::{Check, Limit};
 use mckibben::model::ModelError;
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
@@ -18,42 +18,9 @@ pub enum Reason {
 impl Reason {
     /// The sentence, with pressures, forces and lengths written by `show` ("2.5 bar", "700 N", "30 mm").
     pub fn describe(&self, show: impl Fn(Dimension, f64) -> String) -> String {
-        let check = match self {
-            Self::Limit(check) => check,
-            Self::Model(error) => return error.to_string(),
-        };
-        let (value, bound) = (check.value, check.bound);
-        match check.limit {
-            Limit::Force => {
-                let mpa = |p| show(Dimension::Pressure, p);
-                let below = check.by.map_or_else(String::new, |below| match below {
-                    Below::Failure(by, at) => format!("; more is not allowed, because {by} at {}", mpa(at)),
-                    Below::Rated => "; its fittings are rated for no more".into(),
-                    Below::Strained => "; there its strands are stretched to their limit".into(),
-                    Below::Unanswered(up_to) => format!("; no model answers beyond {}", mpa(up_to)),
-                });
-                format!(
-                    "{} at {} and {} %, {} required{below}",
-                    show(Dimension::Force, if value * bound > 0.0 { value.trunc() } else { 0.0 }),
-                    mpa(check.pressure_mpa),
-                    round(100.0 * check.contraction),
-                    show(Dimension::Force, bound)
-                )
-            }
-            Limit::BulgedDiameter => {
-                let bulged = (10.0 * value).round() / 10.0;
-                let [bulged, limit] = [bulged, bound].map(|v| show(Dimension::Length, v));
-                format!("bulged diameter {bulged}, at most {limit} allowed")
-            }
-            Limit::MaxStretch => format!("rubber stretched to {value:.2}, at most {bound} allowed"),
-            Limit::Buckling => {
-                let [push, limit] = [value.ceil(), bound.floor()].map(|v| show(Dimension::Force, v));
-                format!("buckles at {limit} between two joints, {push} required")
-            }
-            Limit::LiquidVolume => {
-                let (volume, limit) = ((0.1 * value).ceil() / 100.0, round(1e-3 * bound));
-                format!("takes {volume} mL of liquid, at most {limit} mL allowed")
-            }
+        match self {
+            Self::Limit(check) => check.describe(show),
+            Self::Model(error) => error.to_string(),
         }
     }
 
@@ -66,15 +33,6 @@ impl Reason {
     pub fn limit(&self) -> Option<Limit> {
         Some(self.check()?.limit)
     }
-
-    /// The share of the limit by which it is missed; `None` where there is no answer at all.
-    pub fn misses_by(&self) -> Option<f64> {
-        Some(self.check()?.excess())
-    }
-}
-
-fn round(v: f64) -> f64 {
-    (v * 1e4).round() / 1e4
 }
 
 /// A muscle that does not fit, and why.
@@ -93,13 +51,16 @@ pub struct Rejected {
     /// Name of the sleeve, where it has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sleeve: Option<String>,
+    /// The shares by which it misses its limits, summed; none where the model has no answer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub misses_by: Option<f64>,
     /// The bound it breaks by most.
     #[serde(skip)]
     pub reason: Reason,
 }
 
 impl Rejected {
-    pub(super) fn of(muscle: &Muscle, reason: Reason) -> Self {
+    pub(super) fn of(muscle: &Muscle, reason: Reason, misses_by: Option<f64>) -> Self {
         Self {
             outer_diameter_mm: muscle.outer_diameter_mm(),
             wall_mm: muscle.wall_mm(),
@@ -107,6 +68,7 @@ impl Rejected {
             angle_deg: muscle.braid().angle_deg,
             rubber: muscle.tube().rubber.name.clone(),
             sleeve: muscle.braid().sleeve.as_ref().map(|s| s.name.clone()),
+            misses_by,
             reason,
         }
     }

@@ -1,13 +1,19 @@
-//! Where nothing fits: which limit to relax, and by how much.
+//! Where nothing fits: what to change, of each kind the smallest change that makes a muscle fit.
 
-use crate::limit::{Probe, probe};
+use crate::limit::{Probe, probe_with};
+use crate::search::{Pick, Search};
+use crate::spec::THICK_WALL;
 use crate::trial::{Below, Trial};
-use crate::{Build, Demand, Limit, Limits, OperatingPoint, Spec};
-use mckibben::analysis::{Evaluation, FailureMode, FailurePressure, Options};
-use mckibben::muscle::Muscle;
+use crate::{BraidChoice, Build, Check, Limit, OperatingPoint, Spec, fits, tubes};
+use mckibben::analysis::{Evaluation, Options, find_root};
+use mckibben::model::ModelError;
+use mckibben::muscle::{Braid, BraidStiffness, Muscle};
+use mckibben::sleeve::library;
+use mckibben::threads;
+use mckibben::units::Values;
 use serde::Serialize;
 
-/// A way to make the closest muscle fit.
+/// A change of the specification with which a muscle fits.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[schemars(rename = "RelaxationAnswer")]
 #[serde(tag = "relax", rename_all = "snake_case")]
@@ -21,12 +27,16 @@ pub enum Relaxation {
     },
     /// Accept these pulls.
     Force {
-        /// The points that fall short, as they could be.
+        /// The share of what is wanted: of the pulls, of the load, or of the torques.
+        share: f64,
+        /// The operating points as they could be.
         points: Vec<OperatingPoint>,
     },
     /// Accept these contractions.
     Contraction {
-        /// The points that fall short, as they could be.
+        /// The share of what is wanted: of the contractions, or of the stroke.
+        share: f64,
+        /// The operating points as they could be.
         points: Vec<OperatingPoint>,
     },
     /// Take a wider tube with the same wall.
@@ -55,28 +65,161 @@ pub enum Relaxation {
         /// mm³.
         liquid_volume_mm3: f64,
     },
+    /// Take another sleeve.
+    Sleeve {
+        /// Its name.
+        sleeve: String,
+        /// The tube that goes with it.
+        tube: Option<String>,
+    },
+    /// Cast a tube of another rubber.
+    Rubber {
+        /// Its name.
+        rubber: String,
+        /// The tube, by name.
+        tube: String,
+    },
+    /// Take strands that are stiffer.
+    Stiffness {
+        /// Stiffness k of one strand family, N/mm.
+        family_stiffness_n_per_mm: f64,
+    },
+    /// All of these together.
+    Together {
+        /// Each of them.
+        changes: Vec<Relaxation>,
+    },
 }
 
-/// By which share a muscle that stands on a bound may miss it: the root that put it there is not known better.
-const ON_BOUND: f64 = 1e-6;
-
-/// What would make one of `muscles` fit, one limit at a time, of each kind the one that the first of them needs.
-pub(super) fn relaxations<'a>(
-    spec: &Spec,
-    build: &Build<'_>,
-    muscles: impl IntoIterator<Item = &'a Muscle>,
-) -> Vec<Relaxation> {
-    let mut out: Vec<Relaxation> = vec![];
-    for (i, muscle) in muscles.into_iter().enumerate() {
-        let miss = Miss { spec, build, muscle };
-        for relaxation in miss.relaxations(i == 0 && spec.tubes.is_empty()) {
-            let kind = std::mem::discriminant(&relaxation);
-            if out.iter().all(|known| std::mem::discriminant(known) != kind) {
-                out.push(relaxation);
+impl Relaxation {
+    /// Changes a specification.
+    pub fn apply(&self, spec: &mut Spec) {
+        let limits = &mut spec.limits;
+        match self {
+            Self::MaxPressure { pressure_mpa, .. } => {
+                (spec.max_pressure_mpa, spec.extrapolate) = (*pressure_mpa, true);
             }
+            Self::Force { share, .. } => spec.wanted = spec.wanted.times(*share),
+            Self::Contraction { share, .. } => spec.wanted = spec.wanted.shorter(*share),
+            Self::OuterDiameter { outer_diameter_mm } => {
+                spec.outer_diameter_mm = Values::List(vec![*outer_diameter_mm]);
+            }
+            Self::MaxBulgedDiameter { bulged_diameter_mm } => {
+                limits.bulged_diameter_mm = Some(*bulged_diameter_mm)
+            }
+            Self::MaxStretch { max_stretch } => limits.stretch = Some(*max_stretch),
+            Self::MaxStrandStrain { strand_strain } => limits.strand_strain = Some(*strand_strain),
+            Self::MinBurstMargin { burst_margin } => limits.burst_margin = Some(*burst_margin),
+            Self::Guided {} => limits.buckling = false,
+            Self::MaxLiquidVolume { liquid_volume_mm3 } => {
+                limits.liquid_volume_mm3 = Some(*liquid_volume_mm3)
+            }
+            Self::Sleeve { sleeve, .. } => {
+                let braid = library::find(sleeve);
+                let braid = braid.and_then(|sleeve| sleeve.on(sleeve.diameters().0));
+                spec.braid =
+                    braid.map_or_else(|_| spec.braid.clone(), |braid| BraidChoice::Sleeves(vec![braid]));
+            }
+            Self::Rubber { rubber, tube } => {
+                let of_rubber = tubes::cast_of(rubber).unwrap_or_default();
+                spec.tubes = of_rubber.into_iter().filter(|part| part.name == *tube).collect();
+            }
+            Self::Stiffness { family_stiffness_n_per_mm: k } => {
+                let braid = Braid { stiffness: BraidStiffness::NewtonPerMm(*k), ..spec.base.braid().clone() };
+                spec.base = spec.base.with_braid(braid).unwrap_or_else(|_| spec.base.clone());
+            }
+            Self::Together { changes } => changes.iter().for_each(|change| change.apply(spec)),
         }
     }
-    out
+}
+
+/// A kind of change.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Pull,
+    Contraction,
+    Supply,
+    Safety,
+    StrandStrain,
+    Limit(Limit),
+}
+
+/// A change, and how much it asks: the logarithm of its number over that of the specification.
+type Change = (f64, Relaxation);
+
+/// Changes of one kind that another model than the thick-wall one is asked of, at most, and those that ask for this much more than the best one at least.
+const MOST: usize = 12;
+const WINDOW: f64 = 0.06;
+/// A change is larger by this share than it has to be, so that it holds with three digits and the last bit of an inverse.
+const EASED: f64 = 1e-5;
+/// Where several limits are missed, the share of the way is known to this; it is looked for on so many of the closest muscles.
+const ROUGH: f64 = 1e-3;
+const NEAREST: usize = 200;
+
+/// The smallest change of each kind with which one of the muscles fits, those that ask for least first; where there is none, two or more together of the closest ones.
+pub(super) fn relaxations(search: &Search<'_>, build: &Build<'_>, picks: &[Pick]) -> Vec<Relaxation> {
+    let spec = search.spec;
+    let rough = |(place, pick): &(usize, Pick)| {
+        let muscle = search.muscle(*pick).ok()?;
+        let miss = Miss { spec, build: THICK_WALL, muscle: &muscle, proven: false };
+        let (mut trial, probe) = miss.held()?;
+        let changes = miss.kinds(&trial, &probe, *place < NEAREST).into_iter();
+        Some(
+            changes
+                .filter_map(|kind| Some((miss.change(kind, &mut trial, &probe)?.0, kind, *pick)))
+                .collect::<Vec<_>>(),
+        )
+    };
+    let rough: Vec<(f64, Kind, Pick)> =
+        threads::map(&picks.iter().copied().enumerate().collect::<Vec<_>>(), rough)
+            .into_iter()
+            .flatten()
+            .flatten()
+            .collect();
+    let mut kinds: Vec<Kind> = vec![];
+    rough.iter().for_each(|(_, kind, _)| {
+        if !kinds.contains(kind) {
+            kinds.push(*kind)
+        }
+    });
+    let proven = |pick: &Pick, change: &dyn Fn(&Miss<'_>, &mut Trial<'_>, &Probe) -> Option<Change>| {
+        let muscle = search.muscle(*pick).ok()?;
+        let miss = Miss { spec, build, muscle: &muscle, proven: true };
+        let (mut trial, probe) = miss.held()?;
+        change(&miss, &mut trial, &probe)
+    };
+    let least = |kind: &Kind| {
+        let mut of_kind: Vec<_> = rough.iter().filter(|(_, other, _)| other == kind).collect();
+        of_kind.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut best: Option<Change> = None;
+        for (ask, _, pick) in of_kind.into_iter().take(MOST) {
+            if best.as_ref().is_some_and(|best| *ask > best.0 + WINDOW) || search.progress.cancelled() {
+                break;
+            }
+            let change = proven(pick, &|miss, trial, probe| miss.change(*kind, trial, probe));
+            best = [best, change].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
+        }
+        best
+    };
+    let mut out: Vec<Change> = threads::map(&kinds, least).into_iter().flatten().collect();
+    if let Some(first) = picks.first().filter(|_| spec.tubes.is_empty()) {
+        out.extend(proven(first, &|miss, _, _| miss.wider()));
+    }
+    if out.is_empty() {
+        let several = |pick: &Pick| proven(pick, &|miss, trial, probe| miss.together(trial, probe));
+        out.extend(picks.iter().take(MOST).filter_map(several).min_by(|a, b| a.0.total_cmp(&b.0)));
+    }
+    out.sort_by(|a, b| a.0.total_cmp(&b.0));
+    out.into_iter().map(|change| change.1).collect()
+}
+
+/// A number with three digits, not below or not above it.
+fn three_digits(value: f64, up: bool) -> f64 {
+    let eased = value * if up { 1.0 + EASED } else { 1.0 - EASED };
+    let step = 10f64.powf(eased.abs().log10().floor() - 2.0);
+    let steps = if up == (value > 0.0) { (eased.abs() / step).ceil() } else { (eased.abs() / step).floor() };
+    // The nearest number that is written with so many digits.
+    format!("{:.2e}", steps * step * value.signum()).parse().unwrap_or(eased)
 }
 
 /// A muscle that does not fit.
@@ -84,118 +227,148 @@ struct Miss<'a> {
     spec: &'a Spec,
     build: &'a Build<'a>,
     muscle: &'a Muscle,
+    /// Whether a change is held against the changed specification, and left out where the muscle still does not fit.
+    proven: bool,
 }
 
 impl Miss<'_> {
-    /// What would make it fit. Each is tried: only what really makes it fit is returned. Wider tubes are looked for where `widen`.
-    fn relaxations(&self, widen: bool) -> Vec<Relaxation> {
-        let (spec, muscle) = (self.spec, self.muscle);
-        let Ok(mut trial) = Trial::new(spec, self.build, muscle) else { return vec![] };
-        let Ok(probe) = probe(spec, self.build, muscle) else { return vec![] };
-        let wanted = spec.points(muscle);
-        let pulls: Vec<f64> = probe.checks.iter().take(wanted.len()).map(|c| c.value).collect();
-        let mut out = vec![];
-        if wanted.iter().zip(&pulls).any(|(p, pull)| pull / p.force_n < 1.0) {
-            out.extend(self.pressure(&mut trial));
-            let forces = self.points(&pulls, |p, pull| {
-                (pull * p.force_n > 0.0).then_some(OperatingPoint { force_n: pull, ..*p })
-            });
-            out.extend(forces.map(|points| Relaxation::Force { points }));
-            let contractions = self.points(&pulls, |p, _| {
-                let max = trial.highest_mpa;
-                let contraction = trial.evaluation().contraction_at(p.force_n, max).ok()?;
-                Some(OperatingPoint { contraction, ..*p })
-            });
-            out.extend(contractions.map(|points| Relaxation::Contraction { points }));
-            if widen {
-                out.extend(self.wider());
+    fn held(&self) -> Option<(Trial<'_>, Probe)> {
+        let mut trial = Trial::new(self.spec, self.build, self.muscle).ok()?;
+        let probe = probe_with(&mut trial, false).ok()?;
+        Some((trial, probe))
+    }
+
+    /// The kinds of change that may do alone: where one kind of limit is missed, and of a muscle that is `near` a shorter way where several are.
+    fn kinds(&self, trial: &Trial<'_>, probe: &Probe, near: bool) -> Vec<Kind> {
+        let mut missed = probe.checks.iter().filter(|c| c.excess() > 0.0).map(|c| c.limit);
+        let Some(first) = missed.next() else { return vec![] };
+        let alone = missed.all(|limit| limit == first);
+        let by_pressure = match trial.below {
+            None => Some(Kind::Supply),
+            Some(Below::Failure(..)) => Some(Kind::Safety),
+            Some(Below::Strained) => Some(Kind::StrandStrain),
+            Some(Below::Rated | Below::Unanswered(_)) => None,
+        };
+        let nearer = Some(Kind::Contraction).filter(|_| near || alone && first == Limit::Force);
+        let own: Vec<Kind> = match first {
+            _ if !alone => vec![],
+            Limit::Force => [Kind::Pull].into_iter().chain(by_pressure).collect(),
+            limit => vec![Kind::Limit(limit)],
+        };
+        own.into_iter().chain(nearer).collect()
+    }
+
+    /// The change of a kind.
+    fn change(&self, kind: Kind, trial: &mut Trial<'_>, probe: &Probe) -> Option<Change> {
+        let (wanted, limits, supply_mpa) = (&self.spec.wanted, &self.spec.limits, self.spec.max_pressure_mpa);
+        let points = self.spec.points(self.muscle);
+        let (ask, change) = match kind {
+            Kind::Pull => {
+                let shares = points.iter().zip(&probe.checks).map(|(q, check)| check.value / q.force_n);
+                let share = shares.reduce(f64::min).filter(|share| *share > 0.0)?;
+                let share = three_digits(share * wanted.size(), false) / wanted.size();
+                let points = wanted.times(share).points(self.muscle.length_mm()).into_owned();
+                (-share.ln(), Relaxation::Force { share, points })
+            }
+            Kind::Contraction => {
+                let (max, length_mm, way) = (trial.highest_mpa, self.muscle.length_mm(), wanted.way()?);
+                let weak = probe.checks.iter().all(|c| c.limit == Limit::Force || c.excess() <= 0.0);
+                // By how much the muscle misses a share of the way: the pull alone, or all limits.
+                let missed = |share: f64| {
+                    let nearer = wanted.shorter(share);
+                    if !weak {
+                        let spec = Spec { wanted: nearer, ..self.spec.clone() };
+                        let probe = probe_with(&mut Trial::new(&spec, self.build, self.muscle)?, false)?;
+                        return Ok(probe.worst().map_or(0.0, Check::excess));
+                    }
+                    let mut least = f64::INFINITY;
+                    for q in nearer.points(length_mm).iter() {
+                        let pull_n = trial.evaluation().force_n(max, q.contraction)?;
+                        least = least.min(trial.sure_n(max, q.contraction, pull_n) / q.force_n);
+                    }
+                    Ok::<f64, ModelError>(1.0 - least)
+                };
+                let share = find_root(missed, 0.0, 1.0, if weak { EASED } else { ROUGH }).ok()??;
+                let share = if weak { share } else { share - ROUGH };
+                let share = three_digits(share * way, false) / way;
+                let points = wanted.shorter(share).points(length_mm).into_owned();
+                (-share.ln(), Relaxation::Contraction { share, points })
+            }
+            Kind::Supply => {
+                let pressure_mpa = three_digits(self.needed_mpa(trial)?, true);
+                let extrapolated = pressure_mpa > trial.model.info().range.pressure_mpa.1;
+                ((pressure_mpa / supply_mpa).ln(), Relaxation::MaxPressure { pressure_mpa, extrapolated })
+            }
+            Kind::Safety => {
+                let needed_mpa = self.needed_mpa(trial).filter(|p| *p <= supply_mpa)?;
+                let failures = trial.burst.modes();
+                let margins =
+                    failures.iter().filter_map(|(by, at)| Some(at.mpa()? / by.share() / needed_mpa));
+                let burst_margin = three_digits(margins.reduce(f64::min)?, false);
+                ((limits.burst_margin? / burst_margin).ln(), Relaxation::MinBurstMargin { burst_margin })
+            }
+            Kind::StrandStrain => {
+                let needed_mpa = self.needed_mpa(trial).filter(|p| *p <= supply_mpa)?;
+                let places = std::iter::once(0.0).chain(points.iter().map(|q| q.contraction));
+                let strains = places.filter_map(|e| trial.strand_strain(needed_mpa, e).ok()?);
+                let strand_strain = three_digits(strains.reduce(f64::max)?, true);
+                ((strand_strain / limits.strand_strain?).ln(), Relaxation::MaxStrandStrain { strand_strain })
+            }
+            Kind::Limit(limit) => {
+                let missed = probe.checks.iter().filter(|c| c.limit == limit);
+                let worst = missed.max_by(|a, b| a.excess().total_cmp(&b.excess()))?;
+                let value = three_digits(worst.value, true);
+                let change = match limit {
+                    Limit::BulgedDiameter => Relaxation::MaxBulgedDiameter { bulged_diameter_mm: value },
+                    Limit::MaxStretch => Relaxation::MaxStretch { max_stretch: value },
+                    Limit::LiquidVolume => Relaxation::MaxLiquidVolume { liquid_volume_mm3: value },
+                    Limit::Buckling => Relaxation::Guided {},
+                    Limit::Force => return None,
+                };
+                (worst.excess().ln_1p(), change)
+            }
+        };
+        self.fits(std::slice::from_ref(&change)).then_some((ask, change))
+    }
+
+    /// All limits that are missed, changed together.
+    fn together(&self, trial: &mut Trial<'_>, probe: &Probe) -> Option<Change> {
+        let mut kinds: Vec<Kind> = vec![];
+        for check in probe.checks.iter().filter(|c| c.excess() > 0.0) {
+            let kind = if check.limit == Limit::Force { Kind::Pull } else { Kind::Limit(check.limit) };
+            if !kinds.contains(&kind) {
+                kinds.push(kind);
             }
         }
-        // The largest of each kind, and no more than the last bit beyond it.
-        let worst = |kind: Limit| {
-            let missed = probe.checks.iter().filter(|c| c.limit == kind && c.excess() > 0.0);
-            missed.max_by(|a, b| a.excess().total_cmp(&b.excess())).map(|c| c.value)
-        };
-        let mut ease = |value: Option<f64>, set: fn(&mut Limits, f64), relaxation: fn(f64) -> Relaxation| {
-            let eased = value.filter(|v| self.fits(|spec| set(&mut spec.limits, *v)));
-            out.extend(eased.map(relaxation));
-        };
-        const UP: f64 = 1.0 + 1e-9;
-        let set: fn(&mut Limits, f64) = |l, v| l.bulged_diameter_mm = Some(v * UP);
-        ease(worst(Limit::BulgedDiameter), set, |v| Relaxation::MaxBulgedDiameter { bulged_diameter_mm: v });
-        let set: fn(&mut Limits, f64) = |l, v| l.stretch = Some(v * UP);
-        ease(worst(Limit::MaxStretch), set, |v| Relaxation::MaxStretch { max_stretch: v });
-        ease(worst(Limit::Buckling), |l, _| l.buckling = false, |_| Relaxation::Guided {});
-        let set: fn(&mut Limits, f64) = |l, v| l.liquid_volume_mm3 = Some(v * UP);
-        ease(worst(Limit::LiquidVolume), set, |v| Relaxation::MaxLiquidVolume { liquid_volume_mm3: v });
-        out
+        let alone = Miss { proven: false, ..*self };
+        let changes = kinds.into_iter().map(|kind| alone.change(kind, trial, probe));
+        let (asks, changes): (Vec<f64>, Vec<Relaxation>) =
+            changes.collect::<Option<Vec<Change>>>()?.into_iter().unzip();
+        self.fits(&changes).then(|| (asks.into_iter().sum(), Relaxation::Together { changes }))
     }
 
     /// Whether it fits a specification that is changed.
-    fn fits(&self, change: impl FnOnce(&mut Spec)) -> bool {
-        let mut relaxed = self.spec.clone();
-        change(&mut relaxed);
-        probe(&relaxed, self.build, self.muscle).is_ok_and(is_on_bound)
+    fn fits(&self, changes: &[Relaxation]) -> bool {
+        let mut changed = self.spec.clone();
+        changes.iter().for_each(|change| change.apply(&mut changed));
+        !self.proven || fits(&changed, self.build, self.muscle)
     }
 
-    /// The pressure that all points need, from the supply or by what keeps the muscle below it.
-    fn pressure(&self, trial: &mut Trial<'_>) -> Option<Relaxation> {
+    /// The pressure that all points need, where nothing bounds it.
+    fn needed_mpa(&self, trial: &mut Trial<'_>) -> Option<f64> {
         let beyond = Options { extrapolate: true, ..self.spec.options() };
         let mut model = Evaluation::new(&*trial.model, &mut trial.workspace, beyond);
-        let wanted = self.spec.points(self.muscle);
-        let needs = wanted.iter().map(|p| model.pressure_at(p.force_n, p.contraction));
-        let pressure_mpa = needs.collect::<Result<Vec<f64>, _>>().ok()?.into_iter().fold(0.0, f64::max);
-        let up = pressure_mpa * (1.0 + 1e-9);
-        match trial.below {
-            None => {
-                let extrapolated = pressure_mpa > trial.model.info().range.pressure_mpa.1;
-                let fits = self.fits(|spec| (spec.max_pressure_mpa, spec.extrapolate) = (up, true));
-                fits.then_some(Relaxation::MaxPressure { pressure_mpa, extrapolated })
-            }
-            Some(Below::Failure(..)) => {
-                let failures = trial.burst.modes();
-                let margin =
-                    |(mode, at): &(FailureMode, FailurePressure)| Some(at.mpa()? / mode.share() / up);
-                let burst_margin = failures.iter().filter_map(margin).reduce(f64::min)?;
-                let fits = self.fits(|spec| spec.limits.burst_margin = Some(burst_margin));
-                fits.then_some(Relaxation::MinBurstMargin { burst_margin })
-            }
-            Some(Below::Strained) => {
-                let places = std::iter::once(0.0).chain(wanted.iter().map(|q| q.contraction));
-                let strains = places.filter_map(|e| trial.strand_strain(up, e).ok()?);
-                let strand_strain = strains.reduce(f64::max)? * (1.0 + 1e-9);
-                let fits = self.fits(|spec| spec.limits.strand_strain = Some(strand_strain));
-                fits.then_some(Relaxation::MaxStrandStrain { strand_strain })
-            }
-            Some(Below::Rated | Below::Unanswered(_)) => None,
-        }
-    }
-
-    /// Other operating points in place of those that fall short.
-    fn points(
-        &self,
-        pulls: &[f64],
-        mut instead: impl FnMut(&OperatingPoint, f64) -> Option<OperatingPoint>,
-    ) -> Option<Vec<OperatingPoint>> {
-        let mut list = self.spec.points(self.muscle).into_owned();
-        let mut changed = vec![];
-        for (p, &pull) in list.iter_mut().zip(pulls) {
-            if pull / p.force_n < 1.0 {
-                *p = instead(p, pull)?;
-                changed.push(*p);
-            }
-        }
-        // The last bit of an inverse must not decide.
-        list.iter_mut().for_each(|p| p.force_n *= 1.0 - 1e-9);
-        self.fits(|spec| spec.wanted = Demand::Points(list)).then_some(changed)
+        let points = self.spec.points(self.muscle);
+        let needs = points.iter().map(|q| model.pressure_at(q.force_n, q.contraction).ok());
+        needs.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
     }
 
     /// The smallest diameter beyond the bound that fits.
-    fn wider(&self) -> Option<Relaxation> {
+    fn wider(&self) -> Option<Change> {
         let (_, high) = self.spec.outer_diameter_mm.bounds();
         let does = |d0: f64| {
             let muscle = self.muscle.with_section(d0, self.muscle.wall_mm());
-            muscle.is_ok_and(|m| probe(self.spec, self.build, &m).is_ok_and(is_on_bound))
+            muscle.is_ok_and(|m| fits(self.spec, self.build, &m))
         };
         let wide = |i: i32| high * (1.0 + 0.05 * f64::from(i));
         let first = (1..=40).find(|&i| does(wide(i)))?;
@@ -204,10 +377,7 @@ impl Miss<'_> {
             let mid = 0.5 * (low + top);
             if does(mid) { top = mid } else { low = mid }
         }
-        Some(Relaxation::OuterDiameter { outer_diameter_mm: (top * 100.0).ceil() / 100.0 })
+        let outer_diameter_mm = three_digits(top, true);
+        Some(((outer_diameter_mm / high).ln(), Relaxation::OuterDiameter { outer_diameter_mm }))
     }
-}
-
-fn is_on_bound(probe: Probe) -> bool {
-    probe.checks.iter().all(|c| c.excess() <= ON_BOUND)
 }

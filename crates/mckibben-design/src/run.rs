@@ -1,10 +1,10 @@
 //! A design: searched with a fast model, settled with the one that is believed.
 
 use crate::candidate::candidate;
-use crate::limit::{Probe, Score, probe_with};
+use crate::limit::{Probe, Score, probe, probe_with};
 use crate::line::STEPS;
 use crate::relax::relaxations;
-use crate::search::{Pick, Search, SearchResult};
+use crate::search::{Pick, SPARE, Search, SearchResult};
 use crate::trial::Trial;
 use crate::{Build, Candidate, Models, Reason, Rejected, Relaxation, Spec, SpecError};
 use mckibben::muscle::Muscle;
@@ -31,7 +31,7 @@ pub struct Closest {
     /// Its measures and why it does not fit.
     pub rejected: Rejected,
     pub muscle: Muscle,
-    /// What would have to give, one limit at a time.
+    /// The smallest change of each kind with which a muscle of the search fits.
     pub relaxations: Vec<Relaxation>,
 }
 
@@ -68,29 +68,28 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
     let candidates = settled(&search, models, &result);
     progress.check()?;
     let decides = models.settle.unwrap_or(models.search);
-    let mut misses: Vec<(Muscle, Reason)> = vec![];
-    for &(_, pick) in result.misses.iter() {
-        if misses.len() < spec.top
-            && let Ok(muscle) = search.muscle(pick)
-            && let Some(reason) = search.reason(&muscle, decides)
-        {
-            misses.push((muscle, reason));
-        }
-    }
-    // A muscle that fitted by the search alone, and no other is left.
-    if candidates.is_empty() && misses.is_empty() {
-        let first = result.fits.first().and_then(|f| search.muscle(f.1).ok());
-        misses.extend(first.and_then(|m| search.reason(&m, decides).map(|reason| (m, reason))));
-    }
+    let fitted = result.fits.iter().map(|fit| fit.1).filter(|_| candidates.is_empty());
+    let picks: Vec<Pick> = fitted.chain(result.misses.iter().map(|miss| miss.1)).collect();
+    let reject = |pick: &Pick| {
+        let muscle = search.muscle(*pick).ok()?;
+        let (reason, misses_by) = match probe(search.spec, decides, &muscle) {
+            Ok(probe) => (Reason::Limit(*probe.worst().filter(|c| c.excess() > 0.0)?), Some(probe.miss())),
+            Err(error) => (Reason::Model(error), None),
+        };
+        Some((Rejected::of(&muscle, reason, misses_by), muscle))
+    };
     // By the model that decides others may be closer than by that of the search.
-    let missed = |reason: &Reason| reason.misses_by().unwrap_or(f64::INFINITY);
-    misses.sort_by(|a, b| missed(&a.1).total_cmp(&missed(&b.1)));
-    let closest = misses.first().filter(|_| candidates.is_empty()).map(|(muscle, reason)| Closest {
-        rejected: Rejected::of(muscle, reason.clone()),
+    let nearest = &picks[..picks.len().min(spec.top + SPARE)];
+    let mut misses: Vec<(Rejected, Muscle)> = threads::map(nearest, reject).into_iter().flatten().collect();
+    let missed = |miss: &(Rejected, Muscle)| miss.0.misses_by.unwrap_or(f64::INFINITY);
+    misses.sort_by(|a, b| missed(a).total_cmp(&missed(b)));
+    let closest = misses.first().filter(|_| candidates.is_empty()).map(|(rejected, muscle)| Closest {
+        rejected: rejected.clone(),
         muscle: muscle.clone(),
-        relaxations: relaxations(spec, decides, misses.iter().map(|m| &m.0)),
+        relaxations: relaxations(&search, decides, &picks),
     });
-    let rejected = misses.iter().map(|(muscle, reason)| Rejected::of(muscle, reason.clone())).collect();
+    progress.check()?;
+    let rejected = misses.into_iter().take(spec.top).map(|miss| miss.0).collect();
     Ok(Outcome { candidates, rejected, looked_at: (result.looked_at, result.fitted), closest })
 }
 

@@ -4,11 +4,11 @@
 //! sample. Where no sample fits, the share by which the limits are missed leads on, so that a narrow window is found as well. The
 //! innermost axis, the diameter, is searched by the roots of the single limits ([`line`](super::line)).
 
-use crate::limit::{Score, probe, probe_with};
+use crate::limit::{Score, probe_with};
 use crate::line::{self, Found, Merit, NO_SCORE, Sample};
 use crate::spec::THICK_WALL;
 use crate::trial::Trial;
-use crate::{BraidChoice, Build, Models, Objective, Reason, Spec, TubePart};
+use crate::{BraidChoice, Build, Models, Objective, Spec, TubePart};
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
 use mckibben::progress::Progress;
 use mckibben::threads;
@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Golden sections on a line whose best muscle another model looks for again.
 const COARSE_STEPS: usize = 4;
 /// More misses than are printed: others may be closer by the model that decides.
-const SPARE: usize = 3;
+pub(super) const SPARE: usize = 3;
 /// Muscles that are kept for the model that decides.
 const MOST: usize = 5000;
 /// Muscles that miss by at most this by the model of the search may fit by the other one; of short muscles the two are further apart.
@@ -111,12 +111,12 @@ impl SearchResult {
         }
     }
 
-    fn add(&mut self, other: SearchResult, misses: usize) {
+    fn add(&mut self, other: SearchResult) {
         self.looked_at += other.looked_at;
         self.fitted += other.fitted;
         other.fits.into_iter().for_each(|(score, pick)| Self::keep(&mut self.fits, score, pick, MOST));
         other.near.into_iter().for_each(|(score, pick)| Self::keep(&mut self.near, score, pick, MOST));
-        other.misses.into_iter().for_each(|(miss, pick)| Self::keep(&mut self.misses, miss, pick, misses));
+        other.misses.into_iter().for_each(|(miss, pick)| Self::keep(&mut self.misses, miss, pick, MOST));
         self.invalid = self.invalid.take().or(other.invalid);
     }
 }
@@ -270,7 +270,7 @@ impl<'a> Search<'a> {
             SearchResult::keep(&mut result.near, sample.score, pick, MOST);
         }
         if sample.violation().is_finite() || self.muscle(pick).is_ok() {
-            SearchResult::keep(&mut result.misses, sample.violation(), pick, self.spec.top + SPARE);
+            SearchResult::keep(&mut result.misses, sample.violation(), pick, MOST);
         }
     }
 
@@ -402,20 +402,9 @@ impl<'a> Search<'a> {
 
     fn gather(&self, parts: impl Iterator<Item = SearchResult>) -> SearchResult {
         parts.fold(SearchResult::default(), |mut all, part| {
-            all.add(part, self.spec.top + SPARE);
+            all.add(part);
             all
         })
-    }
-
-    /// Why a muscle does not fit, by a model; `None` where it does.
-    pub(super) fn reason(&self, muscle: &Muscle, build: &Build<'_>) -> Option<Reason> {
-        match probe(self.spec, build, muscle) {
-            Ok(probe) => {
-                let worst = *probe.worst().filter(|c| c.excess() > 0.0)?;
-                Some(Reason::Limit(worst))
-            }
-            Err(error) => Some(Reason::Model(error)),
-        }
     }
 }
 

@@ -97,6 +97,8 @@ impl Limits {
 pub struct Spec {
     /// What the muscle must do.
     pub wanted: Demand,
+    /// Muscles side by side that share the requirement; `wanted` is that of one.
+    pub count: u32,
     /// What the supply gives, in MPa.
     pub max_pressure_mpa: f64,
     /// Liquid that fills the muscle; air where there is none.
@@ -145,6 +147,7 @@ impl Spec {
         let base = Muscle::prototype();
         Self {
             wanted: points.into(),
+            count: 1,
             max_pressure_mpa,
             liquid: None,
             tubes: vec![],

@@ -38,6 +38,18 @@ pub enum Below {
     Unanswered(f64),
 }
 
+impl Below {
+    /// Why more is not allowed, with pressures written by `show`.
+    pub fn describe(&self, show: impl Fn(f64) -> String) -> String {
+        match self {
+            Self::Failure(by, at_mpa) => format!("more is not allowed, because {by} at {}", show(*at_mpa)),
+            Self::Rated => "its fittings are rated for no more".into(),
+            Self::Strained => "there its strands are stretched to their limit".into(),
+            Self::Unanswered(up_to_mpa) => format!("no model answers beyond {}", show(*up_to_mpa)),
+        }
+    }
+}
+
 /// Halvings towards the pressure at which strands are strained to their limit.
 const HALVINGS: usize = 40;
 /// The pressure of a pull that is guaranteed is known to this share of the highest.
@@ -66,7 +78,7 @@ impl<'a> Trial<'a> {
             };
         let burst = Burst { safety, ..found };
         let allowed = burst.allowed().map(|(mpa, by)| match by {
-            Some(by) => (mpa, Below::Failure(by, mpa * safety.of(by))),
+            Some(by) => (mpa, Below::Failure(by, mpa * safety.factor(by))),
             None => (mpa, Below::Rated),
         });
         // Where no model answers, nothing fails up to the last answer.
@@ -145,7 +157,7 @@ impl<'a> Trial<'a> {
     /// what is wanted.
     pub(super) fn need(&mut self, point: &OperatingPoint) -> Result<f64> {
         let pull_mpa = self.pull_mpa(point)?;
-        if self.spec.guaranteed.is_none() || pull_mpa >= self.highest_mpa {
+        if self.half_widths.is_none() || pull_mpa >= self.highest_mpa {
             return Ok(pull_mpa);
         }
         let max = self.highest_mpa;
@@ -155,6 +167,22 @@ impl<'a> Trial<'a> {
         };
         let root = find_root(missed, pull_mpa, max, SURE * max)?;
         Ok(root.map_or(max, |p| (p + SURE * max).min(max)))
+    }
+
+    /// The pressure at which the end of the 95 % interval of the pull is what is wanted at every point, up to the highest.
+    pub(super) fn sure_mpa(&mut self) -> Option<f64> {
+        let widths = self.half_widths.replace(self.half_widths.unwrap_or(1.0));
+        let mut needs = 0.0_f64;
+        let points = self.spec.points(self.muscle);
+        let mut all = points.iter().map(|q| {
+            let pull_n = self.strongest_n(q.contraction).ok()?;
+            let is_sure = self.sure_n(self.highest_mpa, q.contraction, pull_n) / q.force_n >= 1.0;
+            needs = needs.max(if is_sure { self.need(q).ok()? } else { return None });
+            Some(())
+        });
+        let sure = all.all(|one| one.is_some());
+        self.half_widths = widths;
+        sure.then_some(needs)
     }
 
     fn pull_mpa(&mut self, point: &OperatingPoint) -> Result<f64> {

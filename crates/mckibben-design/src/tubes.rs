@@ -22,9 +22,10 @@ pub const CAST_RUBBER: &str = "dragon-skin-30";
 const TEXT: &str = include_str!("../data/tubes.toml");
 
 /// Keys of the rows of a table.
-const KEYS: [(&str, &[&str]); 2] = [
-    ("tube", &["name", "inner", "outer", "rubber", "cast", "price", "pressure_mpa", "note", "source"]),
-    ("cast", &["bores", "walls", "rubbers", "source"]),
+const KEYS: [(&str, &str); 3] = [
+    ("tube", "name inner outer rubber cast price pressure_mpa note source"),
+    ("cast", "bores walls rubbers source"),
+    ("sleeve", mckibben::sleeve::library::KEYS),
 ];
 
 /// A tube as sold or cast.
@@ -93,6 +94,13 @@ pub fn find(tubes: &[TubePart], name: &str) -> Result<TubePart, TubeError> {
             near.map_or("; `parts list tubes` lists them".into(), |n| format!(" (did you mean {n}?)"));
         TubeError(format!("there is no tube named \"{given}\"{known}"))
     })
+}
+
+/// The tube of a bore and an outer diameter in mm, `8x12mm`, of a rubber; `None` where that is no size.
+pub fn of_size(size: &str, rubber: &str) -> Option<Result<TubePart, TubeError>> {
+    let (bore, outer) = size.trim().trim_end_matches("mm").split_once('x')?;
+    let (bore_mm, outer_mm) = (bore.trim().parse().ok()?, outer.trim().parse().ok()?);
+    Some(part((format!("{bore_mm}x{outer_mm}-{rubber}"), bore_mm, outer_mm), rubber, "its size as given"))
 }
 
 impl From<CatalogueError> for TubeError {
@@ -202,6 +210,9 @@ mod tests {
         // Of a rubber that the list leaves out.
         assert_eq!(find(all, "cast-8x12-rtv615").unwrap().rubber.name.as_deref(), Some("rtv615"));
         assert!(find(all, "cast-8x12-no-such-rubber").is_err());
+        let sized = of_size("8x12mm", "latex").unwrap().unwrap();
+        assert_eq!((sized.name.as_str(), sized.wall_mm), ("8x12-latex", 2.0));
+        assert!(of_size("latex-5x8", "latex").is_none() && of_size("12x8", "latex").unwrap().is_err());
     }
 
     #[test]

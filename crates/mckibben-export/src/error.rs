@@ -6,6 +6,8 @@ use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
 use thiserror::Error;
 
+pub(crate) type Result<T, E = ExportError> = std::result::Result<T, E>;
+
 /// Why a muscle cannot be exported.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ExportError {
@@ -15,9 +17,9 @@ pub enum ExportError {
     /// The muscle does not pull at the supply.
     #[error("the muscle does not pull at the supply of {0} MPa: there is nothing to export")]
     NoPull(f64),
-    /// The box is none.
+    /// The contractions do not bound a box.
     #[error(
-        "the contractions from {0} to {1} are no box; the lower end lies at or below zero and above -0.2, the upper one above it and below 0.5"
+        "the contractions from {0} to {1} do not bound a box; the lower end lies at or below zero and above -0.2, the upper one above it and below 0.5"
     )]
     Box(f64, f64),
     /// The model gives no volume.

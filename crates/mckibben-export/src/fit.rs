@@ -5,7 +5,7 @@
 //! would pull, and at the end of the box where its slope would let a pull return. The errors are those at other points, with slack as 0 N.
 
 use crate::form::{FUNCTIONS, functions};
-use crate::{ExportError, Form};
+use crate::{ExportError, Form, HostError, Result};
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::cancel;
 use mckibben::model::{ForceModel, Workspace};
@@ -14,18 +14,18 @@ use mckibben::threads;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
-/// The box over which a muscle is exported; what is `None` is chosen.
+/// The requested box over which a muscle is exported; where it is `None` it is chosen.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wanted {
+pub struct BoxRequest {
     /// Supply pressure, MPa.
     pub supply_mpa: f64,
-    /// Lower end in ε; `None`: [`Wanted::LOW`], or nearer to 0 where the model ends before or the form would miss it.
+    /// Lower end in ε; `None`: [`BoxRequest::LOW`], or nearer to 0 where the model ends before or the form would miss it.
     pub contraction_low: Option<f64>,
     /// Upper end in ε; `None`: the free contraction at the supply.
     pub contraction_high: Option<f64>,
 }
 
-impl Wanted {
+impl BoxRequest {
     /// The lower end of ε where none is given: 5 % longer than at rest.
     pub const LOW: f64 = -0.05;
 }
@@ -80,7 +80,7 @@ fn nodes(low: f64, high: f64) -> Vec<f64> {
     stretched.into_iter().chain(shortened).collect()
 }
 
-pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, low: f64) -> Result<Fitted, ExportError> {
+pub(crate) fn fit(model: &dyn ForceModel, wanted: BoxRequest, low: f64) -> Result<Fitted> {
     let supply = wanted.supply_mpa;
     let w = &mut Workspace::new();
     let mut evaluation = Evaluation::new(model, w, Options::extrapolating());
@@ -96,13 +96,13 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, low: f64) -> Result<Fi
     let even = |n: usize, a: f64, b: f64| (0..n).map(move |i| a + (b - a) * i as f64 / (n - 1) as f64);
     let mut contractions: Vec<f64> = even(11, low, 0.0).take(if low < 0.0 { 10 } else { 0 }).collect();
     contractions.extend(SHARES.map(|share| share * high));
-    let at = sample(model, (&PRESSURES, &contractions), supply, blocked_n)?;
+    let at = sample(model, [&PRESSURES, &contractions], supply, blocked_n)?;
     // Others for the errors: between those of the fit, where strands lock and where they become slack too.
     let mut held: Vec<f64> = even(21, low, 0.0).take(if low < 0.0 { 20 } else { 0 }).collect();
     held.extend(even(49, 0.0, high));
     let middles = PRESSURES.windows(2).map(|w| 0.5 * (w[0] + w[1]));
-    let asked: Vec<f64> = [0.0].into_iter().chain(middles).chain([1.0]).collect();
-    let held_out = sample(model, (&asked, &held), supply, blocked_n)?;
+    let between: Vec<f64> = [0.0].into_iter().chain(middles).chain([1.0]).collect();
+    let held_out = sample(model, [&between, &held], supply, blocked_n)?;
     // A muscle without pressure at its length at rest pulls nothing, unless its tube is stretched: exactly.
     let at_rest = evaluation.force_n(0.0, 0.0).is_ok_and(|f| f.abs() < 1e-6 * blocked_n);
     let mut form = Form {
@@ -123,13 +123,13 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, low: f64) -> Result<Fi
     Ok(Fitted { form, errors, blocked_n, held_out })
 }
 
-/// Asks the model, along falling pulls: behind the second point at which the muscle would push it is slack.
+/// Samples a model along falling pulls: behind the second point at which the muscle would push it is slack.
 fn sample(
     model: &dyn ForceModel,
-    (pressures, contractions): (&[f64], &[f64]),
+    [pressures, contractions]: [&[f64]; 2],
     supply_mpa: f64,
     blocked_n: f64,
-) -> Result<Vec<Sample>, ExportError> {
+) -> Result<Vec<Sample>> {
     let rows = threads::map(pressures, |&q| {
         let w = &mut Workspace::new();
         let (mut row, mut slack) = (vec![], false);
@@ -138,10 +138,10 @@ fn sample(
             if !slack {
                 cancel::check()?;
                 match model.response(w, q * supply_mpa, contraction) {
-                    Ok(found) => {
-                        slack = found.force_n < -1e-3 * blocked_n;
-                        point.pull = Some(found.force_n / blocked_n);
-                        point.volume_m3 = found.volume_mm3.map(|v| 1e-9 * v);
+                    Ok(response) => {
+                        slack = response.force_n < -1e-3 * blocked_n;
+                        point.pull = Some(response.force_n / blocked_n);
+                        point.volume_m3 = response.volume_mm3.map(|v| 1e-9 * v);
                     }
                     // What has no equilibrium without pressure, and is not stretched, has collapsed.
                     Err(_) if contraction > 0.0 && q < 0.2 => slack = true,
@@ -155,8 +155,8 @@ fn sample(
     Ok(rows.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
 }
 
-/// A cubic spline between the nodes, as a sum: powers of ε, and cubes that begin at each inner node and leave what lies between it and zero as
-/// it is. All but the first are zero at the length at rest.
+/// A cubic spline between the nodes, as a sum: powers of ε, and cubes that begin at each inner node and are zero between it and
+/// the length at rest. All but the first are zero at the length at rest.
 struct Spline {
     low: f64,
     high: f64,
@@ -168,7 +168,7 @@ impl Spline {
         4 + self.inner.len()
     }
 
-    /// What each summand is at ε, and its slope.
+    /// The value of each summand at ε, and its slope.
     fn at(&self, e: f64) -> Vec<(f64, f64)> {
         let x = e / self.high;
         let mut out: Vec<(f64, f64)> = (0..4)
@@ -183,7 +183,7 @@ impl Spline {
     }
 }
 
-/// The row of a point: what each coefficient adds to the pull, and to its slope in ε.
+/// The row of a point: the factor of each coefficient in the pull, and in its slope in ε.
 fn row(spline: &Spline, q: f64, e: f64) -> (Vec<f64>, Vec<f64>) {
     let at = spline.at(e);
     functions(q)
@@ -200,7 +200,7 @@ const BELOW: f64 = 5e-4;
 /// Weight of coefficients that the points do not determine: of those of inner nodes, and of the later functions of the pressure.
 const RIDGE: f64 = 3e-5;
 
-fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<(), ExportError> {
+fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
     let (high, n) = (form.contraction_high, form.contractions.len());
     let spline = Spline { low: form.contraction_low, high, inner: form.contractions[1..n - 1].to_vec() };
     let mut rows: Vec<(Vec<f64>, f64, f64)> = vec![];
@@ -319,8 +319,8 @@ fn free_by_pressure(at: &[Sample], high: f64) -> Vec<f64> {
     (0..=40).map(|k| at(f64::from(k) / 40.0)).collect()
 }
 
-/// v0 to v4 by what the potential leaves of the volumes.
-fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<(), ExportError> {
+/// v0 to v4 from the volumes less those of the potential.
+fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<()> {
     let known: Vec<(f64, f64)> = at
         .iter()
         .filter(|p| p.pull.is_some_and(|pull| pull >= 0.0))
@@ -349,14 +349,13 @@ fn errors(form: &Form, held_out: &[Sample], blocked_n: f64) -> FormErrors {
         }
     }
     force.sort_by(f64::total_cmp);
-    let rms = |of: &[f64]| (of.iter().map(|e| e * e).sum::<f64>() / of.len().max(1) as f64).sqrt();
-    let top = |of: &[f64]| of.iter().copied().fold(0.0, f64::max);
+    let (forces, volumes) = (HostError::from_errors(&force), HostError::from_errors(&volume));
     FormErrors {
-        force_rms: rms(&force),
+        force_rms: forces.rms,
         force_95_ratio: force.get((0.95 * force.len() as f64) as usize).copied().unwrap_or(0.0),
-        force_worst_ratio: top(&force),
-        volume_rms: rms(&volume),
-        volume_worst_ratio: top(&volume),
+        force_worst_ratio: forces.worst,
+        volume_rms: volumes.rms,
+        volume_worst_ratio: volumes.worst,
         points: force.len(),
     }
 }

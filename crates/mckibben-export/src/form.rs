@@ -15,7 +15,7 @@
 //! ```
 //!
 //! Between two of 0, 0.15, 0.45 and 1 the pull is of second degree in q, so that the pressure of a pull is a root of a quadratic equation.
-//! Outside of the box stands what the nearest point of the box has, and a status says so. For simulators each function of q and each function of ε continues
+//! Outside of the box the values are those of its nearest point, with a status. For simulators each function of q and each function of ε continues
 //! along its tangent ([`Form::beyond`]): value, slope and potential are continuous there.
 //! Where F would be negative the muscle is slack: F = 0, and V is that at its free contraction.
 
@@ -66,7 +66,7 @@ pub struct Form {
 }
 
 /// Everything at a point.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Point {
     /// Pull, N.
     pub force_n: f64,
@@ -81,6 +81,7 @@ pub struct Point {
 }
 
 /// c, dc/dε and C at a contraction, for each function of the pressure.
+#[derive(Default)]
 struct Coefficients {
     c: [f64; FUNCTIONS],
     slope: [f64; FUNCTIONS],
@@ -99,8 +100,8 @@ pub(crate) fn functions(q: f64) -> ([f64; FUNCTIONS], [f64; FUNCTIONS]) {
     (value, slope)
 }
 
-fn sum(c: &[f64; FUNCTIONS], of: &[f64; FUNCTIONS]) -> f64 {
-    c.iter().zip(of).map(|(c, f)| c * f).sum()
+fn sum(c: &[f64; FUNCTIONS], functions: &[f64; FUNCTIONS]) -> f64 {
+    c.iter().zip(functions).map(|(c, f)| c * f).sum()
 }
 
 impl Form {
@@ -122,8 +123,7 @@ impl Form {
             h * (cube - 0.5 * fourth),
             h * h * (0.25 * fourth - cube / 3.0),
         ];
-        let mut out =
-            Coefficients { c: [0.0; FUNCTIONS], slope: [0.0; FUNCTIONS], integral: [0.0; FUNCTIONS] };
+        let mut out = Coefficients::default();
         for i in 0..FUNCTIONS {
             let (a, b) = (&self.a[i], &self.b[i]);
             let here = |w: &[f64; 4]| w[0] * a[n] + w[1] * b[n] + w[2] * a[n + 1] + w[3] * b[n + 1];
@@ -152,7 +152,7 @@ impl Form {
         sum(&self.v, &functions(q).0) + self.potential_volume_m3(q, contraction)
     }
 
-    /// What the potential of the pull adds to the volume of the muscle at rest length, m³.
+    /// The part of the potential of the pull in the volume of the muscle at rest length, m³.
     pub(crate) fn potential_volume_m3(&self, q: f64, contraction: f64) -> f64 {
         self.length_m / self.supply_pa * sum(&self.coefficients(contraction).integral, &functions(q).1)
     }
@@ -177,13 +177,8 @@ impl Form {
         let status = self.outside(pressure_pa, contraction);
         if force_n <= 0.0 {
             let free = self.contraction(0.0, pressure_pa);
-            return Point {
-                force_n: 0.0,
-                stiffness_n_per_m: 0.0,
-                force_per_pressure_m2: 0.0,
-                volume_m3: self.two_sided_volume_m3(pressure_pa, free),
-                status: status | SLACK,
-            };
+            let volume_m3 = self.two_sided_volume_m3(pressure_pa, free);
+            return Point { volume_m3, status: status | SLACK, ..Point::default() };
         }
         Point {
             force_n,

@@ -14,33 +14,40 @@ mod targets;
 mod template;
 
 pub use error::ExportError;
-pub use fit::{FormErrors, Wanted};
+pub(crate) use error::Result;
+pub use fit::{BoxRequest, FormErrors};
 pub use form::{CONTRACTION_OUTSIDE, Form, OK, PRESSURE_OUTSIDE, Point, SLACK};
 pub use mckibben_io::files::{Content, File};
 pub use muscle::{ExportBox, ExportedMuscle};
 pub use targets::Target;
 
-/// What made a file.
+/// The program in the first line of a file.
 const MARK: &str = "exported by mckibben";
 
-/// What a target makes of a muscle.
+/// The files of a muscle for a target.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Artefact {
     /// The files: the one to begin with first.
     pub files: Vec<File>,
-    /// What it loses, and what a user must know, in sentences.
+    /// Losses and warnings, in sentences.
     pub notes: Vec<String>,
 }
 
-/// Root mean square and largest error of a host's own form, shares of the blocked force.
+/// Root mean square and largest error of the form of a host, shares of the blocked force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct HostError {
     pub rms: f64,
     pub worst: f64,
 }
 
+impl std::fmt::Display for HostError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{:.2} % rms, {:.2} % worst", 100.0 * self.rms, 100.0 * self.worst)
+    }
+}
+
 impl HostError {
-    fn of(errors: &[f64]) -> Self {
+    fn from_errors(errors: &[f64]) -> Self {
         let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64).sqrt();
         Self { rms, worst: errors.iter().map(|e| e.abs()).fold(0.0, f64::max) }
     }

@@ -1,7 +1,7 @@
-//! A muscle fitted for export, with all that an artefact states of it.
+//! A muscle fitted for export, with its facts for artefacts.
 
 use crate::fit::{Fitted, Sample, fit};
-use crate::{ExportError, Form, FormErrors, MARK, Wanted};
+use crate::{BoxRequest, ExportError, Form, FormErrors, MARK, Result};
 use mckibben::analysis::Evaluation;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Direction, file::to_toml};
@@ -15,7 +15,7 @@ pub struct ExportBox {
     pub supply_pressure_mpa: f64,
     /// Lower end of the contraction.
     pub contraction_low: f64,
-    /// Upper end of the contraction: the free contraction at the supply, where no other was asked for.
+    /// Upper end of the contraction: the free contraction at the supply by default.
     pub contraction_high: f64,
 }
 
@@ -50,19 +50,19 @@ pub struct ExportedMuscle {
     pub(crate) held_out: Vec<Sample>,
 }
 
-/// What is not exported: a form or a host's own that misses its model by more, share of the blocked force.
+/// The largest error of a form, or of the form of a host, against its model, share of the blocked force.
 pub(crate) const LIMIT: f64 = 0.05;
 /// The goal: 95 % of points within the first, all within the second, shares of the blocked force.
 const GOAL: [f64; 2] = [0.003, 0.01];
 
 impl ExportedMuscle {
-    /// Fits the form to a model of the muscle named so. A lower end that was not asked for lies where the model still answers and the form meets it.
-    pub fn fit(model: &dyn ForceModel, name: &str, wanted: Wanted) -> Result<Self, ExportError> {
-        let begin = Wanted::LOW.max(model.info().range.contraction.0).min(0.0);
+    /// Fits the form to a model of the muscle named so. The default of the lower end lies where the model still answers and the form is accurate.
+    pub fn fit(model: &dyn ForceModel, name: &str, wanted: BoxRequest) -> Result<Self> {
+        let begin = BoxRequest::LOW.max(model.info().range.contraction.0).min(0.0);
         Self::fit_from(wanted.contraction_low.unwrap_or(begin), model, name, wanted)
     }
 
-    fn fit_from(low: f64, model: &dyn ForceModel, name: &str, wanted: Wanted) -> Result<Self, ExportError> {
+    fn fit_from(low: f64, model: &dyn ForceModel, name: &str, wanted: BoxRequest) -> Result<Self> {
         let high = wanted.contraction_high;
         if !((-0.2..=0.0).contains(&low) && high.is_none_or(|high| high > 0.0 && high < 0.5)) {
             return Err(ExportError::Box(low, high.unwrap_or(0.0)));
@@ -112,7 +112,7 @@ impl ExportedMuscle {
         })
     }
 
-    /// What every artefact states, a line each.
+    /// The facts in every artefact, a line each.
     pub fn facts(&self) -> Vec<String> {
         let percent = |share: f64| format!("{:.2} %", 100.0 * share);
         let (e, b) = (&self.errors, &self.bounds);
@@ -147,7 +147,7 @@ impl ExportedMuscle {
         ]
     }
 
-    /// What a user must know of the fit, in sentences.
+    /// Warnings about the fit, in sentences.
     pub fn warnings(&self) -> Vec<String> {
         let e = &self.errors;
         if e.force_95_ratio <= GOAL[0] && e.force_worst_ratio <= GOAL[1] {
@@ -178,10 +178,10 @@ pub(crate) fn plain(text: &str) -> String {
 mod tests {
     #[test]
     fn no_text_ends_a_comment_or_a_string_of_a_target() {
-        let said = super::plain("x\"\"\"; import os */ int main; /* --> \\ ' ${y}\n");
+        let plain = super::plain("x\"\"\"; import os */ int main; /* --> \\ ' ${y}\n");
         assert!(
-            !said.contains(['"', '*', '/', '<', '>', '\\', '\'', '$', ';', '\n']) && !said.contains("--"),
-            "{said}"
+            !plain.contains(['"', '*', '/', '<', '>', '\\', '\'', '$', ';', '\n']) && !plain.contains("--"),
+            "{plain}"
         );
     }
 }

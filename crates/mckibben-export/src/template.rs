@@ -13,12 +13,8 @@ pub(crate) fn list(values: &[f64], [open, close]: [&str; 2], one: impl Fn(f64) -
     format!("{open}{}{close}", texts.join(", "))
 }
 
-pub(crate) fn lists(
-    values: &[Vec<f64>],
-    brackets: [&str; 2],
-    between: &str,
-    one: impl Fn(f64) -> String + Copy,
-) -> String {
+/// Rows of lists, one a line.
+pub(crate) fn lists(values: &[Vec<f64>], brackets: [&str; 2], one: impl Fn(f64) -> String + Copy) -> String {
     let rows: Vec<String> = values.iter().map(|row| list(row, brackets, one)).collect();
-    format!("{}{}{}", brackets[0], rows.join(between), brackets[1])
+    format!("{}{}{}", brackets[0], rows.join(",\n     "), brackets[1])
 }

@@ -1,12 +1,13 @@
 //! The finite-element models by name, with their mesh.
 
-use crate::FemError;
 use crate::axisymmetric::{self, Axisymmetric, MeshSpec};
 use crate::seated::with_ends;
 use crate::simulation::Simulation;
 use crate::three_dimensional::{self, BrickMesh, BrickSpec, ThreeDimensional, estimate};
-use mckibben::model::{ModelEntry, UnknownModel};
+use crate::{FemError, Result};
+use mckibben::model::{ModelEntry, unknown_model};
 use mckibben::muscle::Muscle;
+use mckibben::refused::Refused;
 use std::str::FromStr;
 
 /// Which finite elements, and how fine.
@@ -36,7 +37,7 @@ impl Elements {
     }
 
     /// With the mesh that a text says.
-    pub fn with_mesh(self, text: &str) -> Result<Self, FemError> {
+    pub fn with_mesh(self, text: &str) -> Result<Self> {
         let refused = |expected: &str| {
             let name = self.name();
             FemError::Refused(format!("\"{text}\" is not a valid mesh of {name}; expected {expected}"))
@@ -62,7 +63,7 @@ impl Elements {
     ///
     /// # Errors
     /// [`FemError::Large`], or where the numbers give no valid mesh.
-    pub fn admit(&self, muscle: &Muscle) -> Result<(), FemError> {
+    pub fn admit(&self, muscle: &Muscle) -> Result<()> {
         match self {
             Self::Axisymmetric(_) => Ok(()),
             Self::ThreeDimensional(spec) => estimate::admit(spec, muscle),
@@ -73,7 +74,7 @@ impl Elements {
     ///
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.
-    pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn Simulation>, FemError> {
+    pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn Simulation>> {
         match self {
             Self::Axisymmetric(spec) => section(muscle, spec),
             Self::ThreeDimensional(spec) => {
@@ -84,17 +85,17 @@ impl Elements {
 }
 
 /// The axisymmetric model of a muscle.
-pub fn section(muscle: &Muscle, spec: &MeshSpec) -> Result<Box<dyn Simulation>, FemError> {
+pub fn section(muscle: &Muscle, spec: &MeshSpec) -> Result<Box<dyn Simulation>> {
     Ok(with_ends(muscle, Box::new(Axisymmetric::with_mesh(&muscle.between_ends(), spec)?)))
 }
 
 impl FromStr for Elements {
-    type Err = UnknownModel;
+    type Err = Refused;
 
     /// By their name, with the usual mesh.
-    fn from_str(word: &str) -> Result<Self, UnknownModel> {
+    fn from_str(word: &str) -> Result<Self, Refused> {
         let all = [Self::Axisymmetric(MeshSpec::default()), Self::ThreeDimensional(BrickSpec::default())];
         let named = all.into_iter().find(|e| e.name() == word.trim());
-        named.ok_or_else(|| UnknownModel::new(word, Self::ENTRIES.map(|entry| entry.name).to_vec()))
+        named.ok_or_else(|| unknown_model(word, &Self::ENTRIES.map(|entry| entry.name)))
     }
 }

@@ -8,6 +8,9 @@ use mckibben::size;
 use mckibben::status::Status;
 use thiserror::Error;
 
+/// An answer, or why there is none.
+pub type Result<T, E = FemError> = std::result::Result<T, E>;
+
 /// Why there is no answer.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
@@ -28,9 +31,9 @@ pub enum FemError {
     Path {
         /// How: not converged, collapsed, or on another branch.
         status: Status,
-        /// Pressure asked for, in MPa.
+        /// Required pressure in MPa.
         pressure_mpa: f64,
-        /// Contraction asked for.
+        /// Required contraction.
         contraction: f64,
         /// Why the last step was given up.
         reason: Stopped,
@@ -55,7 +58,7 @@ pub enum FemError {
     /// No pressure or contraction gives the force.
     #[error("no equilibrium with a pull of {force_n} N was found{}", of_muscle(.reason))]
     Force {
-        /// The pull asked for in N.
+        /// Required pull in N.
         force_n: f64,
         /// Why the search ended.
         reason: Stopped,
@@ -63,13 +66,13 @@ pub enum FemError {
     /// A pull beyond all that the muscle reaches at a pressure.
     #[error("{}", out_of_reach(*.force_n, *.pressure_mpa, *.nearest_force_n, *.contraction))]
     OutOfReach {
-        /// The pull asked for in N.
+        /// Required pull in N.
         force_n: f64,
         /// Pressure in MPa.
         pressure_mpa: f64,
-        /// The nearest pull that was found, in N.
+        /// The nearest pull of an equilibrium, in N.
         nearest_force_n: f64,
-        /// Contraction at which it stands; below zero the muscle is stretched.
+        /// Contraction of that pull; below zero the muscle is stretched.
         contraction: f64,
     },
     /// The caller wanted the work to end.
@@ -126,13 +129,13 @@ fn ended(path: &FemError) -> String {
         return String::new();
     };
     let percent = |contraction: f64| (1e4 * contraction).round() / 1e2;
-    let asked = format!("at {pressure_mpa} MPa and a contraction of {} %", percent(*contraction));
+    let point = format!("at {pressure_mpa} MPa and a contraction of {} %", percent(*contraction));
     let begins = match (status, other_n) {
         (_, Some(force)) => format!(
-            "no equilibrium found on the branch of the taut muscle {asked} (one on another branch has a pull of {force:.1} N)"
+            "no equilibrium found on the branch of the taut muscle {point} (one on another branch has a pull of {force:.1} N)"
         ),
-        (Status::Collapsed, None) => format!("no equilibrium found {asked} (the tube may have collapsed)"),
-        _ => format!("no equilibrium found {asked}"),
+        (Status::Collapsed, None) => format!("no equilibrium found {point} (the tube may have collapsed)"),
+        _ => format!("no equilibrium found {point}"),
     };
     let because = of_muscle(reason);
     let (last_mpa, at) = (last.pressure_mpa, percent(last.contraction));

@@ -14,13 +14,13 @@
 //! | [`solver`] | dense, chained and sparse factorisations, Newton's method; the continuation that finds equilibria and curves |
 //! | [`axisymmetric`] | mesh, assembly, equilibrium, first guesses, the muscle as a [`ForceModel`](mckibben::model::ForceModel), sensitivities |
 //! | [`three_dimensional`] | the same muscle in bricks with single strands |
-//! | [`simulation`], [`results`] | what one asks of either, and what it answers |
+//! | [`simulation`], [`results`] | questions to either, and answers |
 //! | [`elements`] | both by name, with their mesh |
 //! | [`verification`] | cases with exact values |
 //!
 //! ```
 //! use mckibben::model::{ForceModel, Workspace};
-//! use mckibben::{muscle::Muscle, progress::Silent};
+//! use mckibben::muscle::Muscle;
 //! use mckibben_fem::axisymmetric::Axisymmetric;
 //! use mckibben_fem::simulation::{Detail, Simulation};
 //! use mckibben_fem::solver::curve::Test;
@@ -28,7 +28,7 @@
 //! let (muscle, workspace) = (Axisymmetric::new(&Muscle::prototype())?, &mut Workspace::new());
 //! let force = muscle.force_n(workspace, 0.25, 0.10)?;
 //! assert!((force - 491.43).abs() < 0.01);
-//! let curve = muscle.run(workspace, Test::Isometric(0.10), &[0.05, 0.15, 0.25], Detail::Point, &Silent);
+//! let curve = muscle.run(workspace, Test::Isometric(0.10), &[0.05, 0.15, 0.25], Detail::Point);
 //! assert_eq!(curve.iter().flatten().filter(|point| point.slack()).count(), 0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -55,6 +55,6 @@ pub mod solver;
 pub mod three_dimensional;
 pub mod verification;
 
-pub use error::FemError;
+pub use error::{FemError, Result};
 pub use seated::with_ends;
 pub use simulation::Simulation;

@@ -1,6 +1,6 @@
 //! What an equilibrium tells, whichever elements found it.
 
-use crate::FemError;
+use crate::Result;
 use crate::solver::body::Body;
 use mckibben::model::Response;
 use mckibben::muscle::Muscle;
@@ -68,7 +68,7 @@ pub(crate) fn largest_of_most(mut list: Vec<StretchOf>) -> StretchAt {
     let mut sum = 0.0;
     let mut last: Option<(f64, StretchOf)> = None;
     for s in list {
-        // A sample stands for its volume, half of which is stretched further.
+        // A sample represents its volume, half of which is stretched further.
         let share = sum + 0.5 * s.volume;
         sum += s.volume;
         if share >= beyond {
@@ -80,6 +80,46 @@ pub(crate) fn largest_of_most(mut list: Vec<StretchOf>) -> StretchAt {
         last = Some((share, s));
     }
     last.map_or(StretchAt { value: 1.0, rest_mm: [0.0; 2] }, |(_, s)| s.at)
+}
+
+/// A node of a deformed body, for pictures and files: places have `N` components, its stress `M`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FieldNode<const N: usize, const M: usize> {
+    /// Place at rest in mm.
+    pub rest_mm: [f64; N],
+    /// Place now in mm.
+    pub now_mm: [f64; N],
+    /// Stretches: λθ of a line that ran around the muscle at rest, λm of one that ran along it, the largest principal one.
+    pub stretches: [f64; 3],
+    /// Cauchy stress in MPa, with the pressure in the rubber.
+    pub stress_mpa: [f64; M],
+}
+
+/// Nodes whose stretches and stress are means over the elements that meet there.
+pub(crate) struct NodeMeans<const N: usize, const M: usize>(Vec<(FieldNode<N, M>, f64)>);
+
+impl<const N: usize, const M: usize> NodeMeans<N, M> {
+    pub(crate) fn new(count: usize) -> Self {
+        let (rest_mm, now_mm, stretches, stress_mpa) = ([0.0; N], [0.0; N], [0.0; 3], [0.0; M]);
+        Self(vec![(FieldNode { rest_mm, now_mm, stretches, stress_mpa }, 0.0); count])
+    }
+
+    /// Adds what an element gives at a node.
+    pub(crate) fn add(&mut self, node: usize, at: &FieldNode<N, M>) {
+        let (sum, count) = &mut self.0[node];
+        (sum.rest_mm, sum.now_mm, *count) = (at.rest_mm, at.now_mm, *count + 1.0);
+        let values = at.stretches.iter().chain(&at.stress_mpa);
+        sum.stretches.iter_mut().chain(&mut sum.stress_mpa).zip(values).for_each(|(sum, x)| *sum += x);
+    }
+
+    /// The nodes.
+    pub(crate) fn means(self) -> Vec<FieldNode<N, M>> {
+        let mean = |(mut node, count): (FieldNode<N, M>, f64)| {
+            node.stretches.iter_mut().chain(&mut node.stress_mpa).for_each(|x| *x /= count);
+            node
+        };
+        self.0.into_iter().map(mean).collect()
+    }
 }
 
 /// Energies of the whole muscle.
@@ -135,7 +175,7 @@ pub struct Sensitivity {
 /// A body that is a muscle: what its present equilibrium tells.
 pub trait MuscleBody: Body {
     /// Factorises the tangent; dF/dw for a displacement of one terminal in N/mm, ∂F/∂P in mm² and ∂V/∂P in mm³/MPa of the whole muscle.
-    fn derivatives(&mut self) -> Result<[f64; 3], FemError>;
+    fn derivatives(&mut self) -> Result<[f64; 3]>;
 
     /// Volume of the cavity at rest of the whole muscle, in mm³.
     fn rest_volume_mm3(&self, muscle: &Muscle) -> f64;
@@ -159,12 +199,12 @@ pub trait MuscleBody: Body {
     ///
     /// # Errors
     /// [`FemError`] where a neighbouring muscle cannot be assembled.
-    fn sensitivities(&mut self, _muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
+    fn sensitivities(&mut self, _muscle: &Muscle) -> Result<Vec<Sensitivity>> {
         Ok(vec![])
     }
 
     /// What every model answers; factorises the tangent.
-    fn response(&mut self, muscle: &Muscle) -> Result<Response, FemError> {
+    fn response(&mut self, muscle: &Muscle) -> Result<Response> {
         let [stiffness, force_per_pressure, volume_per_pressure] = self.derivatives()?;
         let (state, totals) = (self.state(), self.totals());
         let largest = self.strands(muscle).iter().map(|s| s.tension_n_per_mm).fold(0.0, f64::max);
@@ -189,7 +229,7 @@ pub trait MuscleBody: Body {
     }
 
     /// Everything; factorises the tangent.
-    fn solution(&mut self, muscle: &Muscle) -> Result<Solution, FemError> {
+    fn solution(&mut self, muscle: &Muscle) -> Result<Solution> {
         let response = self.response(muscle)?;
         let sensitivities = self.sensitivities(muscle)?;
         let (pressure, totals) = (self.state().pressure, self.totals());

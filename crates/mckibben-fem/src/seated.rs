@@ -1,24 +1,23 @@
-//! Finite elements of a muscle whose ends give way: equilibria and tests with contraction, pull and volume of the whole muscle.
+//! Finite elements of a muscle with ends that yield: equilibria and tests with contraction, pull and volume of the whole muscle.
 
-use crate::FemError;
 use crate::results::{Sensitivity, Solution};
 use crate::simulation::{Detail, Given, Simulation};
 use crate::solver::curve::{Curve, CurvePoint, Test};
-use mckibben::cancel::Cancelled;
+use crate::{FemError, Result};
+use mckibben::cancel::{self, Cancelled};
 use mckibben::model::{Response, Seated, Workspace};
 use mckibben::muscle::{EndState, Ends, InnerPull, Muscle};
-use mckibben::progress::{Progress, Silent};
 
-/// The elements themselves where nothing is said of the ends of `muscle`, else the whole muscle; `model` is of [`Muscle::between_ends`].
+/// The elements themselves where `muscle` does not describe its ends, else the whole muscle; `model` is of [`Muscle::between_ends`].
 pub fn with_ends(muscle: &Muscle, model: Box<dyn Simulation>) -> Box<dyn Simulation> {
     if muscle.ends().give() { Box::new(Seated::new(model, muscle)) } else { model }
 }
 
 type Whole = Seated<dyn Simulation>;
 
-/// An error of the muscle between its ends, which give way by `displacement_mm`, with contractions of the whole muscle.
-fn for_whole_muscle(of: &Whole, displacement_mm: f64, mut error: FemError) -> FemError {
-    let whole = |x: f64| of.ends().whole(x, displacement_mm);
+/// An error of the muscle between its ends, which are displaced by `displacement_mm`, with contractions of the whole muscle.
+fn for_whole_muscle(muscle: &Whole, displacement_mm: f64, mut error: FemError) -> FemError {
+    let whole = |x: f64| muscle.ends().whole(x, displacement_mm);
     match &mut error {
         FemError::Path { contraction, last, .. } => {
             *contraction = whole(*contraction);
@@ -33,44 +32,43 @@ fn for_whole_muscle(of: &Whole, displacement_mm: f64, mut error: FemError) -> Fe
 }
 
 /// One equilibrium of the muscle between its ends.
-fn inner(of: &Whole, w: &mut Workspace, p: f64, x: f64, detail: Detail) -> Result<CurvePoint, FemError> {
-    let points = of.inner().run(w, Test::Isometric(x), &[p], detail, &Silent);
+fn inner(muscle: &Whole, w: &mut Workspace, p: f64, x: f64, detail: Detail) -> Result<CurvePoint> {
+    let points = muscle.inner().run(w, Test::Isometric(x), &[p], detail);
     points.into_iter().next().unwrap_or(Err(FemError::Question { pressure_mpa: p, contraction: x }))
 }
 
 /// x of the ends at a pressure and a contraction of the whole.
-fn between(of: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<f64, FemError> {
-    let ends = of.ends();
+fn between(muscle: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<f64> {
+    let ends = muscle.ends();
     if ends.slip_mm_per_n == 0.0 {
         return Ok(ends.between(e, ends.seating_mm));
     }
-    let found = of.solve_ends(w, p, e, |w, x| {
-        let found = inner(of, w, p, x, Detail::Tangent);
-        let found = found.map_err(|e2| for_whole_muscle(of, ends.displacement_between_mm(e, x), e2))?;
-        let response = found.response.unwrap_or_default();
+    let state = muscle.solve_ends(w, p, e, |w, x| {
+        let point = inner(muscle, w, p, x, Detail::Tangent);
+        let point = point.map_err(|e2| for_whole_muscle(muscle, ends.displacement_between_mm(e, x), e2))?;
+        let response = point.response.unwrap_or_default();
         Ok::<_, FemError>(InnerPull {
             force_n: response.force_n,
             stiffness_n_per_mm: response.stiffness_n_per_mm.unwrap_or(0.0),
             force_per_pressure_mm2: response.force_per_pressure_mm2,
         })
     })?;
-    let found = found.ok_or(FemError::Ends { pressure_mpa: p, contraction: e })?;
-    Ok(found.between)
+    state.map(|state| state.between).ok_or(FemError::Ends { pressure_mpa: p, contraction: e })
 }
 
-/// x at which a pull is reached: the pressure and the load of the ends are found together, by secants.
-fn between_at_pull(of: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> Result<f64, FemError> {
-    let ends = of.ends();
+/// x at which a pull is reached: pressure and load of the ends are solved together, by secants.
+fn between_at_pull(muscle: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> Result<f64> {
+    let ends = muscle.ends();
     let at = |p: f64| ends.between(e, ends.end_displacement_mm(p, force_n));
     if ends.slip_mm_per_n == 0.0 {
         return Ok(at(0.0));
     }
     let mut miss = |p: f64| {
         let x = at(p);
-        let found = of.inner().reach(w, Given::ContractionAndPull { contraction: x, force_n });
-        found
-            .map(|found| found.pressure_mpa - p)
-            .map_err(|error| for_whole_muscle(of, ends.displacement_between_mm(e, x), error))
+        let reached = muscle.inner().reach(w, Given::ContractionAndPull { contraction: x, force_n });
+        reached
+            .map(|point| point.pressure_mpa - p)
+            .map_err(|error| for_whole_muscle(muscle, ends.displacement_between_mm(e, x), error))
     };
     let (mut low, mut low_miss) = (0.0, miss(0.0)?);
     let mut p = low_miss;
@@ -86,32 +84,32 @@ fn between_at_pull(of: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> Resul
     Err(FemError::Ends { pressure_mpa: p, contraction: e })
 }
 
-/// What is given of the muscle between its ends, by how much in mm these give way, and the contraction of the whole where it is given.
-fn given_between(of: &Whole, w: &mut Workspace, given: Given) -> Result<(Given, f64, Option<f64>), FemError> {
-    let ends = of.ends();
+/// What is given of the muscle between its ends, their displacement in mm, and the contraction of the whole where it is given.
+fn given_between(muscle: &Whole, w: &mut Workspace, given: Given) -> Result<(Given, f64, Option<f64>)> {
+    let ends = muscle.ends();
     Ok(match given {
         Given::PressureAndContraction { pressure_mpa, contraction: e } => {
-            let x = between(of, w, pressure_mpa, e)?;
+            let x = between(muscle, w, pressure_mpa, e)?;
             (Given::at(pressure_mpa, x), ends.displacement_between_mm(e, x), Some(e))
         }
         Given::PressureAndPull { pressure_mpa, force_n } => {
             (given, ends.end_displacement_mm(pressure_mpa, force_n), None)
         }
         Given::ContractionAndPull { contraction: e, force_n } => {
-            let x = between_at_pull(of, w, force_n, e)?;
+            let x = between_at_pull(muscle, w, force_n, e)?;
             let given = Given::ContractionAndPull { contraction: x, force_n };
             (given, ends.displacement_between_mm(e, x), Some(e))
         }
     })
 }
 
-/// A response of the muscle between its ends, and its sensitivities, as those of the whole at a contraction that was given or is found.
-fn whole(of: &Whole, asked: Option<f64>, r: Response, list: &mut [Sensitivity]) -> Response {
-    let ends = of.ends();
+/// A response of the muscle between its ends, and its sensitivities, as those of the whole at a contraction, which follows where it is not given.
+fn whole(muscle: &Whole, given: Option<f64>, r: Response, list: &mut [Sensitivity]) -> Response {
+    let ends = muscle.ends();
     let displacement = ends.end_displacement_mm(r.pressure_mpa, r.force_n);
     let state = EndState {
         pressure_mpa: r.pressure_mpa,
-        whole: asked.unwrap_or_else(|| ends.whole(r.contraction, displacement)),
+        whole: given.unwrap_or_else(|| ends.whole(r.contraction, displacement)),
         between: r.contraction,
         load_n: ends.load_n(r.pressure_mpa, r.force_n),
         stiffness_n_per_mm: r.stiffness_n_per_mm.unwrap_or(0.0),
@@ -120,56 +118,48 @@ fn whole(of: &Whole, asked: Option<f64>, r: Response, list: &mut [Sensitivity]) 
     for slope in list {
         slope.force_n_per_unit = ends.slope(&state, &slope.name, slope.force_n_per_unit);
     }
-    of.whole(&state, r)
+    muscle.whole(&state, r)
 }
 
 /// A point of the muscle between its ends as one of the whole.
-fn whole_point(of: &Whole, asked: Option<f64>, mut point: CurvePoint) -> CurvePoint {
-    let ends = of.ends();
+fn whole_point(muscle: &Whole, given: Option<f64>, mut point: CurvePoint) -> CurvePoint {
+    let ends = muscle.ends();
     let slip_mm = ends.slip_mm_per_n * ends.load_n(point.pressure_mpa, point.force_n);
-    let contraction = asked.unwrap_or_else(|| ends.whole(point.contraction, ends.seating_mm + slip_mm));
-    point.response = point.response.map(|r| whole(of, asked, r, &mut point.sensitivities));
+    let contraction = given.unwrap_or_else(|| ends.whole(point.contraction, ends.seating_mm + slip_mm));
+    point.response = point.response.map(|r| whole(muscle, given, r, &mut point.sensitivities));
     let volume_mm3 = point.volume_mm3 + ends.bore_mm2() * slip_mm;
     CurvePoint { contraction, volume_mm3, ..point }
 }
 
 impl Simulation for Whole {
-    fn solve(&self, workspace: &mut Workspace, given: Given) -> Result<Solution, FemError> {
-        let (given, displacement, asked) = given_between(self, workspace, given)?;
-        let found = self.inner().solve(workspace, given);
-        let mut found = found.map_err(|error| for_whole_muscle(self, displacement, error))?;
-        found.response = whole(self, asked, found.response, &mut found.sensitivities);
-        let ends = self.ends();
-        let load_n = ends.load_n(found.response.pressure_mpa, found.response.force_n);
+    fn solve(&self, workspace: &mut Workspace, given: Given) -> Result<Solution> {
+        let (given, displacement, e) = given_between(self, workspace, given)?;
+        let solved = self.inner().solve(workspace, given);
+        let mut solution = solved.map_err(|error| for_whole_muscle(self, displacement, error))?;
+        solution.response = whole(self, e, solution.response, &mut solution.sensitivities);
+        let (ends, r) = (self.ends(), &solution.response);
+        let load_n = ends.load_n(r.pressure_mpa, r.force_n);
         let slip_mm = ends.slip_mm_per_n * load_n;
-        found.energies.ends_n_mm = 0.5 * slip_mm * load_n;
-        found.energies.pressure_n_mm += found.response.pressure_mpa * ends.bore_mm2() * slip_mm;
-        Ok(found)
+        solution.energies.ends_n_mm = 0.5 * slip_mm * load_n;
+        solution.energies.pressure_n_mm += r.pressure_mpa * ends.bore_mm2() * slip_mm;
+        Ok(solution)
     }
 
-    fn reach(&self, workspace: &mut Workspace, given: Given) -> Result<CurvePoint, FemError> {
-        let (given, displacement, asked) = given_between(self, workspace, given)?;
-        let found = self.inner().reach(workspace, given);
-        let found = found.map_err(|error| for_whole_muscle(self, displacement, error))?;
-        let contraction = asked.unwrap_or_else(|| self.ends().whole(found.contraction, displacement));
-        Ok(whole_point(self, Some(contraction), found))
+    fn reach(&self, workspace: &mut Workspace, given: Given) -> Result<CurvePoint> {
+        let (given, displacement, e) = given_between(self, workspace, given)?;
+        let reached = self.inner().reach(workspace, given);
+        let point = reached.map_err(|error| for_whole_muscle(self, displacement, error))?;
+        let e = e.unwrap_or_else(|| self.ends().whole(point.contraction, displacement));
+        Ok(whole_point(self, Some(e), point))
     }
 
-    fn run(
-        &self,
-        workspace: &mut Workspace,
-        test: Test,
-        values: &[f64],
-        detail: Detail,
-        progress: &dyn Progress,
-    ) -> Curve {
+    fn run(&self, workspace: &mut Workspace, test: Test, values: &[f64], detail: Detail) -> Curve {
         let ends = self.ends();
         if ends.slip_mm_per_n > 0.0 && !matches!(test, Test::Isotonic(_)) {
-            // Each with an end state of its own: in the order of the test, as the elements go from one to the next.
+            // Each with its end state: in the order of the test, as the elements go from one to the next.
             let mut out: Curve = vec![Err(Cancelled.into()); values.len()];
-            for (turn, i) in test.order(values).into_iter().enumerate() {
-                progress.report(turn, values.len());
-                if progress.cancelled() {
+            for i in test.order(values) {
+                if cancel::check().is_err() {
                     break;
                 }
                 let (p, e) = match test {
@@ -191,15 +181,15 @@ impl Simulation for Whole {
                 test
             }
         };
-        let asked = |i: usize| match test {
+        let whole = |i: usize| match test {
             Test::Isotonic(_) => None,
             Test::Isometric(e) => Some(e),
             Test::Isobaric(_) => values.get(i).copied(),
         };
-        let points = self.inner().run(workspace, between, &at, detail, progress);
-        let one = |(i, found): (usize, Result<CurvePoint, FemError>)| {
-            let found = found.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
-            Ok(whole_point(self, asked(i), found))
+        let points = self.inner().run(workspace, between, &at, detail);
+        let one = |(i, point): (usize, Result<CurvePoint>)| {
+            let point = point.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
+            Ok(whole_point(self, whole(i), point))
         };
         points.into_iter().enumerate().map(one).collect()
     }

@@ -1,4 +1,4 @@
-//! The lanes of the processor, in an executable of its own: their limit is that of a whole process.
+//! The lanes of the processor, in a separate executable: their limit is that of a whole process.
 
 #![allow(clippy::unwrap_used)]
 
@@ -11,7 +11,7 @@ use mckibben_fem::three_dimensional::{BrickSpec, ThreeDimensional};
 
 /// The prototype, and a thin one of another law.
 fn muscles() -> [Muscle; 2] {
-    let yeoh = Rubber::of(Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: -0.0007, c30_mpa: 2e-5 }));
+    let yeoh = Rubber::new(Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: -0.0007, c30_mpa: 2e-5 }));
     let prototype = Muscle::prototype();
     let tube = prototype.with_section(20.0, 1.0).unwrap().tube().clone();
     [prototype.clone(), prototype.with_tube(mckibben::muscle::Tube { rubber: yeoh, ..tube }).unwrap()]
@@ -27,7 +27,7 @@ fn answers(model: &dyn ForceModel) -> Vec<f64> {
 }
 
 /// Without fused products the axisymmetric elements give the same bits on any processor; the bricks, whose products are
-/// fused in wide lanes, the same to rounding. Wider lanes than this processor has are not asked.
+/// fused in wide lanes, the same to rounding. Wider lanes than this processor has are not tried.
 #[test]
 fn every_width_gives_the_same_answers() {
     let spec = BrickSpec::parse("1x4").unwrap();

@@ -1,4 +1,4 @@
-//! Constants found from tests, and models held against tests of McKibben muscles.
+//! Constants from tests, and models compared with tests of McKibben muscles.
 //!
 //! | part | what it does |
 //! |---|---|

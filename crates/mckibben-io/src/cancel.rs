@@ -35,7 +35,7 @@ impl Cancel {
     }
 
     /// Makes this the flag of the work that this thread does, until what is returned is dropped.
-    #[must_use = "the flag is left where this is dropped"]
+    #[must_use = "the flag ends where this is dropped"]
     pub fn enter(&self) -> Entered {
         let before = CURRENT.replace(Some(self.clone()));
         Entered { before, of_this_thread: PhantomData }

@@ -37,7 +37,7 @@ pub fn markdown(text: &str) -> String {
         .fold(line(text), |text, (part, entity)| text.replace(part, entity))
 }
 
-/// JSON in HTML: what would end a script, or is not seen, is escaped. It can only stand in a text, where this means the same.
+/// JSON in HTML: what would end a script, or is not seen, is escaped. It occurs only in a text, where this means the same.
 pub fn json(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

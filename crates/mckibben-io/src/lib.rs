@@ -12,3 +12,13 @@ pub mod parquet;
 pub mod table;
 pub mod template;
 pub mod units;
+
+use serde::Deserialize;
+use serde::de::IntoDeserializer;
+use serde::de::value::{Error, StrDeserializer};
+
+/// The value that serde writes as a word, such as a variant of an enum.
+pub fn named<'w, T: Deserialize<'w>>(word: &'w str) -> Option<T> {
+    let word: StrDeserializer<'w, Error> = word.into_deserializer();
+    T::deserialize(word).ok()
+}

@@ -1,7 +1,7 @@
 //! Texts with places for values: `@{key}`.
 
-/// A template with its values. A line with `@{facts}` is repeated for each of the facts, with what is left of it in front; one that begins
-/// with `@{key?}` stands only where the key has a value.
+/// A template with its values. A line with `@{facts}` is repeated for each of the facts, with the text in front of it; one that begins
+/// with `@{key?}` remains only where the key has a value.
 pub fn render(template: &str, facts: &[String], values: &[(&str, String)]) -> String {
     let mut out = String::with_capacity(2 * template.len());
     for line in template.lines() {

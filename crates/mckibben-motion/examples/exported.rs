@@ -1,4 +1,4 @@
-//! A motion with everything in it as JSON, for `checks/motion.py`, which integrates the same equations on its own.
+//! A motion with everything in it as JSON, for `checks/motion.py`, which integrates the same equations independently.
 
 use mckibben::load::Load;
 use mckibben::model::Ideal;
@@ -25,11 +25,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut actuated = Actuated::new(&model, Actuator::Valve(valve));
     actuated.fluid =
         Fluid::Air(Air { heat: Heat::Conductance(0.2), dead_volume_mm3: 10e3, ..Air::default() });
-    actuated.friction = Some(Hysteresis::of(&friction, None));
+    actuated.friction = Some(Hysteresis::new(&friction, None));
     let command = Command::Steps(vec![(0.0, 0.1), (0.1, 0.3), (0.6, 0.15)]);
     let mut drive = Drive::new(&load, vec![actuated], Target::Pressure(vec![command]), 1.0);
     drive.output_step_s = 0.01;
-    drive.tolerance.relative = 1e-11;
+    drive.tolerance = 1e-11;
     let motion = run(&drive, &Silent)?;
     writeln!(std::io::stdout(), "{}", serde_json::to_string(&motion)?)?;
     Ok(())

@@ -1,6 +1,6 @@
 //! Named valves.
 
-use crate::{MotionError, Orifice, Valve};
+use crate::{MotionError, Orifice, Result, Valve};
 use mckibben::catalogue::{Catalogue, CatalogueError, Row};
 use mckibben::nearest::nearest;
 use mckibben::units::{Dimension, parse_quantity};
@@ -29,7 +29,7 @@ static VALVES: LazyLock<Vec<NamedValve>> =
 
 /// C in L/(s bar) of a standard nominal flow in l/min: the flow from 6 bar to 5 bar gauge (VDI 3290), p1 = 7.01325 bar, at the critical
 /// ratio b, in litres at the reference of ISO 8778: Q = C p1 ψ(6.01325/7.01325).
-pub fn conductance_of_rated_flow(litres_per_minute: f64, critical_ratio: f64) -> Result<f64, MotionError> {
+pub fn conductance_of_rated_flow(litres_per_minute: f64, critical_ratio: f64) -> Result<f64> {
     MotionError::positive("the rated flow in l/min", litres_per_minute)?;
     let one = Orifice::new(1.0, critical_ratio)?;
     let flow = one.flow((0.701_325, 293.15), (0.601_325, 293.15)).mass_g_per_s;
@@ -58,7 +58,7 @@ impl std::str::FromStr for Valve {
     type Err = MotionError;
 
     /// A valve by its name, or by its sonic conductance such as `0.5 L/(s bar)`.
-    fn from_str(text: &str) -> Result<Self, MotionError> {
+    fn from_str(text: &str) -> Result<Self> {
         let text = text.trim();
         if text.starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == '-') {
             let conductance = parse_quantity(text, Dimension::Conductance);

@@ -1,6 +1,6 @@
 //! What is commanded over time.
 
-use crate::{MotionError, error::within};
+use crate::{MotionError, Result, error::within};
 use std::f64::consts::TAU;
 
 /// A value over time: pressure in MPa, opening, or position.
@@ -57,14 +57,14 @@ impl Command {
     ///
     /// # Errors
     /// [`MotionError::Refused`] where times do not grow strictly or a number is not finite.
-    pub fn table(points: Vec<(f64, f64)>) -> Result<Self, MotionError> {
+    pub fn table(points: Vec<(f64, f64)>) -> Result<Self> {
         let table = Self::Ramps(points);
         table.check()?;
         Ok(table)
     }
 
     /// Whether it is a command.
-    pub fn check(&self) -> Result<(), MotionError> {
+    pub fn check(&self) -> Result<()> {
         let refused =
             |what: &str, value, must| MotionError::value(&format!("the command's {what}"), value, must);
         let finite = |what: &str, value: f64| {
@@ -166,7 +166,7 @@ impl Command {
         }
     }
 
-    pub(crate) fn check_bounds(&self, what: &'static str, low: f64, high: f64) -> Result<(), MotionError> {
+    pub(crate) fn check_bounds(&self, what: &'static str, low: f64, high: f64) -> Result<()> {
         let (least, most) = self.bounds();
         within(what, least, low, high)?;
         within(what, most, low, high)

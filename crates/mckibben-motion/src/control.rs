@@ -1,7 +1,7 @@
 //! The position controller.
 
 use crate::state::ControllerState;
-use crate::{MotionError, error::within};
+use crate::{Result, error::within};
 
 /// What the controller commands.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +42,7 @@ pub struct Pid {
 }
 
 impl Pid {
-    pub(crate) fn check(&self) -> Result<(), MotionError> {
+    pub(crate) fn check(&self) -> Result<()> {
         within("the controller's proportional gain", self.proportional, 0.0, 1e9)?;
         within("the controller's integral gain", self.integral_per_s, 0.0, 1e9)?;
         within("the controller's derivative gain", self.derivative_s, 0.0, 1e9)?;
@@ -59,12 +59,12 @@ impl Pid {
         &self,
         command: f64,
         position: f64,
-        own: ControllerState,
+        state: ControllerState,
         limits: (f64, f64),
     ) -> Control {
         let error = command - position;
-        let filtered = (position - own.filtered) / self.filter_s;
-        let wanted = self.proportional * error + own.integral - self.derivative_s * filtered;
+        let filtered = (position - state.filtered) / self.filter_s;
+        let wanted = self.proportional * error + state.integral - self.derivative_s * filtered;
         let output = wanted.max(limits.0).min(limits.1);
         let integral = self.integral_per_s * error + (output - wanted) / self.tracking_s;
         Control { output, rates: ControllerState { integral, filtered } }

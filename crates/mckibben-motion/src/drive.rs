@@ -2,7 +2,7 @@
 
 use crate::{
     ATMOSPHERE_MPA, Command, Fluid, Heat, Hose, Hysteresis, LiquidValve, Mechanism, MotionError, Pid,
-    PidOutput, Prony, Pump, Syringe, Valve, ValveKind, error::within,
+    PidOutput, Prony, Pump, Result, Syringe, Valve, ValveKind, error::within,
 };
 use mckibben::model::ForceModel;
 
@@ -103,7 +103,7 @@ impl<'a> Actuated<'a> {
         }
     }
 
-    /// Dead volume, hose and what is left in a syringe in mm³; `opening` is the share of the syringe that was pushed out.
+    /// Dead volume, hose and the rest in a syringe in mm³; `opening` is the share of the syringe that was pushed out.
     pub(crate) fn outside_mm3(&self, opening: Option<f64>) -> f64 {
         let syringe = match &self.actuator {
             Actuator::Syringe(syringe) => (1.0 - opening.unwrap_or(0.0)) * syringe.volume_mm3,
@@ -117,7 +117,7 @@ impl<'a> Actuated<'a> {
 /// What is commanded.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Target {
-    /// Gauge pressures in MPa, one for each muscle: by the regulator, or by the valve's own law.
+    /// Gauge pressures in MPa, one for each muscle: by the regulator, or by the law of the valve.
     Pressure(Vec<Command>),
     /// Openings of the valves, −1 … 1, one for each muscle; an on–off valve fills above ½, vents below −½ and holds between, without a
     /// closed centre fills above 0.
@@ -152,21 +152,6 @@ impl Target {
     }
 }
 
-/// How finely it is integrated.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Tolerance {
-    /// Relative tolerance; absolute ones are this share of a scale of each quantity (1 % of the stroke, 0.1 MPa, 10 N, 1 J, …).
-    pub relative: f64,
-    /// Steps after which it gives up.
-    pub steps: usize,
-}
-
-impl Default for Tolerance {
-    fn default() -> Self {
-        Self { relative: 1e-6, steps: 1_000_000 }
-    }
-}
-
 /// A mechanism, its muscles, what is commanded, and for how long.
 #[derive(Clone)]
 pub struct Drive<'a> {
@@ -182,8 +167,10 @@ pub struct Drive<'a> {
     pub until_s: f64,
     /// Time between two points of the series in s.
     pub output_step_s: f64,
-    /// How finely it is integrated.
-    pub tolerance: Tolerance,
+    /// Relative tolerance of the integration; absolute ones are this share of a scale of each quantity (1 % of the stroke, 0.1 MPa, 10 N, 1 J, …).
+    pub tolerance: f64,
+    /// Most steps of the integration.
+    pub most_steps: usize,
     /// The coordinate at the start in mm or rad, at rest; without it, the equilibrium at the first command.
     pub initial_coordinate: Option<f64>,
     /// A generalised force from outside that opposes growing q: in N (q in mm) or N mm (q in rad).
@@ -205,7 +192,8 @@ impl<'a> Drive<'a> {
             target,
             until_s,
             output_step_s: until_s / 1000.0,
-            tolerance: Tolerance::default(),
+            tolerance: 1e-6,
+            most_steps: 1_000_000,
             initial_coordinate: None,
             outside_force: 0.0,
         }
@@ -222,7 +210,7 @@ impl<'a> Drive<'a> {
     }
 
     /// Whether it can be run.
-    pub fn check(&self) -> Result<(), MotionError> {
+    pub fn check(&self) -> Result<()> {
         let n = self.mechanism.muscles();
         let count = |given: usize, what| {
             MotionError::require(given == n, || {
@@ -240,7 +228,7 @@ impl<'a> Drive<'a> {
         if let Some(q) = self.initial_coordinate {
             within("the coordinate at the start", q, -1e9, 1e9)?;
         }
-        within("the tolerance", self.tolerance.relative, 1e-12, 1e-2)?;
+        within("the tolerance", self.tolerance, 1e-12, 1e-2)?;
         self.target.commands().iter().try_for_each(Command::check)?;
         match &self.target {
             Target::Pressure(commands) => {
@@ -301,7 +289,7 @@ impl<'a> Drive<'a> {
 }
 
 impl Actuated<'_> {
-    fn check(&self) -> Result<(), MotionError> {
+    fn check(&self) -> Result<()> {
         within("the wall's temperature in K", self.fluid.medium().wall_temperature_k(), 50.0, 2000.0)?;
         // Up to 1000 m³.
         within("the dead volume in mm³", self.fluid.medium().dead_volume_mm3(), 0.0, 1e12)?;

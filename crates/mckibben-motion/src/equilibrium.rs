@@ -1,9 +1,8 @@
 //! Where a drive rests.
 
-use crate::events::switches;
 use crate::state::State;
 use crate::system::{Switch, System};
-use crate::{ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Target, ValveKind, error::within};
+use crate::{ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Result, Target, ValveKind, error::within};
 use mckibben::analysis::find_root;
 use mckibben::model::ModelError;
 
@@ -20,13 +19,13 @@ pub struct Equilibrium {
 
 /// Where a drive rests under given gauge pressures: the first equilibrium from the position of unshortened muscles on, in the
 /// direction of the net force.
-pub fn equilibrium(drive: &Drive<'_>, pressures_mpa: &[f64]) -> Result<Equilibrium, MotionError> {
+pub fn equilibrium(drive: &Drive<'_>, pressures_mpa: &[f64]) -> Result<Equilibrium> {
     System::new(drive)?.at_pressures(pressures_mpa)
 }
 
 impl System<'_> {
     /// Static net force at q: pulls less load. A muscle that would have to push is slack, also where its model has no answer for it.
-    fn net(&self, pressures: &[f64], q: f64) -> Result<f64, MotionError> {
+    fn net(&self, pressures: &[f64], q: f64) -> Result<f64> {
         let mut sum = -self.drive.load(q);
         for (i, (member, p)) in self.members.iter().zip(pressures).enumerate() {
             let lever = self.drive.mechanism.lever(i, q);
@@ -42,59 +41,59 @@ impl System<'_> {
     }
 
     /// The equilibrium under gauge pressures in MPa.
-    pub fn at_pressures(&self, pressures: &[f64]) -> Result<Equilibrium, MotionError> {
+    pub fn at_pressures(&self, pressures: &[f64]) -> Result<Equilibrium> {
         let drive = self.drive;
         let (low, high) = drive.mechanism.stops();
         let lever = drive.mechanism.lever(0, 0.0);
         let stride = 0.01 / lever.per_coordinate.abs().max(1e-9);
-        let found = |coordinate: f64, stop: Option<f64>| Equilibrium {
+        let equilibrium = |coordinate: f64, stop: Option<f64>| Equilibrium {
             coordinate,
             pressures_mpa: pressures.to_vec(),
             stop,
         };
         let mut q = 0.0_f64.max(low).min(high);
         let mut before = self.net(pressures, q)?;
-        // Rounding about a muscle without pressure at its own length is no force.
-        let nothing = 1e-9 / lever.per_coordinate.abs().max(1e-9);
-        if before.abs() <= nothing && (q == low || q == high) {
-            return Ok(found(q, Some(if q == low { -1.0 } else { 1.0 })));
+        // Rounding about a muscle without pressure at its rest length is no force.
+        let negligible = 1e-9 / lever.per_coordinate.abs().max(1e-9);
+        if before.abs() <= negligible && (q == low || q == high) {
+            return Ok(equilibrium(q, Some(if q == low { -1.0 } else { 1.0 })));
         }
-        let way = before.signum();
+        let direction = before.signum();
         // Steps of a hundredth of the contraction, up to one and a half.
         for _ in 0..150 {
-            if way > 0.0 && q >= high || way < 0.0 && q <= low {
-                return Ok(found(q, Some(way)));
+            if direction > 0.0 && q >= high || direction < 0.0 && q <= low {
+                return Ok(equilibrium(q, Some(direction)));
             }
-            let next = (q + way * stride).max(low).min(high);
+            let next = (q + direction * stride).max(low).min(high);
             let after = match self.net(pressures, next) {
                 Ok(after) => after,
                 Err(MotionError::Cancelled(e)) => return Err(e.into()),
                 Err(_) => return Err(MotionError::no_equilibrium(q, before)),
             };
-            if after * way <= 0.0 {
+            if after * direction <= 0.0 {
                 let root = find_root(|x| self.net(pressures, x), q, next, 1e-12 * stride)?;
                 let none = MotionError::no_equilibrium(q, before);
-                return root.map(|coordinate| found(coordinate, None)).ok_or(none);
+                return root.map(|coordinate| equilibrium(coordinate, None)).ok_or(none);
             }
             (q, before) = (next, after);
         }
         Err(MotionError::no_equilibrium(q, before))
     }
 
-    /// The stop on which a net force holds the load; forces below `nothing` are none.
-    fn stop(&self, q: f64, net: f64, nothing: f64) -> Option<f64> {
+    /// The stop on which a net force holds the load; forces below `negligible` are none.
+    fn stop(&self, q: f64, net: f64, negligible: f64) -> Option<f64> {
         let (low, high) = self.drive.mechanism.stops();
-        let side = if q <= low && net <= nothing { -1.0 } else { 1.0 };
-        (side < 0.0 || q >= high && net >= -nothing).then_some(side)
+        let side = if q <= low && net <= negligible { -1.0 } else { 1.0 };
+        (side < 0.0 || q >= high && net >= -negligible).then_some(side)
     }
 
     /// The equilibrium at the first command.
-    fn at_start(&self) -> Result<Equilibrium, MotionError> {
+    fn at_start(&self) -> Result<Equilibrium> {
         let drive = self.drive;
         let supply = drive.supply.pressure_mpa;
         let given = |pressures: Vec<f64>| -> Vec<f64> {
-            let own = drive.muscles.iter().map(|m| m.initial_pressure_mpa);
-            own.zip(pressures).map(|(own, p)| own.unwrap_or(p)).collect()
+            let stated = drive.muscles.iter().map(|m| m.initial_pressure_mpa);
+            stated.zip(pressures).map(|(stated, p)| stated.unwrap_or(p)).collect()
         };
         let at_rest = |pressures: Vec<f64>| match drive.initial_coordinate {
             Some(coordinate) => {
@@ -144,18 +143,18 @@ impl System<'_> {
             _ => find_root(at, least, most, 1e-14)?.unwrap_or(least),
         };
         let pressures_mpa = given(pressures(u));
-        let left = self.net(&pressures_mpa, q)?;
-        let nothing = 1e-6 / drive.mechanism.lever(0, q).per_coordinate.abs().max(1e-9);
-        let stop = self.stop(q, left, nothing);
-        let is_balanced = left.abs() <= nothing || drive.initial_coordinate.is_some();
+        let imbalance = self.net(&pressures_mpa, q)?;
+        let negligible = 1e-6 / drive.mechanism.lever(0, q).per_coordinate.abs().max(1e-9);
+        let stop = self.stop(q, imbalance, negligible);
+        let is_balanced = imbalance.abs() <= negligible || drive.initial_coordinate.is_some();
         if stop.is_none() && !is_balanced {
-            return Err(MotionError::no_equilibrium(q, left));
+            return Err(MotionError::no_equilibrium(q, imbalance));
         }
         Ok(Equilibrium { coordinate: drive.initial_coordinate.unwrap_or(q), pressures_mpa, stop })
     }
 
     /// The state at rest at the start, with the modes that belong to it.
-    pub fn initial_state(&self) -> Result<State, MotionError> {
+    pub fn initial_state(&self) -> Result<State> {
         let drive = self.drive;
         for member in &self.members {
             let info = member.muscle.model.info();
@@ -174,7 +173,7 @@ impl System<'_> {
         let mut modes = self.modes.borrow_mut();
         modes.stop = start.stop;
         let parts = self.members.iter().zip(&mut state.muscles).zip(&mut modes.muscles);
-        for (i, ((member, own), mode)) in parts.enumerate() {
+        for (i, ((member, now), mode)) in parts.enumerate() {
             let muscle = member.muscle;
             let p = start.pressures_mpa.get(i).copied().unwrap_or(0.0);
             let contraction = drive.mechanism.lever(i, start.coordinate).contraction;
@@ -184,27 +183,28 @@ impl System<'_> {
             };
             let at = member.at(mode.slack, p, contraction);
             let at = at.map_err(|error| MotionError::model(error, 0.0, i, p, contraction))?;
-            let volume = at.volume_mm3.value + muscle.outside_mm3(own.opening);
-            own.absolute_mpa = p + ATMOSPHERE_MPA;
-            own.mass_g = muscle.fluid.medium().mass_g(own.absolute_mpa, volume);
-            own.branches_n.fill(member.wall_n(p, &at));
+            let volume = at.volume_mm3.value + muscle.outside_mm3(now.opening);
+            now.absolute_mpa = p + ATMOSPHERE_MPA;
+            now.mass_g = muscle.fluid.medium().mass_g(now.absolute_mpa, volume);
+            now.branches_n.fill(member.wall_n(p, &at));
             let first = match &drive.target {
                 Target::Pressure(c) => c.get(i).map(|c| c.value(0.0)),
                 _ => None,
             };
-            mode.switch = match (switches(&muscle.actuator), first) {
-                (Some((_, true)), _) | (None, _) => Switch::Hold,
-                (Some((h, false)), Some(first)) if first >= drive.supply.pressure_mpa - h => Switch::Fill,
-                (Some((_, false)), _) => Switch::Vent,
+            let full = |h: f64| first.is_some_and(|first| first >= drive.supply.pressure_mpa - h);
+            mode.switch = match muscle.actuator.kind() {
+                Some(ValveKind::OnOff { closed_centre: false, hysteresis_mpa: h }) if full(h) => Switch::Fill,
+                Some(ValveKind::OnOff { closed_centre: false, .. }) => Switch::Vent,
+                _ => Switch::Hold,
             };
-            if let (Some(opening), Target::Opening(c)) = (&mut own.opening, &drive.target) {
+            if let (Some(opening), Target::Opening(c)) = (&mut now.opening, &drive.target) {
                 *opening = c.get(i).map_or(0.0, |c| c.value(0.0));
             }
         }
-        if let (Some(own), Target::Position { pid, .. }) = (&mut state.controller, &drive.target) {
-            own.filtered = start.coordinate * drive.mechanism.position_per_coordinate();
+        if let (Some(controller), Target::Position { pid, .. }) = (&mut state.controller, &drive.target) {
+            controller.filtered = start.coordinate * drive.mechanism.position_per_coordinate();
             if let PidOutput::Pressure { bias_mpa } = pid.output {
-                own.integral =
+                controller.integral =
                     self.turns(0) * (start.pressures_mpa.first().copied().unwrap_or(0.0) - bias_mpa);
             }
         }

@@ -6,6 +6,9 @@ use mckibben::muscle::MuscleError;
 use mckibben::size::TooLarge;
 use thiserror::Error;
 
+/// A motion, or why there is none.
+pub type Result<T, E = MotionError> = std::result::Result<T, E>;
+
 /// Why a motion was refused, or ended early.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MotionError {
@@ -23,16 +26,10 @@ pub enum MotionError {
     NoAnswer(String),
     /// The load never leaves its stop.
     #[error(
-        "the load is never lifted: the largest net force from the stop was {net} (N, or N mm about a joint) at {time_s} s, at most {pressure_mpa} MPa; raise the pressure, take a larger muscle or a smaller load"
+        "the load is never lifted: the largest net force from the stop was {net} (N, or N mm about a joint) at {time_s} s, at most {pressure_mpa} MPa; raise the pressure, take a larger muscle or a smaller load",
+        net = .0.net, time_s = .0.time_s, pressure_mpa = .0.pressure_mpa
     )]
-    NeverLifted {
-        /// The largest net force away from the stop (negative).
-        net: f64,
-        /// When it was.
-        time_s: f64,
-        /// The largest pressure there was, in MPa.
-        pressure_mpa: f64,
-    },
+    NeverLifted(OnStop),
     /// A model has no answer on the way.
     #[error(
         "the motion ends at {time_s} s, muscle {muscle} at {pressure_mpa} MPa and contraction {contraction}: {error}"
@@ -49,7 +46,7 @@ pub enum MotionError {
         /// The model's reason.
         error: Box<ModelError>,
     },
-    /// Not a number, without bounds, steps that go to nothing, too many of them, or events without time in between: when, and what was found.
+    /// Not a number, without bounds, steps that go to nothing, too many of them, or events without time in between: when, and the values.
     #[error("{0}")]
     Diverged(String),
     /// The caller wanted the work to end.
@@ -58,6 +55,17 @@ pub enum MotionError {
     /// More points than are allowed.
     #[error(transparent)]
     Large(#[from] TooLarge),
+}
+
+/// The largest net force off a stop, while a load lies on it from the start on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OnStop {
+    /// The net force away from the stop (negative).
+    pub net: f64,
+    /// When it was, in s.
+    pub time_s: f64,
+    /// Gauge pressure of the first muscle there, in MPa.
+    pub pressure_mpa: f64,
 }
 
 impl MotionError {
@@ -77,7 +85,7 @@ impl MotionError {
         }
     }
 
-    /// That what was found at a time has no bounds.
+    /// That there is no equilibrium at the start.
     pub(crate) fn no_equilibrium(position: f64, net: f64) -> Self {
         Self::NoAnswer(format!(
             "no equilibrium at the start: at a position of {position} the net force is {net} (N, or N mm about a joint), and it does not change its sign up to there; change the load or the first command, or give a stop"
@@ -109,7 +117,7 @@ impl MotionError {
     }
 }
 
-pub(crate) fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<(), MotionError> {
+pub(crate) fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<()> {
     if value >= low && value <= high {
         return Ok(());
     }

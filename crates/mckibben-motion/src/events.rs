@@ -2,7 +2,7 @@
 
 use crate::state::State;
 use crate::system::{Point, Switch, System};
-use crate::{Actuator, MotionError, Target, ValveKind};
+use crate::{Result, Target, ValveKind};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -70,8 +70,8 @@ impl System<'_> {
         1e-6 * self.scale.velocity
     }
 
-    /// All guards at a time, with their functions; those that ask a model only where `all`.
-    pub fn guards(&self, t: f64, state: &State, all: bool) -> Result<Vec<(Guard, f64)>, MotionError> {
+    /// All guards at a time, with their functions; those that need a model only where `all`.
+    pub fn guards(&self, t: f64, state: &State, all: bool) -> Result<Vec<(Guard, f64)>> {
         let mut guards = vec![];
         let modes = self.modes.borrow();
         let (q, v) = (state.coordinate, state.velocity);
@@ -89,12 +89,10 @@ impl System<'_> {
             }
         }
         let needed = all
-            || self.drive.muscles.iter().any(|m| switches(&m.actuator).is_some())
+            || self.drive.muscles.iter().any(|m| matches!(m.actuator.kind(), Some(ValveKind::OnOff { .. })))
                 && !matches!(self.drive.target, Target::Pressure(_));
-        drop(modes);
         // Signals of the valves follow from the state alone where the command is a pressure.
         let point = if needed { self.point(t, state)? } else { Point::default() };
-        let modes = self.modes.borrow();
         if all {
             if let Some(side) = modes.stop.filter(|_| !mechanism.is_held()) {
                 guards.push((Guard::Release, side * point.net + self.nothing()));
@@ -108,16 +106,18 @@ impl System<'_> {
             }
         }
         let parts = self.drive.muscles.iter().zip(&state.muscles).zip(&modes.muscles);
-        for (i, ((m, own), mode)) in parts.enumerate() {
-            let Some((hysteresis, closed_centre)) = switches(&m.actuator) else { continue };
+        for (i, ((m, now), mode)) in parts.enumerate() {
+            let Some(ValveKind::OnOff { hysteresis_mpa: on, closed_centre }) = m.actuator.kind() else {
+                continue;
+            };
             let signal = match point.muscles.get(i) {
                 Some(p) => p.signal,
-                None => self.command(t, i, None) - own.gauge_mpa(),
+                None => self.command(t, i, None) - now.gauge_mpa(),
             };
             let is_pressure = self.drive.target.is_pressure();
             let (on, off) = match (is_pressure, closed_centre) {
-                (true, true) => (hysteresis, 0.0),
-                (true, false) => (hysteresis, -hysteresis),
+                (true, true) => (on, 0.0),
+                (true, false) => (on, -on),
                 (false, true) => (0.5, 0.5),
                 (false, false) => (SIGNAL, 0.0),
             };
@@ -154,7 +154,7 @@ impl System<'_> {
     }
 
     /// Goes over to the other side of a kink.
-    pub fn apply_event(&self, t: f64, state: &mut State, guard: Guard) -> Result<Event, MotionError> {
+    pub fn apply_event(&self, t: f64, state: &mut State, guard: Guard) -> Result<Event> {
         let mut event = Event { time_s: t, kind: EventKind::Lifted, muscle: 0, lost_j: 0.0 };
         let mut modes = self.modes.borrow_mut();
         match guard {
@@ -194,10 +194,4 @@ impl System<'_> {
         }
         Ok(event)
     }
-}
-
-/// Hysteresis and closed centre of an on–off valve.
-pub(crate) fn switches(actuator: &Actuator) -> Option<(f64, bool)> {
-    let ValveKind::OnOff { hysteresis_mpa, closed_centre } = actuator.kind()? else { return None };
-    Some((hysteresis_mpa, closed_centre))
 }

@@ -23,14 +23,14 @@ impl System<'_> {
     /// What the controller does, where there is one.
     pub fn control(&self, t: f64, state: &State) -> Option<Control> {
         let Target::Position { command, pid } = &self.drive.target else { return None };
-        let own = state.controller?;
+        let controller = state.controller?;
         let limits = match pid.output {
             PidOutput::Opening => (-1.0, 1.0),
             PidOutput::Pressure { bias_mpa } => (-bias_mpa, self.drive.supply.pressure_mpa - bias_mpa),
         };
         let wanted = command.value_within(t, self.within.get()) + self.offset.get();
         let position = state.coordinate * self.drive.mechanism.position_per_coordinate();
-        Some(pid.step(wanted, position, own, limits))
+        Some(pid.step(wanted, position, controller, limits))
     }
 
     /// The command of a muscle: a pressure in MPa, or else an opening or a volume.
@@ -61,7 +61,7 @@ impl System<'_> {
     pub fn flows(
         &self,
         actuated: &Actuated<'_>,
-        own: &MuscleState,
+        now: &MuscleState,
         command: f64,
         mode: &Mode,
         cavity: &Cavity,
@@ -70,7 +70,7 @@ impl System<'_> {
         let error = command + ATMOSPHERE_MPA - cavity.absolute_mpa;
         let kind = match (&actuated.actuator, actuated.actuator.kind()) {
             (Actuator::Syringe(syringe), _) => {
-                let opening = own.opening.unwrap_or(0.0);
+                let opening = now.opening.unwrap_or(0.0);
                 let opening_rate = (command / syringe.volume_mm3 - opening) / syringe.time_constant_s;
                 let piston_mm3_per_s = opening_rate * syringe.volume_mm3;
                 let swept_mm3_per_s = cavity.swept_mm3_per_s - piston_mm3_per_s;
@@ -100,7 +100,7 @@ impl System<'_> {
                 wanted.clamp(-1.0, 1.0)
             }
         };
-        let (opening, opening_rate) = match (own.opening, kind) {
+        let (opening, opening_rate) = match (now.opening, kind) {
             (Some(o), ValveKind::Proportional { time_constant_s, .. }) => (o, (wanted - o) / time_constant_s),
             _ => (wanted, 0.0),
         };

@@ -1,6 +1,6 @@
 //! Friction of the braid that does not depend on the speed.
 
-use crate::{MotionError, error::within};
+use crate::{MotionError, Result, error::within};
 use mckibben::muscle::{Friction, Presliding};
 
 /// Friction of the braid with its history.
@@ -23,25 +23,25 @@ pub struct Hysteresis {
 }
 
 /// Whether lengths are above zero, and shares sum to 1.
-pub(crate) fn check(presliding: &Presliding) -> Result<(), MotionError> {
+pub(crate) fn check(presliding: &Presliding) -> Result<()> {
     for element in &presliding.0 {
         within("the friction's presliding length in mm", element.length_mm, 1e-6, 1e6)?;
         within("the share of a presliding length", element.share, 0.0, 1.0)?;
     }
     let sum = presliding.0.iter().fold(0.0, |sum, element| sum + element.share);
-    let whole = (sum - 1.0).abs() <= 1e-9;
+    let is_one = (sum - 1.0).abs() <= 1e-9;
     let what = "the sum of the shares of the presliding lengths";
-    if whole { Ok(()) } else { Err(MotionError::value(what, sum, "1")) }
+    if is_one { Ok(()) } else { Err(MotionError::value(what, sum, "1")) }
 }
 
 impl Hysteresis {
     /// The muscle's friction, with the presliding of a drive or else of the muscle.
-    pub fn of(friction: &Friction, presliding: Option<&Presliding>) -> Self {
+    pub fn new(friction: &Friction, presliding: Option<&Presliding>) -> Self {
         let presliding = presliding.cloned().unwrap_or_else(|| friction.presliding());
         Self { level: *friction, presliding }
     }
 
-    pub(crate) fn check(&self) -> Result<(), MotionError> {
+    pub(crate) fn check(&self) -> Result<()> {
         within("the friction's coefficient in N/MPa^β", self.level.coefficient, 0.0, 1e9)?;
         within("the friction's exponent", self.level.exponent, 0.0, 10.0)?;
         within("the friction's lever in mm", self.level.lever_mm, 0.0, 1e6)?;

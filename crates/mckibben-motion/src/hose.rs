@@ -1,6 +1,6 @@
 //! A hose between valve and muscle.
 
-use crate::{LINEAR_SHARE, MotionError, Orifice, error::within};
+use crate::{LINEAR_SHARE, Orifice, Result, error::within};
 use std::f64::consts::PI;
 
 /// A smooth hose as a restriction and a volume, without the time that pressure waves take (3 ms a metre).
@@ -24,7 +24,7 @@ impl Hose {
     ///
     /// # Errors
     /// [`MotionError::Refused`] unless the inner diameter is from 0.1 to 500 mm and the length from 0.1 mm to 1 km.
-    pub fn new(inner_diameter_mm: f64, length_mm: f64) -> Result<Self, MotionError> {
+    pub fn new(inner_diameter_mm: f64, length_mm: f64) -> Result<Self> {
         within("the hose's inner diameter in mm", inner_diameter_mm, 0.1, 500.0)?;
         within("the hose's length in mm", length_mm, 0.1, 1e6)?;
         Ok(Self { inner_diameter_mm, length_mm })

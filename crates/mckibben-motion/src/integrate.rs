@@ -16,7 +16,7 @@ use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use differential_equations::status::Status;
 use std::cell::RefCell;
 
-/// Why the library takes no step; what it says itself is about its own settings.
+/// Why the library takes no step; its messages are about its settings.
 const NO_START: &str = "the integrator found no first step";
 const NO_STEP: &str = "the equations of a step cannot be solved";
 const NO_STAGE: &str = "a step has no rates at its stages";
@@ -219,10 +219,10 @@ where
     M: OrdinaryNumericalMethod<f64, [f64; N]> + Interpolation<f64, [f64; N]>,
 {
     fn step(&mut self, equations: &dyn Equations, end: f64) -> Result<bool, String> {
-        let left = end - self.method.t();
-        // A last step is not left over that would be a thousandth of this one.
-        if self.method.h() > 0.999 * left {
-            self.method.set_h(left);
+        let remaining = end - self.method.t();
+        // No last step is as short as a thousandth of this one.
+        if self.method.h() > 0.999 * remaining {
+            self.method.set_h(remaining);
         }
         self.method.set_status(Status::Solving);
         let padded = Padded::<N>::new(equations);

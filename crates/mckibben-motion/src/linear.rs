@@ -2,7 +2,7 @@
 
 use crate::integrate::Equations;
 use crate::system::System;
-use crate::{Drive, MotionError};
+use crate::{Drive, MotionError, Result};
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 
@@ -24,7 +24,7 @@ impl Linear {
     ///
     /// # Errors
     /// As [`crate::equilibrium`]; [`MotionError::Refused`] on a stop, or where nothing moves.
-    pub fn new(drive: &Drive<'_>) -> Result<Self, MotionError> {
+    pub fn new(drive: &Drive<'_>) -> Result<Self> {
         let not_at_rest =
             |why| MotionError::Refused(format!("there is no equilibrium about which to linearise: {why}"));
         let system = System::new(drive)?;
@@ -37,8 +37,8 @@ impl Linear {
             return Err(not_at_rest("the mechanism is held"));
         }
         let n = system.core();
-        let rates = |y: &[f64]| -> Result<Vec<f64>, MotionError> {
-            let mut rates = system.point(0.0, &system.layout.state(y)?)?.rates.to_vec();
+        let rates = |y: &[f64]| -> Result<Vec<f64>> {
+            let mut rates = system.point(0.0, &system.layout.state(y))?.rates.to_vec();
             rates.truncate(n);
             Ok(rates)
         };

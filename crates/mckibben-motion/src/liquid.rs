@@ -2,7 +2,7 @@
 
 use crate::air::Cavity;
 use crate::fluid::Medium;
-use crate::{ATMOSPHERE_MPA, Flow, Hose, MotionError, ValveKind, error::within};
+use crate::{ATMOSPHERE_MPA, Flow, Hose, Result, ValveKind, error::within};
 use mckibben::analysis::find_root;
 use mckibben::liquid::Liquid;
 use std::f64::consts::PI;
@@ -28,7 +28,7 @@ const VAPOUR_MPA: f64 = 2.3e-3;
 /// V̇_s  speed of the syringe's piston times its area, mm³/s
 /// ```
 ///
-/// The temperature is constant, and so is the pressure from the valve to the muscle's far end: the inertia of the liquid in the line is left out, which
+/// The temperature is constant, and so is the pressure from the valve to the muscle's far end: the inertia of the liquid in the line is omitted, which
 /// makes a line of length L and section A swing with the muscle at a period of 2π √(ρ L V_P/A). Source: \[merritt1967\], ch. 3.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LiquidFill {
@@ -56,7 +56,7 @@ impl LiquidFill {
     }
 
     /// V_P + N c(P) in mm³/MPa.
-    fn gives_way(&self, cavity: &Cavity) -> f64 {
+    fn compliance_mm3_per_mpa(&self, cavity: &Cavity) -> f64 {
         let gauge = cavity.absolute_mpa - ATMOSPHERE_MPA;
         let share = self.liquid.compliance_per_mpa(gauge) / self.liquid.relative_volume(gauge);
         cavity.volume_per_pressure_mm3_per_mpa + cavity.volume_mm3 * share
@@ -90,11 +90,11 @@ impl Medium for LiquidFill {
     fn pressure_rate_mpa_per_s(&self, cavity: &Cavity, flows: &[Flow]) -> f64 {
         let entering: f64 = flows.iter().map(|f| self.volume_mm3(f.mass_g_per_s)).sum();
         (entering * self.relative_volume(cavity.absolute_mpa) - cavity.swept_mm3_per_s)
-            / self.gives_way(cavity)
+            / self.compliance_mm3_per_mpa(cavity)
     }
 
     fn flow_for_rate(&self, rate_mpa_per_s: f64, cavity: &Cavity, _: f64) -> Flow {
-        let swelling = rate_mpa_per_s * self.gives_way(cavity) + cavity.swept_mm3_per_s;
+        let swelling = rate_mpa_per_s * self.compliance_mm3_per_mpa(cavity) + cavity.swept_mm3_per_s;
         self.flow(swelling / self.relative_volume(cavity.absolute_mpa))
     }
 
@@ -134,7 +134,7 @@ impl Restriction {
     ///
     /// # Errors
     /// [`MotionError::Refused`] unless 1e-3 ≤ Kv ≤ 1e10 mm³/s.
-    pub fn new(kv_mm3_per_s: f64) -> Result<Self, MotionError> {
+    pub fn new(kv_mm3_per_s: f64) -> Result<Self> {
         within("the flow coefficient in mm³/s at 1 bar", kv_mm3_per_s, 1e-3, 1e10)?;
         Ok(Self { kv_mm3_per_s })
     }
@@ -152,7 +152,7 @@ struct Losses {
 }
 
 impl Losses {
-    fn of(restriction: Option<Restriction>, share: f64, line: Option<Hose>, liquid: &Liquid) -> Self {
+    fn in_series(restriction: Option<Restriction>, share: f64, line: Option<Hose>, liquid: &Liquid) -> Self {
         let density = liquid.density_kg_per_m3 * (1.0 - liquid.gas_share);
         let mut out = Self::default();
         if let Some(r) = restriction {
@@ -167,15 +167,8 @@ impl Losses {
             out.laminar = 1e-15 * 128.0 * viscosity * l / (PI * d.powi(4));
             let speed = 4.0 / (PI * d * d);
             let reynolds = density * speed * d / viscosity;
-            out.turbulent = 0.3164
-                * reynolds.powf(-0.25)
-                * (l / d)
-                * 0.5
-                * density
-                * speed
-                * speed
-                * 1e-6
-                * 1e-9_f64.powf(1.75);
+            let blasius = 0.3164 * reynolds.powf(-0.25);
+            out.turbulent = blasius * (l / d) * 0.5 * density * speed * speed * 1e-6 * 1e-9_f64.powf(1.75);
         }
         out
     }
@@ -183,18 +176,18 @@ impl Losses {
     /// Q in mm³/s at a pressure difference in MPa, with its sign.
     fn flow(&self, difference_mpa: f64) -> f64 {
         let p = difference_mpa.abs();
-        let of = |linear: f64| {
+        let flow_with = |linear: f64| {
             let root = (linear * linear + 4.0 * self.square * p).sqrt();
             if p > 0.0 { 2.0 * p / (linear + root) } else { 0.0 }
         };
-        let laminar = of(self.linear + self.laminar);
+        let laminar = flow_with(self.linear + self.laminar);
         let pipe = |q: f64| self.turbulent * q.powf(1.75);
         let size = if pipe(laminar) <= self.laminar * laminar {
             laminar
         } else {
             // Less than the laminar flow and more than none.
-            let left = |q: f64| Ok::<f64, ()>(self.square * q * q + self.linear * q + pipe(q) - p);
-            find_root(left, 0.0, laminar, 1e-13 * laminar).ok().flatten().unwrap_or(laminar)
+            let excess = |q: f64| Ok::<f64, ()>(self.square * q * q + self.linear * q + pipe(q) - p);
+            find_root(excess, 0.0, laminar, 1e-13 * laminar).ok().flatten().unwrap_or(laminar)
         };
         size.copysign(difference_mpa)
     }
@@ -237,8 +230,8 @@ pub struct Syringe {
 impl LiquidValve {
     /// Flow in mm³/s at atmospheric pressure at an opening from −1 to 1 other than 0, in the direction of the pressure difference in MPa.
     pub(crate) fn flow(&self, opening: f64, difference_mpa: f64, liquid: &Liquid) -> f64 {
-        let way = if opening > 0.0 { self.supply } else { self.tank };
-        Losses::of(Some(way), opening.abs().min(1.0), self.line, liquid).flow(difference_mpa)
+        let restriction = if opening > 0.0 { self.supply } else { self.tank };
+        Losses::in_series(Some(restriction), opening.abs().min(1.0), self.line, liquid).flow(difference_mpa)
     }
 }
 
@@ -251,7 +244,7 @@ impl Pump {
         let band = RELIEF_SHARE * supply_mpa.max(f64::MIN_POSITIVE);
         let share = (difference_mpa.abs() / band).min(1.0) * opening.abs().min(1.0);
         let through = self.line.map_or(f64::INFINITY, |line| {
-            Losses::of(None, 1.0, Some(line), liquid).flow(difference_mpa).abs()
+            Losses::in_series(None, 1.0, Some(line), liquid).flow(difference_mpa).abs()
         });
         (share * self.flow_mm3_per_s).min(through).copysign(opening)
     }
@@ -286,7 +279,7 @@ mod tests {
     #[test]
     fn losses_of_a_line_are_those_of_darcy_and_weisbach() {
         let line = Hose::new(4.0, 1000.0).unwrap();
-        let losses = Losses::of(None, 1.0, Some(line), &water());
+        let losses = Losses::in_series(None, 1.0, Some(line), &water());
         for (q_mm3_per_s, loss_mpa) in [(3e3, 4.774648e-4), (2e4, 1.1200306e-2)] {
             let flow = losses.flow(loss_mpa);
             assert!((flow / q_mm3_per_s - 1.0).abs() < 1e-6, "{flow} {q_mm3_per_s}");
@@ -298,19 +291,19 @@ mod tests {
     /// Kv of water at 1 bar by definition, less the laminar term's 0.05 %; four times the pressure, twice the flow.
     #[test]
     fn a_flow_coefficient_is_the_flow_at_one_bar() {
-        let way = Restriction::new(1e5).unwrap();
+        let restriction = Restriction::new(1e5).unwrap();
         let water = Liquid { density_kg_per_m3: 1000.0, ..water() };
-        let flow = |p: f64| Losses::of(Some(way), 1.0, None, &water).flow(p);
+        let flow = |p: f64| Losses::in_series(Some(restriction), 1.0, None, &water).flow(p);
         assert!((flow(0.1) / 1e5 - 0.9995).abs() < 1e-6, "{}", flow(0.1));
         assert!((flow(0.4) / 2e5 - 0.99975).abs() < 1e-6);
         // With a line behind it the sum of both losses is the difference.
         let line = Hose::new(4.0, 1000.0).unwrap();
-        let both = Losses::of(Some(way), 1.0, Some(line), &water).flow(0.3);
-        let own = |l: Losses, q: f64| {
+        let both = Losses::in_series(Some(restriction), 1.0, Some(line), &water).flow(0.3);
+        let loss = |l: Losses, q: f64| {
             l.square * q * q + l.linear * q + (l.laminar * q).max(l.turbulent * q.powf(1.75))
         };
-        let sum = own(Losses::of(Some(way), 1.0, None, &water), both)
-            + own(Losses::of(None, 1.0, Some(line), &water), both);
+        let sum = loss(Losses::in_series(Some(restriction), 1.0, None, &water), both)
+            + loss(Losses::in_series(None, 1.0, Some(line), &water), both);
         assert!((sum / 0.3 - 1.0).abs() < 1e-9, "{sum}");
     }
 

@@ -1,34 +1,29 @@
-//! When an event comes: the first guard that stops to hold within a step, by its dense output.
+//! When an event comes: the first guard that fails within a step, by its dense output.
 
-use crate::MotionError;
 use crate::events::Guard;
 use crate::integrate::Stepper;
-use crate::run::{Integration, OnStop};
+use crate::run::Integration;
 use crate::state::State;
+use crate::{OnStop, Result};
 use mckibben::analysis::find_root;
 
 /// Whether the function of a guard needs an answer of a model.
-fn asks_a_model(guard: Guard) -> bool {
+fn needs_model(guard: Guard) -> bool {
     matches!(guard, Guard::Release | Guard::Slack(_) | Guard::Taut(_))
 }
 
 impl Integration<'_, '_> {
-    /// The first guard that stops to hold within the last step, which ended at `t` with `end`, and when.
-    pub fn event(
-        &mut self,
-        method: &mut dyn Stepper,
-        t: f64,
-        end: &State,
-    ) -> Result<Option<(Guard, f64)>, MotionError> {
+    /// The first guard that fails within the last step, which ended at `t` with `end`, and when.
+    pub fn event(&mut self, method: &mut dyn Stepper, t: f64, end: &State) -> Result<Option<(Guard, f64)>> {
         const INSIDE: usize = 4;
         let from = self.t;
         let mut before = from;
         for i in 1..=INSIDE {
             let time = if i == INSIDE { t } else { from + (t - from) * i as f64 / INSIDE as f64 };
-            let inside = if i == INSIDE { None } else { self.within(method, time)? };
+            let inside = if i == INSIDE { None } else { self.within(method, time) };
             let state = inside.as_ref().unwrap_or(end);
             let guards = self.system.guards(time, state, i == INSIDE)?;
-            if let (Some(on_stop), true) = (&mut self.on_stop, i == INSIDE)
+            if let Some(on_stop) = self.on_stop.as_mut().filter(|_| i == INSIDE)
                 && let Some((_, g)) = guards.iter().find(|g| g.0 == Guard::Release)
                 && -g > on_stop.net
             {
@@ -37,17 +32,17 @@ impl Integration<'_, '_> {
             let mut first: Option<(Guard, f64)> = None;
             let failing = |guards: Vec<(Guard, f64)>| guards.into_iter().filter(|(_, g)| *g < 0.0);
             for (guard, _) in failing(guards) {
-                let low = if asks_a_model(guard) { from } else { before };
+                let low = if needs_model(guard) { from } else { before };
                 let at = self.root(method, guard, (low, time))?;
                 if first.is_none_or(|f| at < f.1) {
                     first = Some((guard, at));
                 }
             }
-            // What asks a model may have come before what does not.
+            // Guards of the model may fail before the others.
             while let Some((_, at)) = first {
-                let Some(state) = self.within(method, at)? else { break };
+                let Some(state) = self.within(method, at) else { break };
                 let all = self.system.guards(at, &state, true)?;
-                let Some((guard, _)) = failing(all).find(|(g, _)| asks_a_model(*g)) else { break };
+                let Some((guard, _)) = failing(all).find(|(g, _)| needs_model(*g)) else { break };
                 let earlier = self.root(method, guard, (from, at))?;
                 if earlier >= at {
                     break;
@@ -62,16 +57,11 @@ impl Integration<'_, '_> {
         Ok(None)
     }
 
-    /// When a guard that holds at the one time and not at the other stops to hold.
-    fn root(
-        &self,
-        method: &mut dyn Stepper,
-        guard: Guard,
-        (low, high): (f64, f64),
-    ) -> Result<f64, MotionError> {
-        let function = |time: f64| -> Result<f64, MotionError> {
-            let Some(state) = self.within(method, time)? else { return Ok(0.0) };
-            let all = self.system.guards(time, &state, asks_a_model(guard))?;
+    /// When a guard fails that holds at the one time and not at the other.
+    fn root(&self, method: &mut dyn Stepper, guard: Guard, (low, high): (f64, f64)) -> Result<f64> {
+        let function = |time: f64| -> Result<f64> {
+            let Some(state) = self.within(method, time) else { return Ok(0.0) };
+            let all = self.system.guards(time, &state, needs_model(guard))?;
             Ok(all.into_iter().find(|g| g.0 == guard).map_or(0.0, |g| g.1))
         };
         Ok(find_root(function, low, high, 1e-12 * (high - self.t))?.unwrap_or(low))

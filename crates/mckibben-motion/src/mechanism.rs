@@ -1,6 +1,6 @@
 //! What the muscles move: one coordinate with inertia, load and stops.
 
-use crate::{MotionError, error::within};
+use crate::{MotionError, Result, error::within};
 use mckibben::joint::{Joint, JointSpring};
 use mckibben::load::Load;
 use mckibben::model::ForceModel;
@@ -78,7 +78,7 @@ pub trait Mechanism: Send + Sync {
     ///
     /// # Errors
     /// [`MotionError::Refused`].
-    fn check(&self) -> Result<(), MotionError>;
+    fn check(&self) -> Result<()>;
 }
 
 /// One muscle against a [`Load`]; q = x = ε L0, its shortening in mm.
@@ -154,7 +154,7 @@ impl Mechanism for SingleMuscle {
         Coordinate::Shortening { rest_length_mm: self.length_mm }
     }
 
-    fn check(&self) -> Result<(), MotionError> {
+    fn check(&self) -> Result<()> {
         MotionError::positive("the muscle's length in mm", self.length_mm)?;
         within("the added mass in kg", self.added_mass_kg, 0.0, f64::INFINITY)?;
         // From a milligram on; infinite where the ends are held.
@@ -221,7 +221,7 @@ impl Mechanism for Joint {
         (self.range_deg().0.to_radians(), self.range_deg().1.to_radians())
     }
 
-    fn check(&self) -> Result<(), MotionError> {
+    fn check(&self) -> Result<()> {
         let link = self.link();
         within("the joint's moment of inertia in kg m²", link.whole_inertia_kg_m2(), 1e-12, 1e9)?;
         within("the joint's damping in N m s/rad", link.damping_nm_s_per_rad, 0.0, 1e9)

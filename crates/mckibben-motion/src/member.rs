@@ -1,4 +1,4 @@
-//! A force model as the equations of motion ask it: both pulls and volumes with their derivatives, and the slack muscle.
+//! A force model as the equations of motion need it: both pulls and volumes with their derivatives, and the slack muscle.
 
 use crate::{Actuated, Hysteresis};
 use mckibben::analysis::{Evaluation, Options};
@@ -27,7 +27,7 @@ impl Quantity {
 pub(crate) struct Answer {
     pub force_n: Quantity,
     pub volume_mm3: Quantity,
-    /// G of the strands' contact in N/mm; 0 where nobody needs it.
+    /// G of the strands' contact in N/mm; 0 without friction of the contact.
     pub pivoting_n_per_mm: Quantity,
     /// Of a slack muscle that at which it hangs, which follows the pressure alone.
     pub contraction: Quantity,
@@ -38,14 +38,14 @@ impl Answer {
         [self.force_n, self.volume_mm3, self.pivoting_n_per_mm, self.contraction]
     }
 
-    fn of([force_n, volume_mm3, pivoting_n_per_mm, contraction]: [Quantity; 4]) -> Self {
+    fn from_quantities([force_n, volume_mm3, pivoting_n_per_mm, contraction]: [Quantity; 4]) -> Self {
         Self { force_n, volume_mm3, pivoting_n_per_mm, contraction }
     }
 
     /// The first order about the point of this answer.
     fn moved(self, p: f64, e: f64) -> Self {
         let moved = |q: Quantity| q.value + q.by_pressure * p + q.by_contraction * e;
-        Self::of(self.quantities().map(|q| Quantity { value: moved(q), ..q }))
+        Self::from_quantities(self.quantities().map(|q| Quantity { value: moved(q), ..q }))
     }
 }
 
@@ -59,7 +59,7 @@ pub(crate) enum Substitute {
     Moment(Answer),
     /// About a pressure and contraction: first order.
     Near(f64, f64, Answer),
-    /// The same about the nearest question that was asked last.
+    /// The same about the nearest of the last points.
     Nearest,
 }
 
@@ -70,7 +70,7 @@ impl Substitute {
         let cubic = |x: f64, k: f64, y: f64, l: f64| {
             x * r * r * (1.0 + 2.0 * s) + y * s * s * (3.0 - 2.0 * s) + h * (k * s * r * r - l * s * s * r)
         };
-        Self::Moment(Answer::of(std::array::from_fn(|i| {
+        Self::Moment(Answer::from_quantities(std::array::from_fn(|i| {
             let ((x, k), (y, l)) = (a[i], b[i]);
             Quantity {
                 value: cubic(x.value, k, y.value, l),
@@ -89,10 +89,10 @@ const STEP: f64 = 1e-4;
 /// is made.
 const LEAST_MPA: f64 = 1e-6;
 
-/// Closer than this to where it goes slack, as a contraction, a muscle is asked itself.
+/// Closer than this to where it goes slack, as a contraction, a muscle is evaluated by its model.
 const SLACK: f64 = 1e-3;
 
-/// Questions asked last, with their answers: a step asks for its start, three stages and its end, some of them again.
+/// The last points with their answers: a step evaluates its start, three stages and its end, some of them again.
 type Kept = [Option<(f64, f64, Answer)>; 8];
 
 pub(crate) struct Member<'a> {
@@ -102,7 +102,6 @@ pub(crate) struct Member<'a> {
     near: f64,
     ideal: Ideal,
     pub memory: Memory,
-    pub asked: Cell<usize>,
     /// In place of the model, where there is one.
     pub substitute: Cell<Option<Substitute>>,
 }
@@ -137,7 +136,6 @@ impl<'a> Member<'a> {
             length_mm: shape.length_mm(),
             ideal: Ideal::new(shape),
             memory: Memory::default(),
-            asked: Cell::new(0),
             substitute: Cell::new(None),
         }
     }
@@ -157,8 +155,8 @@ impl<'a> Member<'a> {
         if slack {
             return self.slack(pressure_mpa);
         }
-        let own = Quantity { value: contraction, by_pressure: 0.0, by_contraction: 1.0 };
-        Ok(Answer { contraction: own, ..self.answer(pressure_mpa, contraction)? })
+        let contraction_here = Quantity { value: contraction, by_pressure: 0.0, by_contraction: 1.0 };
+        Ok(Answer { contraction: contraction_here, ..self.answer(pressure_mpa, contraction)? })
     }
 
     /// F and V with their derivatives.
@@ -199,14 +197,14 @@ impl<'a> Member<'a> {
         Ok(self.exact(p, contraction)?.moved(pressure_mpa - p, 0.0))
     }
 
-    /// The model's own answer at a pressure of at least [`LEAST_MPA`].
+    /// The answer of the model at a pressure of at least [`LEAST_MPA`].
     fn exact(&self, p: f64, contraction: f64) -> Result<Answer, ModelError> {
         let known =
             self.memory.kept.borrow().iter().flatten().find(|k| k.0 == p && k.1 == contraction).map(|k| k.2);
         if let Some(at) = known {
             return Ok(at);
         }
-        let at = self.ask(p, contraction)?;
+        let at = self.evaluate(p, contraction)?;
         let kept = &mut *self.memory.kept.borrow_mut();
         let place = self.memory.next.get();
         self.memory.next.set((place + 1) % kept.len());
@@ -216,9 +214,8 @@ impl<'a> Member<'a> {
         Ok(at)
     }
 
-    fn ask(&self, p: f64, e: f64) -> Result<Answer, ModelError> {
+    fn evaluate(&self, p: f64, e: f64) -> Result<Answer, ModelError> {
         let w = &mut *self.memory.workspace.borrow_mut();
-        self.asked.set(self.asked.get() + 1);
         let model = self.muscle.model;
         let not_finite = || ModelError::NotFinite {
             model: model.info().name.to_string(),
@@ -240,7 +237,7 @@ impl<'a> Member<'a> {
             let [force, volume] = [above.0.force_n - below.0.force_n, above.1 - below.1].map(|d| d / width);
             Ok([known[0].unwrap_or(force), known[1].unwrap_or(volume)])
         };
-        // At the least pressure only its own side is asked.
+        // At the least pressure the difference is one-sided.
         let low = (p - STEP_MPA).max(LEAST_MPA);
         let known = [r.force_per_pressure_mm2, r.volume_per_pressure_mm3_per_mpa];
         let by_pressure = slopes(known, (p + STEP_MPA, e), (low, e), p + STEP_MPA - low)?;
@@ -261,7 +258,7 @@ impl<'a> Member<'a> {
         if answer.quantities().into_iter().all(finite) { Ok(answer) } else { Err(not_finite()) }
     }
 
-    /// G, ∂G/∂ε and ∂G/∂P of the strands' contact, where friction needs them: G is the model's own, or else that of the infinitely long
+    /// G, ∂G/∂ε and ∂G/∂P of the strands' contact, where friction needs them: G is that of the model, or else of the infinitely long
     /// muscle; its slopes are those of the infinitely long muscle in the same proportion, by one-sided differences.
     fn pivoting(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Quantity, ModelError> {
         /// Of the pressure (relative) and the contraction.
@@ -273,10 +270,7 @@ impl<'a> Member<'a> {
         let long = self.memory.long.get_or_init(|| ThickWall::new(model.muscle()));
         let of_long = |w: &mut Workspace, p: f64, e: f64| pivoting_n_per_mm(long, w, p, e);
         let at = of_long(w, p, e);
-        let value = match model.extensions().contact {
-            Some(contact) => contact.pivoting_n_per_mm(w, p, e)?,
-            None => at.clone()?,
-        };
+        let value = model.contact_n_per_mm(w, p, e).unwrap_or_else(|| at.clone())?;
         let Some(at) = at.ok().filter(|at| *at > 0.0) else {
             return Ok(Quantity { value, ..Quantity::default() });
         };
@@ -295,7 +289,7 @@ impl<'a> Member<'a> {
         let contraction = match near {
             Some(e) => e,
             None => {
-                // Below zero where the ends give way or the sleeve is wider than the tube: it then hangs longer than at rest.
+                // Below zero where the ends slip or the sleeve is wider than the tube: it then hangs longer than at rest.
                 let options = Options { two_sided: true, ..Options::extrapolating() };
                 let (model, workspace) = (self.muscle.model, &self.memory.workspace);
                 let search = Evaluation::new(model, &mut workspace.borrow_mut(), options).free_contraction(p);

@@ -110,19 +110,19 @@ pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Pas
     ends.push(drive.until_s);
     for (&begin, &end) in starts.iter().zip(ends.iter().skip(1)) {
         let (piece, from, to) = ((begin, end), positions.at(begin), positions.at(end));
-        let way = to - from;
-        if way.abs() > 1e-9 * drive.mechanism.lever(0, 0.0).per_coordinate.abs().max(1e-9).recip() {
-            // What is less than the integration knows is none.
-            let overshoot = positions.inside(piece).map(|spot| (spot.value - to) / way).fold(0.0, f64::max);
-            let far = positions.inside(piece).filter(|spot| (spot.value - to).abs() > 0.02 * way.abs());
-            let left = far.map(|spot| spot.time).reduce(f64::max);
+        let step = to - from;
+        if step.abs() > 1e-9 * drive.mechanism.lever(0, 0.0).per_coordinate.abs().max(1e-9).recip() {
+            // Less than the error of the integration is none.
+            let overshoot = positions.inside(piece).map(|spot| (spot.value - to) / step).fold(0.0, f64::max);
+            let far = positions.inside(piece).filter(|spot| (spot.value - to).abs() > 0.02 * step.abs());
+            let outside = far.map(|spot| spot.time).reduce(f64::max);
             motion.steps.push(StepFigures {
                 time_s: begin,
                 from,
                 to,
                 rise_time_s: positions.rise_time(from, to, piece),
-                // Of the last tenth of the piece nothing can be said to have settled.
-                settling_time_s: left.filter(|t| *t < end - 0.1 * (end - begin)).map(|t| t - begin),
+                // What changes in the last tenth of the piece has not settled.
+                settling_time_s: outside.filter(|t| *t < end - 0.1 * (end - begin)).map(|t| t - begin),
                 overshoot: if overshoot < 1e-4 { 0.0 } else { overshoot },
             });
         }

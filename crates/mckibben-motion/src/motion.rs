@@ -69,18 +69,9 @@ pub struct Motion {
     /// What happened: ends of stroke, slack, valve switching, reversals.
     #[schemars(with = "Vec<serde_json::Value>")]
     pub events: Vec<Event>,
-    /// Number of evaluations of the models.
-    #[serde(skip)]
-    pub model_answers: usize,
     /// Air mass that is missing, over what flowed: 0 but for rounding.
     #[serde(skip)]
     pub mass_defect: f64,
-    /// Steps of the integrator.
-    #[serde(skip)]
-    pub integration_steps: usize,
-    /// Right-hand sides.
-    #[serde(skip)]
-    pub evaluations: usize,
     /// The load lies on its lower stop all the time though the command moves: by how much it is too heavy
     /// ([`run_as_far`](crate::run_as_far)).
     #[serde(skip)]
@@ -156,7 +147,7 @@ pub struct StepFigures {
 pub struct Energies {
     /// Enthalpy of the air from the supply; of a liquid p V and stored energy at the pressure of the muscle, of a syringe the work of its piston.
     pub enthalpy_in_j: f64,
-    /// The same of what left.
+    /// The same of the outflow.
     pub enthalpy_out_j: f64,
     /// Heat from the walls to the air.
     pub heat_j: f64,

@@ -1,6 +1,6 @@
 //! Restrictions of air after ISO 6358.
 
-use crate::{Flow, MotionError, REFERENCE_DENSITY_G_PER_L, error::within};
+use crate::{Flow, REFERENCE_DENSITY_G_PER_L, Result, error::within};
 
 /// T0 of ISO 6358 in K.
 const REFERENCE_K: f64 = 293.15;
@@ -33,7 +33,7 @@ impl Orifice {
     ///
     /// # Errors
     /// [`MotionError::Refused`] unless 1e-9 ≤ C ≤ 1e6 L/(s bar) and 0 ≤ b < 0.99.
-    pub fn new(conductance_l_per_s_bar: f64, critical_ratio: f64) -> Result<Self, MotionError> {
+    pub fn new(conductance_l_per_s_bar: f64, critical_ratio: f64) -> Result<Self> {
         within("the valve's sonic conductance in L/(s bar)", conductance_l_per_s_bar, 1e-9, 1e6)?;
         within("the valve's critical pressure ratio", critical_ratio, 0.0, 1.0 - LINEAR_SHARE - 1e-9)?;
         Ok(Self { conductance_l_per_s_bar, critical_ratio })
@@ -79,9 +79,9 @@ impl Orifice {
 pub fn in_series(orifices: &[Orifice]) -> Option<Orifice> {
     // In units of the smallest, whose cube may be none.
     let least = orifices.iter().map(|o| o.conductance_l_per_s_bar).reduce(f64::min)?;
-    let of = |o: &Orifice| if least > 0.0 { least / o.conductance_l_per_s_bar } else { 1.0 };
-    let cubes: f64 = orifices.iter().map(|o| of(o).powi(3)).sum();
-    let squares: f64 = orifices.iter().map(|o| (1.0 - o.critical_ratio) * of(o).powi(2)).sum();
+    let ratio = |o: &Orifice| if least > 0.0 { least / o.conductance_l_per_s_bar } else { 1.0 };
+    let cubes: f64 = orifices.iter().map(|o| ratio(o).powi(3)).sum();
+    let squares: f64 = orifices.iter().map(|o| (1.0 - o.critical_ratio) * ratio(o).powi(2)).sum();
     let c = cubes.powf(-1.0 / 3.0);
     Some(Orifice {
         conductance_l_per_s_bar: least * c,

@@ -7,18 +7,18 @@ use crate::metrics::{Passed, rest, step_figures};
 use crate::run::Integration;
 use crate::state::State;
 use crate::system::System;
-use crate::{ATMOSPHERE_MPA, Actuator, Coordinate, Energies, Fluid, Motion, MotionError};
+use crate::{ATMOSPHERE_MPA, Actuator, Coordinate, Energies, Fluid, Motion, MotionError, Result};
 
 impl Integration<'_, '_> {
     /// The largest speed within the last step, which ended at `t`, by its dense output: the largest of nine points, and the top of the
     /// parabola through it and its neighbours.
     pub fn fastest(&mut self, method: &mut dyn Stepper, t: f64) {
         const PIECES: usize = 8;
-        let Some(largest) = self.largest_speed.filter(|_| !self.lies()) else { return };
+        let Some(largest) = self.largest_speed.filter(|_| !self.rests()) else { return };
         let (from, width) = (self.t, t - self.t);
         let mut speed = |i: usize| {
             let at = self.within(method, from + width * i as f64 / PIECES as f64);
-            at.ok().flatten().map_or(0.0, |state| state.velocity.abs())
+            at.map_or(0.0, |state| state.velocity.abs())
         };
         let speeds: [f64; PIECES + 1] = std::array::from_fn(&mut speed);
         let of_points = speeds.iter().copied().fold(0.0, f64::max);
@@ -32,25 +32,20 @@ impl Integration<'_, '_> {
 
     /// Notes a point that was passed.
     pub fn pass_by(&mut self, time_s: f64, state: &State) {
-        let velocity = if self.lies() { 0.0 } else { state.velocity };
+        let velocity = if self.rests() { 0.0 } else { state.velocity };
         let (coordinate, gauge_mpa) = (state.coordinate, state.first_gauge_mpa());
         self.passed.push(Passed { time_s, coordinate, velocity, gauge_mpa });
     }
 
     /// The output that is due up to a time within the last step, which ended at `t`. Pull and volume between its ends are cubic in time, by
-    /// their derivatives there: as good as the dense output, and no model is asked.
-    pub fn records(
-        &mut self,
-        method: &mut dyn Stepper,
-        last: f64,
-        (t, end): (f64, &State),
-    ) -> Result<(), MotionError> {
+    /// their derivatives there: as good as the dense output, and no model is evaluated.
+    pub fn records(&mut self, method: &mut dyn Stepper, last: f64, (t, end): (f64, &State)) -> Result<()> {
         let system = self.system;
         let step = system.drive.output_step_s;
         if step * self.outputs as f64 > last {
             return Ok(());
         }
-        // At the end of the step alone: that state, with the model's own answer.
+        // At the end of the step alone: that state, with the answer of the model.
         if step * self.outputs as f64 == t {
             return self.record(t, end.clone());
         }
@@ -60,7 +55,7 @@ impl Integration<'_, '_> {
             if due > last {
                 break;
             }
-            let Some(state) = self.within(method, due)? else { break };
+            let Some(state) = self.within(method, due) else { break };
             for (member, (a, b)) in system.members.iter().zip(ends.0.iter().zip(&ends.1)) {
                 member.substitute.set(Some(Substitute::between(a, b, (due - from) / (t - from), t - from)));
             }
@@ -72,9 +67,9 @@ impl Integration<'_, '_> {
     }
 
     /// A point of the series.
-    pub fn record(&mut self, t: f64, state: State) -> Result<(), MotionError> {
+    pub fn record(&mut self, t: f64, state: State) -> Result<()> {
         self.outputs += 1;
-        let state = self.lying(state);
+        let state = self.resting(state);
         self.pass_by(t, &state);
         let point = self.system.point(t, &state)?;
         let series = &mut self.motion.series;
@@ -94,7 +89,7 @@ impl Integration<'_, '_> {
     }
 
     /// The motion, of all that was integrated.
-    pub fn end(mut self, ended: Option<MotionError>) -> Result<Motion, MotionError> {
+    pub fn end(mut self, ended: Option<MotionError>) -> Result<Motion> {
         let system = self.system;
         let drive = system.drive;
         // The very end, if no multiple of the step was it.
@@ -107,22 +102,21 @@ impl Integration<'_, '_> {
             }
         }
         let moves = drive.target.commands().iter().any(|c| c.bounds().1 > c.bounds().0);
-        if let (Some(at), true, None) = (&self.on_stop, moves, &ended) {
-            let (net, time_s, pressure_mpa) = (at.net, at.time_s, at.pressure_mpa);
-            self.motion.never_lifted = Some(MotionError::NeverLifted { net, time_s, pressure_mpa });
+        if moves && ended.is_none() {
+            self.motion.never_lifted = self.on_stop.map(MotionError::NeverLifted);
         }
         let air = match system.fluid_mj_mm3(&self.state) {
             Err(_) if ended.is_some() => self.air,
-            found => found?,
+            air => air?,
         };
         let energies = self.energies(air);
         let supplied = self.state.supplied_g();
         let mut flowed = 0.0;
         let mut missing: f64 = 0.0;
-        for (own, first) in self.state.muscles.iter().zip(&self.first.muscles) {
-            let grown = own.mass_g - first.mass_g;
-            missing = missing.max((grown - own.supplied_g + own.exhausted_g).abs());
-            flowed += own.supplied_g.abs() + own.exhausted_g.abs() + first.mass_g;
+        for (end, first) in self.state.muscles.iter().zip(&self.first.muscles) {
+            let grown = end.mass_g - first.mass_g;
+            missing = missing.max((grown - end.supplied_g + end.exhausted_g).abs());
+            flowed += end.supplied_g.abs() + end.exhausted_g.abs() + first.mass_g;
         }
         let largest_speed = self.largest_speed.unwrap_or(0.0);
         let mut motion = self.motion;
@@ -136,17 +130,14 @@ impl Integration<'_, '_> {
             motion.air_normal_litres_per_cycle =
                 cycle.as_ref().map(|c| normal_litres(supplied - c.supplied_g));
         }
-        motion.integration_steps = self.steps;
-        motion.evaluations = system.evaluations.get();
-        motion.model_answers = system.members.iter().map(|m| m.asked.get()).sum();
         let mut equilibrium = None;
         if ended.is_none() {
             // A step before an event was taken twice, the second time up to the event.
             self.passed.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
             step_figures(drive, &mut motion, &self.passed, cycle.map(|c| c.from_s));
-            let found = rest(system, &self.passed);
-            motion.end = found.map(|(end, _)| end);
-            equilibrium = found.and_then(|(_, q)| q);
+            let rest = rest(system, &self.passed);
+            motion.end = rest.map(|(end, _)| end);
+            equilibrium = rest.and_then(|(_, q)| q);
         }
         match drive.mechanism.coordinate() {
             Coordinate::Angle => {
@@ -207,8 +198,8 @@ impl System<'_> {
     /// Liquid that came from the supply in mm³ at atmospheric pressure; `None` of air.
     fn supplied_mm3(&self, state: &State) -> Option<f64> {
         let muscles = self.drive.muscles.iter().zip(&state.muscles);
-        let each = muscles.map(|(muscle, own)| match &muscle.fluid {
-            Fluid::Liquid(liquid) => Some(liquid.volume_mm3(own.supplied_g)),
+        let each = muscles.map(|(muscle, now)| match &muscle.fluid {
+            Fluid::Liquid(liquid) => Some(liquid.volume_mm3(now.supplied_g)),
             Fluid::Air(_) => None,
         });
         each.sum()
@@ -217,21 +208,21 @@ impl System<'_> {
     /// The same with what syringes have pushed out and not drawn back.
     pub fn pushed_mm3(&self, state: &State) -> Option<f64> {
         let muscles = self.drive.muscles.iter().zip(&state.muscles);
-        let pistons = muscles.map(|(muscle, own)| match &muscle.actuator {
-            Actuator::Syringe(syringe) => own.opening.unwrap_or(0.0) * syringe.volume_mm3,
+        let pistons = muscles.map(|(muscle, now)| match &muscle.actuator {
+            Actuator::Syringe(syringe) => now.opening.unwrap_or(0.0) * syringe.volume_mm3,
             _ => 0.0,
         });
         Some(self.supplied_mm3(state)? + pistons.sum::<f64>())
     }
 
     /// Internal energy of all air or liquid in mJ, and the volume of all cavities in mm³.
-    pub fn fluid_mj_mm3(&self, state: &State) -> Result<(f64, f64), MotionError> {
+    pub fn fluid_mj_mm3(&self, state: &State) -> Result<(f64, f64)> {
         let point = self.point(0.0, state)?;
         let muscles = point.muscles.iter().zip(&self.drive.muscles).zip(&state.muscles);
-        Ok(muscles.fold((0.0, 0.0), |(energy, cavities), ((m, muscle), own)| {
-            let volume = m.volume_mm3 + muscle.outside_mm3(own.opening);
-            let own = muscle.fluid.medium().internal_mj(m.pressure_mpa + ATMOSPHERE_MPA, volume);
-            (energy + own, cavities + m.volume_mm3)
+        Ok(muscles.fold((0.0, 0.0), |(energy, cavities), ((m, muscle), now)| {
+            let volume = m.volume_mm3 + muscle.outside_mm3(now.opening);
+            let stored = muscle.fluid.medium().internal_mj(m.pressure_mpa + ATMOSPHERE_MPA, volume);
+            (energy + stored, cavities + m.volume_mm3)
         }))
     }
 }

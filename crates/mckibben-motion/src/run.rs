@@ -5,7 +5,7 @@ use crate::integrate::{Stepper, stepper};
 use crate::metrics::Passed;
 use crate::state::State;
 use crate::system::System;
-use crate::{Drive, EventKind, Motion, MotionError, MotionSeries, MuscleSeries};
+use crate::{Drive, EventKind, Motion, MotionError, MotionSeries, MuscleSeries, OnStop, Result};
 use mckibben::progress::Progress;
 use mckibben::size;
 
@@ -13,7 +13,7 @@ use mckibben::size;
 ///
 /// The integration begins anew at every breakpoint of a command and at every event; events are found on the dense output between two
 /// steps and stepped to exactly. `Progress` is looked at in every step.
-pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, MotionError> {
+pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion> {
     let mut motion = run_as_far(drive, progress)?;
     match motion.ended.take().or(motion.never_lifted.take()) {
         Some(error) => Err(error),
@@ -26,24 +26,17 @@ pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, MotionE
 ///
 /// # Errors
 /// [`MotionError`] where there is nothing of it: for a drive that is none, no beginning, or more points than are allowed.
-pub fn run_as_far(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, MotionError> {
+pub fn run_as_far(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion> {
     drive.check()?;
     size::points("output_step", drive.until_s / drive.output_step_s)?;
     let system = System::new(drive)?;
     let mut integration = Integration::begin(&system, progress)?;
-    let ended = match integration.go() {
+    let ended = match integration.integrate() {
         Ok(()) => None,
         Err(error) if error.ends_early() && integration.t > 0.0 => Some(error),
         Err(error) => return Err(error),
     };
     integration.end(ended)
-}
-
-/// The largest net force off a stop, while a load lies on it from the start on.
-pub(crate) struct OnStop {
-    pub net: f64,
-    pub time_s: f64,
-    pub pressure_mpa: f64,
 }
 
 /// The last whole period of a periodic command.
@@ -65,12 +58,12 @@ pub(crate) struct Integration<'s, 'd> {
     pub outputs: usize,
     pub steps: usize,
     pub impacts_j: f64,
-    /// In mm/s or rad/s; `None` where nobody asks for it.
+    /// In mm/s or rad/s; `None` where it is not recorded.
     pub largest_speed: Option<f64>,
     /// Until the load is lifted from the stop on which it lies at the start.
     pub on_stop: Option<OnStop>,
     pub cycle: Option<Cycle>,
-    /// Everything that was passed: the ends of the steps, and the points of the series.
+    /// The ends of the steps, and the points of the series.
     pub passed: Vec<Passed>,
 }
 
@@ -79,7 +72,7 @@ const MOST_EVENTS: usize = 50;
 const SPAN_S: f64 = 1e-5;
 
 impl<'s, 'd> Integration<'s, 'd> {
-    pub fn begin(system: &'s System<'d>, progress: &'s dyn Progress) -> Result<Self, MotionError> {
+    pub fn begin(system: &'s System<'d>, progress: &'s dyn Progress) -> Result<Self> {
         let state = system.initial_state()?;
         let air = system.fluid_mj_mm3(&state)?;
         let mechanism = system.drive.mechanism;
@@ -89,7 +82,7 @@ impl<'s, 'd> Integration<'s, 'd> {
         let until = system.drive.until_s;
         let cycle = period.filter(|p| *p <= until).map(|p| Cycle { from_s: until - p, supplied_g: 0.0 });
         let series = MotionSeries {
-            of: mechanism.coordinate(),
+            kind: mechanism.coordinate(),
             liquid: system.drive.muscles.iter().any(|m| m.fluid.is_liquid()),
             muscles: vec![MuscleSeries::default(); system.members.len()],
             ..MotionSeries::default()
@@ -124,7 +117,7 @@ impl<'s, 'd> Integration<'s, 'd> {
         }
     }
 
-    fn go(&mut self) -> Result<(), MotionError> {
+    fn integrate(&mut self) -> Result<()> {
         let until = self.system.drive.until_s;
         let mut ends: Vec<f64> =
             self.system.drive.target.commands().iter().flat_map(|c| c.breakpoints()).collect();
@@ -147,7 +140,7 @@ impl<'s, 'd> Integration<'s, 'd> {
     }
 
     /// Applies the event of every guard that does not hold where we are.
-    fn apply_events(&mut self) -> Result<(), MotionError> {
+    fn apply_events(&mut self) -> Result<()> {
         loop {
             let guards = self.system.guards(self.t, &self.state, true)?;
             let Some((guard, _)) = guards.into_iter().find(|(_, g)| *g < 0.0) else { return Ok(()) };
@@ -155,7 +148,7 @@ impl<'s, 'd> Integration<'s, 'd> {
         }
     }
 
-    fn apply_event(&mut self, guard: Guard) -> Result<(), MotionError> {
+    fn apply_event(&mut self, guard: Guard) -> Result<()> {
         let event = self.system.apply_event(self.t, &mut self.state, guard)?;
         self.impacts_j += event.lost_j;
         if event.kind == EventKind::Lifted {
@@ -173,14 +166,14 @@ impl<'s, 'd> Integration<'s, 'd> {
     }
 
     /// Up to the end of a piece of the command.
-    pub fn piece(&mut self, end: f64) -> Result<(), MotionError> {
+    pub fn piece(&mut self, end: f64) -> Result<()> {
         let mut early = 0;
         while self.t < end {
             self.apply_events()?;
-            match self.smooth(end, true)? {
+            match self.advance(end, true)? {
                 Some((guard, at)) => {
                     // The step before the event again, to its very time; where dense output saw it too early, it comes again.
-                    self.smooth(at, false)?;
+                    self.advance(at, false)?;
                     let guards = self.system.guards(at, &self.state, true)?;
                     if early < 2 && guards.iter().any(|(g, value)| *g == guard && *value > 0.0) {
                         early += 1;
@@ -195,11 +188,11 @@ impl<'s, 'd> Integration<'s, 'd> {
         Ok(())
     }
 
-    /// Steps until `end`, or until a guard stops to hold; then the time and state are those of the step before, and the guard and its time
+    /// Steps until `end`, or until a guard fails; then the time and state are those of the step before, and the guard and its time
     /// come back.
-    fn smooth(&mut self, end: f64, watch: bool) -> Result<Option<(Guard, f64)>, MotionError> {
+    fn advance(&mut self, end: f64, watch: bool) -> Result<Option<(Guard, f64)>> {
         let system = self.system;
-        let relative = system.drive.tolerance.relative;
+        let relative = system.drive.tolerance;
         let begin = |t: f64, state: &State, h: Option<f64>| {
             stepper(system, (t, end), &state.to_vec(), relative, h)
                 .map_err(|what| MotionError::diverged(t, &what))
@@ -211,7 +204,7 @@ impl<'s, 'd> Integration<'s, 'd> {
         }
         let mut method = begin(self.t, &self.state, (!watch).then_some(end - self.t))?;
         while end - self.t > shortest {
-            self.pause(end)?;
+            self.check_steps(end)?;
             let tried = method.step(system, end);
             let failed = system.failed.borrow_mut().take();
             let accepted = failed.is_none() && matches!(tried, Ok(true));
@@ -239,7 +232,7 @@ impl<'s, 'd> Integration<'s, 'd> {
             if !method.state().iter().all(|v| v.is_finite()) {
                 return Err(MotionError::diverged(t, "the state is not finite"));
             }
-            let state = self.lying(system.layout.state(method.state())?);
+            let state = self.resting(system.layout.state(method.state()));
             let event = if watch { self.event(method.as_mut(), t, &state)? } else { None };
             let last = event.map_or(t, |e| e.1);
             if watch {
@@ -257,24 +250,24 @@ impl<'s, 'd> Integration<'s, 'd> {
     }
 
     /// Whether the load lies on a stop, or its ends are held.
-    pub fn lies(&self) -> bool {
+    pub fn rests(&self) -> bool {
         self.system.modes.borrow().stop.is_some() || self.system.drive.mechanism.is_held()
     }
 
-    /// What lies does not move, not even by rounding.
-    pub fn lying(&self, state: State) -> State {
-        if self.lies() { State { coordinate: self.state.coordinate, velocity: 0.0, ..state } } else { state }
+    /// The state with a load that rests on a stop held exactly.
+    pub fn resting(&self, state: State) -> State {
+        if self.rests() { State { coordinate: self.state.coordinate, velocity: 0.0, ..state } } else { state }
     }
 
     /// The state at a time within the last step.
-    pub fn within(&self, method: &mut dyn Stepper, t: f64) -> Result<Option<State>, MotionError> {
-        method.within(t).map(|numbers| self.system.layout.state(&numbers)).transpose()
+    pub fn within(&self, method: &mut dyn Stepper, t: f64) -> Option<State> {
+        method.within(t).map(|numbers| self.system.layout.state(&numbers))
     }
 
-    /// Looks whether the work is to end, before a step.
-    fn pause(&mut self, end: f64) -> Result<(), MotionError> {
+    /// Whether the work is to end, before a step.
+    fn check_steps(&mut self, end: f64) -> Result<()> {
         self.steps += 1;
-        if self.steps > self.system.drive.tolerance.steps {
+        if self.steps > self.system.drive.most_steps {
             let (time_s, steps, step_s) = (self.t, self.steps, end - self.t);
             return Err(ended_after(time_s, steps, step_s, "the limit of steps is reached"));
         }

@@ -7,7 +7,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MotionSeries {
     /// What the coordinate is.
-    pub of: Coordinate,
+    pub kind: Coordinate,
     /// Whether the muscles are filled with a liquid.
     pub liquid: bool,
     /// Times in s.
@@ -78,7 +78,7 @@ impl MotionSeries {
     /// The angle of a joint in degrees, and its speed in °/s.
     pub fn degrees(&self) -> Option<[Vec<f64>; 2]> {
         let degrees = |list: &[f64]| -> Vec<f64> { list.iter().map(|v| v.to_degrees()).collect() };
-        match self.of {
+        match self.kind {
             Coordinate::Angle => Some([degrees(&self.coordinate), degrees(&self.velocity)]),
             Coordinate::Shortening { .. } => None,
         }
@@ -86,29 +86,24 @@ impl MotionSeries {
 
     /// The names of its columns, with their units.
     pub fn names(&self) -> Vec<String> {
-        let is_joint = self.of == Coordinate::Angle;
-        let own: &[&str] =
+        let is_joint = self.kind == Coordinate::Angle;
+        let load: &[&str] =
             if is_joint { &["angle_deg", "velocity_deg_per_s"] } else { &["velocity_mm_per_s"] };
         let muscles = (0..self.muscles.len()).flat_map(|i| {
             COLUMNS.iter().map(move |column| key(column.0, is_joint.then_some(i + 1), self.liquid))
         });
-        std::iter::once(&"time_s").chain(own).map(|name| (*name).to_owned()).chain(muscles).collect()
+        std::iter::once(&"time_s").chain(load).map(|name| (*name).to_owned()).chain(muscles).collect()
     }
 
     /// How many points it has.
-    pub fn len(&self) -> usize {
+    pub fn points(&self) -> usize {
         self.time_s.len()
-    }
-
-    /// Whether nothing is recorded.
-    pub fn is_empty(&self) -> bool {
-        self.time_s.is_empty()
     }
 
     /// A point, in the order of [`MotionSeries::names`]; `None` beyond the last one.
     pub fn row(&self, i: usize) -> Option<Vec<f64>> {
         let (time, q, v) = (*self.time_s.get(i)?, *self.coordinate.get(i)?, *self.velocity.get(i)?);
-        let mut row = match self.of {
+        let mut row = match self.kind {
             Coordinate::Angle => vec![time, q.to_degrees(), v.to_degrees()],
             Coordinate::Shortening { .. } => vec![time, v],
         };
@@ -123,16 +118,16 @@ impl MotionSeries {
 
     /// Leaves so many points.
     pub fn truncate(&mut self, points: usize) {
-        let own = [&mut self.time_s, &mut self.coordinate, &mut self.velocity];
+        let load = [&mut self.time_s, &mut self.coordinate, &mut self.velocity];
         let muscles = self.muscles.iter_mut().flat_map(MuscleSeries::lists_mut);
-        own.into_iter().chain(muscles).for_each(|list| list.truncate(points));
+        load.into_iter().chain(muscles).for_each(|list| list.truncate(points));
     }
 }
 
 impl Serialize for MotionSeries {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        let rows: Vec<Vec<f64>> = (0..self.len()).filter_map(|i| self.row(i)).collect();
+        let rows: Vec<Vec<f64>> = (0..self.points()).filter_map(|i| self.row(i)).collect();
         for (i, name) in self.names().iter().enumerate() {
             let column: Vec<f64> = rows.iter().filter_map(|row| row.get(i).copied()).collect();
             map.serialize_entry(name, &column)?;
@@ -150,9 +145,9 @@ impl schemars::JsonSchema for MotionSeries {
         let list = generator.subschema_for::<Vec<f64>>();
         let maybe = generator.subschema_for::<Option<Vec<f64>>>();
         let mut properties = serde_json::Map::new();
-        let mut property = |key: &str, of: &schemars::Schema, about: &str| {
+        let mut property = |key: &str, schema: &schemars::Schema, about: &str| {
             let mut value = serde_json::Map::from_iter([("description".to_owned(), about.into())]);
-            value.extend(of.as_object().cloned().unwrap_or_default());
+            value.extend(schema.as_object().cloned().unwrap_or_default());
             properties.insert(key.into(), value.into());
         };
         property("time_s", &list, "Time, s.");

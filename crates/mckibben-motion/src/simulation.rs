@@ -4,7 +4,7 @@ use crate::member::Memory;
 use crate::run::Integration;
 use crate::state::State;
 use crate::system::{Modes, System};
-use crate::{Command, Drive, Motion, MotionError, Target};
+use crate::{Command, Drive, Motion, Result, Target};
 use mckibben::progress::Progress;
 
 /// A drive that is stepped: its state at a time, and what was recorded at the end of each step.
@@ -25,7 +25,7 @@ impl Simulation {
     ///
     /// # Errors
     /// [`MotionError`] for a drive that is none, or has no beginning.
-    pub fn new(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Self, MotionError> {
+    pub fn new(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Self> {
         let system = System::new(drive)?;
         let mut at = Integration::begin(&system, progress)?;
         system.within.set(0.5 * drive.output_step_s);
@@ -37,15 +37,15 @@ impl Simulation {
     }
 
     /// One step on. A step that fails leaves it as it was.
-    pub fn step(&mut self, drive: &Drive<'_>, progress: &dyn Progress) -> Result<(), MotionError> {
+    pub fn step(&mut self, drive: &Drive<'_>, progress: &dyn Progress) -> Result<()> {
         let (from, end) = (self.time_s(drive), drive.output_step_s * (self.done + 1) as f64);
         let mut system = System::new(drive)?;
-        system.layout.check_state(&mut self.state)?;
+        system.layout.check(&mut self.state)?;
         for (member, memory) in system.members.iter_mut().zip(std::mem::take(&mut self.memories)) {
             member.memory = memory;
         }
         *system.modes.borrow_mut() = self.modes.clone();
-        let (points, events) = (self.motion.series.len(), self.motion.events.len());
+        let (points, events) = (self.motion.series.points(), self.motion.events.len());
         let motion = std::mem::take(&mut self.motion);
         let mut at = Integration::at((&system, progress), from, self.state.clone(), motion);
         at.outputs = self.done + 1;
@@ -77,7 +77,7 @@ impl Simulation {
         &self.motion
     }
 
-    /// Another one in the same state, which goes its own way.
+    /// Another one in the same state, independent from here on.
     #[must_use]
     pub fn duplicate(&self) -> Self {
         Self {

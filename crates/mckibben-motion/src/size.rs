@@ -1,18 +1,16 @@
 //! The smallest valve that is quick enough.
 
 use crate::metrics::{changes, rise_time};
-use crate::{Actuator, Command, Drive, Motion, MotionError, Target, equilibrium, run};
+use crate::{Actuator, Command, Drive, Motion, MotionError, Result, Target, equilibrium, run};
 use mckibben::progress::Progress;
 
 /// A valve that is large enough.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sized {
+pub struct SizedValve {
     /// C of the supply path of the first valve in L/(s bar); all conductances were changed by the same factor.
     pub conductance_l_per_s_bar: f64,
     /// Rise time with it in s.
     pub rise_time_s: f64,
-    /// Runs that were made.
-    pub runs: usize,
     /// The motion with it.
     pub motion: Motion,
 }
@@ -26,7 +24,7 @@ const LARGEST: f64 = 100.0;
 /// # Errors
 /// [`MotionError::NoAnswer`] where even 100 L/(s bar) is too slow; [`MotionError::Refused`] without a step that moves it; those of
 /// [`run`].
-pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Result<Sized, MotionError> {
+pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Result<SizedValve> {
     let no_rise =
         || MotionError::Refused("the command has no rise, so that no valve can be sized by it".into());
     MotionError::positive("the rise time in s", rise_time_s)?;
@@ -38,7 +36,7 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
     MotionError::require(!drive.muscles.iter().any(|m| m.fluid.is_liquid()), || {
         "only valves of air are sized by a rise time; leave it out, and try flows of the valve or pump".into()
     })?;
-    let (Some(own), Target::Pressure(commands)) = (valve, &drive.target) else {
+    let (Some(given), Target::Pressure(commands)) = (valve, &drive.target) else {
         return Err(no_rise());
     };
     let begin = changes(drive).first().copied().ok_or_else(no_rise)?;
@@ -51,24 +49,22 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
     if from == to {
         return Err(no_rise());
     }
-    let mut runs = 0;
-    let mut rise = |c: f64| -> Result<(Option<f64>, Motion), MotionError> {
-        runs += 1;
+    let rise = |c: f64| -> Result<(Option<f64>, Motion)> {
         let mut drive = drive.clone();
         for muscle in &mut drive.muscles {
             if let Actuator::Valve(v) = &mut muscle.actuator {
-                (v.supply, v.exhaust) = (v.supply.scaled(c / own), v.exhaust.scaled(c / own));
+                (v.supply, v.exhaust) = (v.supply.scaled(c / given), v.exhaust.scaled(c / given));
             }
         }
         match run(&drive, progress) {
             Ok(motion) => Ok((rise_time(&motion, from, to, (begin, end)), motion)),
             // With a small valve the load may not be lifted in time.
-            Err(MotionError::NeverLifted { .. }) => Ok((None, Motion::default())),
+            Err(MotionError::NeverLifted(_)) => Ok((None, Motion::default())),
             Err(error) => Err(error),
         }
     };
     let met = |rise: Option<f64>| rise.is_some_and(|r| r <= rise_time_s);
-    let (mut c, mut best) = (own.min(LARGEST), None);
+    let (mut c, mut best) = (given.min(LARGEST), None);
     loop {
         let (reached_s, motion) = rise(c)?;
         if met(reached_s) {
@@ -103,5 +99,5 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
         }
     }
     let rise_time_s = reached.unwrap_or(rise_time_s);
-    Ok(Sized { conductance_l_per_s_bar: high, rise_time_s, runs, motion })
+    Ok(SizedValve { conductance_l_per_s_bar: high, rise_time_s, motion })
 }

@@ -1,6 +1,6 @@
 //! The state of a drive: what is integrated, by name. Only this file has the order in which the integrator sees it.
 
-use crate::{ATMOSPHERE_MPA, Actuator, Drive, MotionError, Target, ValveKind};
+use crate::{ATMOSPHERE_MPA, Actuator, Drive, MotionError, Result, Target, ValveKind};
 
 /// The state of one muscle, or its rates.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -77,8 +77,8 @@ impl State {
         visit(&mut self.coordinate);
         visit(&mut self.velocity);
         for m in &mut self.muscles {
-            let own = [&mut m.absolute_mpa, &mut m.mass_g].into_iter();
-            own.chain(&mut m.opening).chain(&mut m.bristles).chain(&mut m.branches_n).for_each(&mut visit);
+            let fluid = [&mut m.absolute_mpa, &mut m.mass_g].into_iter();
+            fluid.chain(&mut m.opening).chain(&mut m.bristles).chain(&mut m.branches_n).for_each(&mut visit);
         }
         if let Some(ControllerState { integral, filtered }) = &mut self.controller {
             visit(integral);
@@ -110,6 +110,18 @@ impl State {
         let mut all = Vec::with_capacity(32);
         self.clone().each(|x| all.push(*x));
         all
+    }
+
+    /// Takes its numbers from the integrator, as many as it has.
+    pub fn read(&mut self, numbers: &[f64]) {
+        let mut numbers = numbers.iter();
+        self.each(|x| numbers.by_ref().take(1).for_each(|number| *x = *number));
+    }
+
+    /// Gives its numbers to the integrator.
+    pub fn write(&mut self, numbers: &mut [f64]) {
+        let mut numbers = numbers.iter_mut();
+        self.each(|x| numbers.by_ref().take(1).for_each(|number| *number = *x));
     }
 }
 
@@ -157,42 +169,16 @@ impl Layout {
         state
     }
 
-    /// The state with these numbers.
-    ///
-    /// # Errors
-    /// [`MotionError::Refused`] where they are not as many as the state has.
-    pub fn state(&self, numbers: &[f64]) -> Result<State, MotionError> {
+    /// The state with these numbers, as many as it has.
+    pub fn state(&self, numbers: &[f64]) -> State {
         let mut state = self.zero.clone();
-        self.read(numbers, &mut state)?;
-        Ok(state)
-    }
-
-    /// The same into a state of this layout.
-    pub fn read(&self, numbers: &[f64], state: &mut State) -> Result<(), MotionError> {
-        self.check(numbers.len())?;
-        let mut numbers = numbers.iter();
-        state.each(|x| numbers.by_ref().take(1).for_each(|number| *x = *number));
-        Ok(())
-    }
-
-    /// The numbers of a state, where the integrator wants them.
-    ///
-    /// # Errors
-    /// [`MotionError::Refused`] where it has not as much room.
-    pub fn write(&self, state: &mut State, numbers: &mut [f64]) -> Result<(), MotionError> {
-        self.check(numbers.len())?;
-        let mut numbers = numbers.iter_mut();
-        let count = state.each(|x| numbers.by_ref().take(1).for_each(|number| *number = *x));
-        self.check(count)
+        state.read(numbers);
+        state
     }
 
     /// Whether a state has as many numbers.
-    pub fn check_state(&self, state: &mut State) -> Result<(), MotionError> {
-        self.check(state.each(|_| {}))
-    }
-
-    fn check(&self, given: usize) -> Result<(), MotionError> {
-        let needed = self.len;
+    pub fn check(&self, state: &mut State) -> Result<()> {
+        let (given, needed) = (state.each(|_| {}), self.len);
         MotionError::require(given == needed, || {
             format!("{given} numbers were given for a state of {needed}")
         })
@@ -220,7 +206,7 @@ mod tests {
         let kind = ValveKind::Proportional { time_constant_s: 0.01, gain_per_mpa: 20.0 };
         let valve = Valve { kind, ..Valve::new(Orifice::new(0.5, 0.3).unwrap()) };
         let muscle = Actuated {
-            friction: Some(Hysteresis::of(&Friction::power_law(1.0, 1.0), None)),
+            friction: Some(Hysteresis::new(&Friction::power_law(1.0, 1.0), None)),
             rubber: Prony(vec![Branch { share: 0.1, time_constant_s: 0.1 }; 3]),
             ..Actuated::new(&model, Actuator::Valve(valve))
         };
@@ -238,27 +224,23 @@ mod tests {
         // q, v; p, m, opening, z, three branches; two of the controller; supplied, exhausted; nine totals.
         assert_eq!((layout.core, layout.len), (2 + 7 + 2, 2 + 7 + 2 + 2 + 9));
         let numbers: Vec<f64> = (0..layout.len).map(|i| i as f64 + 0.5).collect();
-        let mut state = layout.state(&numbers).unwrap();
+        let mut state = layout.state(&numbers);
         assert_eq!((state.coordinate, state.velocity), (0.5, 1.5));
         assert_eq!((state.muscles[0].absolute_mpa, state.muscles[0].exhausted_g), (2.5, 12.5));
         assert_eq!(state.totals.positive_work, layout.len as f64 - 0.5);
         assert_eq!(state.to_vec(), numbers);
         let mut written = vec![0.0; layout.len];
-        layout.write(&mut state, &mut written).unwrap();
+        state.write(&mut written);
         assert_eq!(written, numbers);
     }
 
     #[test]
-    fn numbers_that_are_no_state_of_a_drive_are_refused() {
+    fn a_state_of_another_drive_is_refused() {
         let model = Ideal::new(&Muscle::prototype());
         let load = SingleMuscle::hanging(&model, 1.0);
         let muscle = Actuated::new(&model, Actuator::Regulator { time_constant_s: 0.1 });
         let target = Target::Pressure(vec![Command::Constant(0.1)]);
         let layout = Layout::new(&Drive::new(&load, vec![muscle], target, 1.0));
-        let short = vec![0.0; layout.len - 1];
-        assert!(matches!(layout.state(&short), Err(MotionError::Refused(_))));
-        // Rates of another drive.
-        let mut other = State::default();
-        assert!(matches!(layout.write(&mut other, &mut vec![0.0; layout.len]), Err(MotionError::Refused(_))));
+        assert!(matches!(layout.check(&mut State::default()), Err(MotionError::Refused(_))));
     }
 }

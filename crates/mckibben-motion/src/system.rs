@@ -5,7 +5,7 @@ use crate::fluid::Medium as _;
 use crate::integrate::Equations;
 use crate::member::{Answer, Member, Moment, Substitute};
 use crate::state::{ControllerState, Layout, MuscleState, State};
-use crate::{ATMOSPHERE_MPA, Drive, Fluid, MotionError, PidOutput, Target};
+use crate::{ATMOSPHERE_MPA, Actuated, Drive, Fluid, MotionError, PidOutput, Result, Target};
 use std::cell::{Cell, RefCell};
 
 /// What an on–off valve does.
@@ -75,7 +75,6 @@ pub(crate) struct System<'a> {
     /// A time within the piece of the command that holds.
     pub within: Cell<f64>,
     pub failed: RefCell<Option<MotionError>>,
-    pub evaluations: Cell<usize>,
     /// For [`Equations::rates`].
     room: RefCell<(State, Point)>,
     /// Added to the commands, for the linear system: to those of muscles that turn a joint to −, the negative.
@@ -83,10 +82,10 @@ pub(crate) struct System<'a> {
 }
 
 impl<'a> System<'a> {
-    pub fn new(drive: &'a Drive<'a>) -> Result<Self, MotionError> {
+    pub fn new(drive: &'a Drive<'a>) -> Result<Self> {
         drive.check()?;
         let members: Vec<Member<'a>> =
-            drive.muscles.iter().map(|m| Member::new(m, drive.tolerance.relative)).collect();
+            drive.muscles.iter().map(|m| Member::new(m, drive.tolerance)).collect();
         let layout = Layout::new(drive);
         let scale = sizes(drive, &members, &layout);
         let room = (layout.filled(0.0), Point::default());
@@ -101,22 +100,20 @@ impl<'a> System<'a> {
             modes: RefCell::new(modes),
             within: Cell::new(0.0),
             failed: RefCell::new(None),
-            evaluations: Cell::new(0),
             room: RefCell::new(room),
             offset: Cell::new(0.0),
         })
     }
 
     /// Quantities at a time, and the rates.
-    pub fn point(&self, t: f64, state: &State) -> Result<Point, MotionError> {
+    pub fn point(&self, t: f64, state: &State) -> Result<Point> {
         let mut point = Point::default();
         self.point_within(t, state, &mut point)?;
         Ok(point)
     }
 
     /// The same into the memory of another point.
-    fn point_within(&self, t: f64, state: &State, point: &mut Point) -> Result<(), MotionError> {
-        self.evaluations.set(self.evaluations.get() + 1);
+    fn point_within(&self, t: f64, state: &State, point: &mut Point) -> Result<()> {
         let modes = self.modes.borrow();
         let mechanism = self.drive.mechanism;
         let (q, v) = (state.coordinate, if modes.stop.is_some() { 0.0 } else { state.velocity });
@@ -125,15 +122,15 @@ impl<'a> System<'a> {
         let Point { muscles, rates, .. } = point;
         muscles.clear();
         rates.muscles.clear();
-        let own = std::mem::take(&mut rates.muscles);
-        *rates = State { muscles: own, controller: control.map(|c| c.rates), ..State::default() };
+        let room = std::mem::take(&mut rates.muscles);
+        *rates = State { muscles: room, controller: control.map(|c| c.rates), ..State::default() };
         let totals = &mut rates.totals;
         totals.atmosphere = state.totals.atmosphere.map(|_| 0.0);
         let parts = self.members.iter().zip(&state.muscles).zip(&modes.muscles);
-        for (i, ((member, own), mode)) in parts.enumerate() {
+        for (i, ((member, now), mode)) in parts.enumerate() {
             let (muscle, medium) = (member.muscle, member.muscle.fluid.medium());
             let lever = mechanism.lever(i, q);
-            let (absolute_mpa, gauge) = (own.absolute_mpa, own.gauge_mpa());
+            let (absolute_mpa, gauge) = (now.absolute_mpa, now.gauge_mpa());
             let at = member.at(mode.slack, gauge, lever.contraction);
             let at = at.map_err(|error| MotionError::model(error, t, i, gauge, lever.contraction))?;
             if medium.boils(absolute_mpa) {
@@ -144,11 +141,11 @@ impl<'a> System<'a> {
             }
             let speed = member.length_mm * lever.per_coordinate * v;
             let Answer { volume_mm3: cavity, contraction, .. } = at;
-            let volume_mm3 = cavity.value + muscle.outside_mm3(own.opening);
+            let volume_mm3 = cavity.value + muscle.outside_mm3(now.opening);
             let length = member.length_mm * (1.0 - contraction.value);
             let cavity = Cavity {
                 absolute_mpa,
-                temperature_k: medium.temperature_k(absolute_mpa, own.mass_g, volume_mm3),
+                temperature_k: medium.temperature_k(absolute_mpa, now.mass_g, volume_mm3),
                 volume_mm3,
                 volume_per_pressure_mm3_per_mpa: cavity.by_pressure
                     + cavity.by_contraction * contraction.by_pressure,
@@ -159,28 +156,20 @@ impl<'a> System<'a> {
                 },
                 area_mm2: if medium.needs_area() { cavity_area_mm2(cavity.value, length) } else { 0.0 },
             };
-            let (model_n, excess, opposing, pull) = pull(member, mode, &at, own);
+            let wall_n = if muscle.rubber.0.is_empty() { 0.0 } else { member.wall_n(gauge, &at) };
+            let [model_n, excess, opposing, pull] =
+                if mode.slack { [0.0; 4] } else { pull(muscle, &at, now, wall_n) };
             net += pull * member.length_mm * lever.per_coordinate;
 
             let command = self.command(t, i, control);
-            let fluid = self.flows(muscle, own, command, mode, &cavity);
-            let flows = [fluid.supply, fluid.exhaust];
-            let branches_n = if muscle.rubber.0.is_empty() {
-                vec![]
-            } else {
-                let wall = member.wall_n(gauge, &at);
-                let each = muscle.rubber.0.iter().zip(&own.branches_n);
-                each.map(|(branch, a)| (wall - a) / branch.time_constant_s).collect()
-            };
+            let fluid = self.flows(muscle, now, command, mode, &cavity);
+            let (flows, friction) = ([fluid.supply, fluid.exhaust], muscle.friction.as_ref());
             rates.muscles.push(MuscleState {
                 absolute_mpa: fluid.pressure_rate,
                 mass_g: fluid.supply.mass_g_per_s + fluid.exhaust.mass_g_per_s,
-                opening: own.opening.map(|_| fluid.opening_rate),
-                bristles: muscle
-                    .friction
-                    .as_ref()
-                    .map_or_else(Vec::new, |friction| friction.rates(&own.bristles, speed, mode.sign)),
-                branches_n,
+                opening: now.opening.map(|_| fluid.opening_rate),
+                bristles: friction.map_or(vec![], |f| f.rates(&now.bristles, speed, mode.sign)),
+                branches_n: muscle.rubber.rates(wall_n, &now.branches_n),
                 supplied_g: fluid.supply.mass_g_per_s,
                 exhausted_g: -fluid.exhaust.mass_g_per_s,
             });
@@ -206,7 +195,7 @@ impl<'a> System<'a> {
                 pull_n: pull,
                 volume_mm3: at.volume_mm3.value,
                 temperature_k: cavity.temperature_k,
-                mass_g: own.mass_g,
+                mass_g: now.mass_g,
                 opening: fluid.opening,
                 command,
                 signal: fluid.signal,
@@ -224,14 +213,14 @@ impl<'a> System<'a> {
     }
 
     /// What each muscle answers at a time, with its derivative in time: for everything between two of them.
-    pub fn answers(&self, t: f64, state: &State) -> Result<Vec<Moment>, MotionError> {
+    pub fn answers(&self, t: f64, state: &State) -> Result<Vec<Moment>> {
         let rates = self.point(t, state)?.rates;
         let modes = self.modes.borrow();
         let muscles = state.muscles.iter().zip(&rates.muscles);
         let parts = self.members.iter().zip(muscles).zip(&modes.muscles).enumerate();
         parts
-            .map(|(i, ((member, (own, rate)), mode))| {
-                let (p, lever) = (own.gauge_mpa(), self.drive.mechanism.lever(i, state.coordinate));
+            .map(|(i, ((member, (now, rate)), mode))| {
+                let (p, lever) = (now.gauge_mpa(), self.drive.mechanism.lever(i, state.coordinate));
                 let at = member.at(mode.slack, p, lever.contraction);
                 let at = at.map_err(|error| MotionError::model(error, t, i, p, lever.contraction))?;
                 let p_rate = rate.absolute_mpa;
@@ -242,24 +231,17 @@ impl<'a> System<'a> {
     }
 }
 
-/// The model's pull, what viscoelasticity adds, what friction takes, and what is left at the muscle's end; all zero where it is slack.
-fn pull(member: &Member<'_>, mode: &Mode, at: &Answer, own: &MuscleState) -> (f64, f64, f64, f64) {
-    if mode.slack {
-        return (0.0, 0.0, 0.0, 0.0);
-    }
-    let (muscle, pressure, model_n) = (member.muscle, own.gauge_mpa(), at.force_n.value);
-    let excess = if own.branches_n.is_empty() {
-        0.0
-    } else {
-        muscle.rubber.excess_n(member.wall_n(pressure, at), &own.branches_n)
-    };
+/// Of a taut muscle: the pull of the model, the part of viscoelasticity, that of friction, and the pull at the muscle's end.
+fn pull(muscle: &Actuated<'_>, at: &Answer, now: &MuscleState, wall_n: f64) -> [f64; 4] {
+    let (pressure, model_n) = (now.gauge_mpa(), at.force_n.value);
+    let excess = muscle.rubber.excess_n(wall_n, &now.branches_n);
     let friction = muscle.friction.as_ref().map_or(0.0, |friction| {
-        friction.level_n(pressure, at.pivoting_n_per_mm.value) * friction.presliding.share(&own.bristles)
+        friction.level_n(pressure, at.pivoting_n_per_mm.value) * friction.presliding.share(&now.bristles)
     });
     // A rope cannot push, and its end is free of force where it goes slack: friction and overstress are no larger than the pull.
     let most = model_n.max(0.0);
     let pull = model_n + (excess - friction).clamp(-most, most);
-    (model_n, excess, model_n + excess - pull, pull)
+    [model_n, excess, model_n + excess - pull, pull]
 }
 
 /// The size of each number of the state.
@@ -267,24 +249,24 @@ fn sizes(drive: &Drive<'_>, members: &[Member<'_>], layout: &Layout) -> State {
     let mut scale = layout.filled(1e3);
     let stroke = 0.01 / drive.mechanism.lever(0, 0.0).per_coordinate.abs().max(1e-9);
     (scale.coordinate, scale.velocity) = (stroke, 10.0 * stroke);
-    for (own, member) in scale.muscles.iter_mut().zip(members) {
+    for (size, member) in scale.muscles.iter_mut().zip(members) {
         let volume = member.ideal_mm3(0.0).max(1.0);
         let mass_g = match &member.muscle.fluid {
             Fluid::Air(_) => 1.2e-6 * volume,
             Fluid::Liquid(liquid) => liquid.mass_g(ATMOSPHERE_MPA, volume),
         };
-        *own = MuscleState {
+        *size = MuscleState {
             absolute_mpa: 0.1,
             mass_g,
-            opening: own.opening.map(|_| 1.0),
-            bristles: vec![1.0; own.bristles.len()],
-            branches_n: vec![10.0; own.branches_n.len()],
+            opening: size.opening.map(|_| 1.0),
+            bristles: vec![1.0; size.bristles.len()],
+            branches_n: vec![10.0; size.branches_n.len()],
             supplied_g: mass_g,
             exhausted_g: mass_g,
         };
     }
-    if let (Some(own), Target::Position { pid, .. }) = (&mut scale.controller, &drive.target) {
-        *own = ControllerState {
+    if let (Some(size), Target::Position { pid, .. }) = (&mut scale.controller, &drive.target) {
+        *size = ControllerState {
             integral: if pid.output == PidOutput::Opening { 1.0 } else { 0.1 },
             filtered: stroke * drive.mechanism.position_per_coordinate().abs(),
         };
@@ -313,11 +295,11 @@ impl Equations for System<'_> {
     /// Forces and volumes are linear about the point where the differences are taken: one answer of the models serves for all of them.
     fn differences(&self, y: Option<&[f64]>) {
         self.members.iter().for_each(|member| member.substitute.set(None));
-        let Some(Ok(state)) = y.map(|y| self.layout.state(y)) else { return };
+        let Some(state) = y.map(|y| self.layout.state(y)) else { return };
         let modes = self.modes.borrow();
         let parts = self.members.iter().zip(&state.muscles).zip(&modes.muscles).enumerate();
-        for (i, ((member, own), _)) in parts.filter(|(_, (_, mode))| !mode.slack) {
-            let (p, e) = (own.gauge_mpa(), self.drive.mechanism.lever(i, state.coordinate).contraction);
+        for (i, ((member, now), _)) in parts.filter(|(_, (_, mode))| !mode.slack) {
+            let (p, e) = (now.gauge_mpa(), self.drive.mechanism.lever(i, state.coordinate).contraction);
             member.substitute.set(member.answer(p, e).ok().map(|answer| Substitute::Near(p, e, answer)));
         }
     }
@@ -328,8 +310,9 @@ impl Equations for System<'_> {
 
     fn rates(&self, t: f64, y: &[f64], rates: &mut [f64]) {
         let (state, point) = &mut *self.room.borrow_mut();
-        let read = self.layout.read(y, state).and_then(|()| self.point_within(t, state, point));
-        let result = read.and_then(|()| self.layout.write(&mut point.rates, rates));
+        state.read(y);
+        let result = self.point_within(t, state, point);
+        point.rates.write(rates);
         let error = match result {
             Err(error) => error,
             Ok(()) if rates.iter().all(|r| r.is_finite()) => return,

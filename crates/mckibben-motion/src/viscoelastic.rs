@@ -1,6 +1,6 @@
 //! The rubber's viscoelasticity.
 
-use crate::{MotionError, error::within};
+use crate::{Result, error::within};
 
 /// One branch: its share g of the wall's part of the pull, and its time constant.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,7 +24,7 @@ pub struct Branch {
 pub struct Prony(pub Vec<Branch>);
 
 impl Prony {
-    pub(crate) fn check(&self) -> Result<(), MotionError> {
+    pub(crate) fn check(&self) -> Result<()> {
         self.0.iter().try_for_each(|b| {
             within("a branch's share of the wall's pull", b.share, 0.0, 1e3)?;
             within("a branch's time constant in s", b.time_constant_s, 1e-6, 1e12)
@@ -33,6 +33,11 @@ impl Prony {
 
     /// Σ gᵢ (F_w − aᵢ) in N.
     pub(crate) fn excess_n(&self, wall_n: f64, states: &[f64]) -> f64 {
-        self.0.iter().zip(states).map(|(b, a)| b.share * (wall_n - a)).sum()
+        self.0.iter().zip(states).fold(0.0, |sum, (b, a)| sum + b.share * (wall_n - a))
+    }
+
+    /// ȧᵢ in N/s.
+    pub(crate) fn rates(&self, wall_n: f64, states: &[f64]) -> Vec<f64> {
+        self.0.iter().zip(states).map(|(b, a)| (wall_n - a) / b.time_constant_s).collect()
     }
 }

@@ -1,9 +1,10 @@
 //! What is wrong, as the exceptions of the package.
 
+use crate::value;
 use mckibben_app::{ArrayError, Problem};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use serde_json::json;
 
 /// Why a call has no answer: a problem of the application layer, of a point of a list where it is one; or an exception of Python itself.
 pub enum Wrong {
@@ -47,19 +48,13 @@ impl From<Wrong> for PyErr {
 
 /// The exception that `mckibben._errors.of` makes of it.
 fn raised(py: Python<'_>, problem: &Problem, index: Option<usize>) -> PyResult<PyErr> {
-    let values = PyDict::new(py);
-    values.set_item("kind", problem.kind.to_string())?;
-    values.set_item("message", &problem.message)?;
-    values.set_item("hint", &problem.hint)?;
-    values.set_item("field", &problem.field)?;
-    values.set_item("index", index)?;
-    if let Some(nearest) = &problem.nearest {
-        let at = PyDict::new(py);
-        at.set_item("force_n", nearest.force_n)?;
-        at.set_item("pressure_mpa", nearest.pressure_mpa)?;
-        at.set_item("contraction", nearest.contraction)?;
-        values.set_item("nearest", at)?;
-    }
-    let made = py.import("mckibben._errors")?.getattr("of")?.call1((values,))?;
+    let nearest = problem.nearest.map(
+        |at| json!({ "force_n": at.force_n, "pressure_mpa": at.pressure_mpa, "contraction": at.contraction }),
+    );
+    let values = json!({
+        "kind": problem.kind, "message": problem.message, "hint": problem.hint, "field": problem.field,
+        "index": index, "nearest": nearest,
+    });
+    let made = py.import("mckibben._errors")?.getattr("of")?.call1((value::answer(py, &values)?,))?;
     Ok(PyErr::from_value(made))
 }

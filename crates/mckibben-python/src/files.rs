@@ -12,7 +12,7 @@ use toml_edit::{DocumentMut, Item, Table};
 /// A file written by hand: a muscle, a plan, a joint.
 #[pyfunction]
 pub fn read_text(path: PathBuf) -> PyResult<String> {
-    Ok(muscle::file::read_text(&path).map_err(|e| Wrong::from(Problem::from(e.of(&path))))?)
+    Ok(muscle::file::read_text(&path).map_err(|e| Wrong::from(Problem::from(e.in_file(&path))))?)
 }
 
 /// A table, whatever program wrote it. Such files may be long.
@@ -80,7 +80,7 @@ pub fn toml_text(tables: &Bound<'_, PyAny>) -> PyResult<String> {
 
 fn table_of(map: &Map<String, Value>, deeper: u8) -> Table {
     let mut out = Table::new();
-    // What holds nothing but tables needs no heading of its own.
+    // What holds nothing but tables needs no heading.
     out.set_implicit(!map.is_empty() && map.values().all(Value::is_object));
     for (key, value) in map {
         match (value, deeper.checked_sub(1)) {

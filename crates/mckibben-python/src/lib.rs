@@ -2,7 +2,7 @@
 //!
 //! A thin border. Requests and answers are maps and lists of Python, turned into those of the application layer without text on the
 //! way ([`ask`]); lists of numbers are NumPy arrays, read where they lie ([`model`]). The interpreter is released around all work, and
-//! hears of it now and then ([`run`]): a progress bar moves, Ctrl-C ends the work. What is wrong is raised as one of the package's own
+//! hears of it now and then ([`run`]): a progress bar moves, Ctrl-C ends the work. What is wrong is raised as one of the package's
 //! exceptions ([`error`]); a panic is one of them.
 
 mod ask;

@@ -1,9 +1,9 @@
-//! A model bound to its muscle, asked for arrays.
+//! A model bound to its muscle, evaluated for arrays.
 
 use crate::{error::Wrong, run, value};
 use mckibben::progress::Progress;
 use mckibben_app::{
-    AskFields, BoundModel, Many, ModelFields, PointQuantity, TextFile, Unanswered, muscle_of, understood,
+    AskFields, BoundModel, Many, ModelFields, PointQuantity, TextFile, muscle_of, understood,
 };
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
@@ -61,7 +61,7 @@ impl Model {
             wanted: self::wanted(wanted)?,
             slopes,
             parameters: parameters.collect::<Result<_, _>>().map_err(Wrong::from)?,
-            unanswered: unanswered(nan),
+            nan,
         };
         let wrong = |e: numpy::AsSliceError| PyValueError::new_err(e.to_string());
         let pairs = [first.as_slice().map_err(wrong)?, second.as_slice().map_err(wrong)?];
@@ -70,12 +70,7 @@ impl Model {
 
     /// The answer to one pair of numbers; NaN where it has none and `nan` is true.
     fn one(&self, py: Python<'_>, wanted: &str, first: f64, second: f64, nan: bool) -> PyResult<f64> {
-        let many = Many {
-            wanted: self::wanted(wanted)?,
-            slopes: false,
-            parameters: vec![],
-            unanswered: unanswered(nan),
-        };
+        let many = Many { wanted: self::wanted(wanted)?, slopes: false, parameters: vec![], nan };
         let mut place = [f64::NAN];
         self.answer(py, [&[first], &[second]], &many, &mut place, None)?;
         let [answer] = place;
@@ -106,8 +101,4 @@ fn wanted(name: &str) -> PyResult<PointQuantity> {
         "contraction" => Ok(PointQuantity::Contraction),
         _ => Err(PyValueError::new_err("force, pressure or contraction")),
     }
-}
-
-fn unanswered(nan: bool) -> Unanswered {
-    if nan { Unanswered::NotANumber } else { Unanswered::Refused }
 }

@@ -3,7 +3,7 @@
 use crate::{error::Wrong, run, value};
 use mckibben::{muscle::Muscle, muscle::file::to_toml, rubber::RubberLaw};
 use mckibben_app::{MuscleFields, Problem, ProblemKind, TextFile, muscle_of, understood, with_parameters};
-use mckibben_fit::identify::{Target, own_value};
+use mckibben_fit::identify::Target;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -38,7 +38,7 @@ pub fn parameters(text: String) -> PyResult<Vec<(String, f64, &'static str)>> {
         )
     };
     let all = Target::all(&muscle).into_iter().filter(known);
-    let row = |t: Target| Some((t.name(&muscle), own_value(&muscle, t)?, t.unit(&muscle)));
+    let row = |t: Target| Some((t.name(&muscle), t.value(&muscle)?, t.unit(&muscle)));
     Ok(all.filter_map(row).collect())
 }
 
@@ -48,7 +48,7 @@ pub fn parameters(text: String) -> PyResult<Vec<(String, f64, &'static str)>> {
 pub fn muscle_fields(py: Python<'_>, text: String) -> PyResult<Bound<'_, PyAny>> {
     let muscle = muscle_of(&TextFile { name: "muscle".into(), text }).map_err(Wrong::from)?;
     let wrong = |e: serde_json::Error| Wrong::from(Problem::new(ProblemKind::Internal, e.to_string(), ""));
-    value::answer(py, &serde_json::to_value(MuscleFields::of(&muscle)).map_err(wrong)?)
+    value::answer(py, &serde_json::to_value(MuscleFields::from_muscle(&muscle)).map_err(wrong)?)
 }
 
 /// Nominal stress in MPa of the rubber of a muscle at stretches: `uniaxial`, `planar` or `equibiaxial`, with plane stress and constant volume.

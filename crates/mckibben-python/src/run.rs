@@ -1,6 +1,6 @@
 //! Work with the interpreter released.
 //!
-//! Work that may take long runs on a thread of its own, while the calling thread waits: it sees signals (Ctrl-C) and calls the caller's
+//! Work that may take long runs on a separate thread, while the calling thread waits: it sees signals (Ctrl-C) and calls the caller's
 //! progress function, which only the calling thread may do. Either may raise, and then the work is cancelled, is waited for, and what
 //! was raised is what the call ends with.
 
@@ -14,7 +14,7 @@ use std::{thread, time::Duration};
 
 /// How often the calling thread looks at signals and progress.
 const TICK: Duration = Duration::from_millis(50);
-/// Stack of the thread that works: as much as a program's own usually has.
+/// Stack of the thread that works: as much as that of a program usually.
 const STACK_BYTES: usize = 8 << 20;
 
 /// What the work tells, and the wish to end it.

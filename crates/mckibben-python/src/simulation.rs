@@ -4,7 +4,7 @@ use crate::{error::Wrong, run, value};
 use mckibben_app::{MotionRequest, SimulatedDrive, understood};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use serde_json::json;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// A drive that is stepped.
@@ -73,7 +73,7 @@ impl Simulation {
         let (rows, width) = py.detach(|| {
             let drive = self.drive();
             let series = &drive.motion().series;
-            let rows: Vec<f64> = (0..series.len()).filter_map(|i| series.row(i)).flatten().collect();
+            let rows: Vec<f64> = (0..series.points()).filter_map(|i| series.row(i)).flatten().collect();
             (rows, series.names().len())
         });
         let shape = [rows.len() / width.max(1), width];
@@ -82,17 +82,9 @@ impl Simulation {
 
     /// What happened: stops, slack, switching and reversals.
     #[pyo3(signature = () -> "list[dict[str, typing.Any]]")]
-    fn events<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let events = py.detach(|| self.drive().motion().events.clone());
-        let made = events.iter().map(|event| {
-            let out = PyDict::new(py);
-            out.set_item("time_s", event.time_s)?;
-            out.set_item("kind", event.kind.to_string())?;
-            out.set_item("muscle", event.muscle)?;
-            out.set_item("lost_j", event.lost_j)?;
-            Ok(out)
-        });
-        made.collect()
+    fn events<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let events = py.detach(|| json!(self.drive().motion().events));
+        value::answer(py, &events)
     }
 
     /// What is commanded (`pressure`, `opening` or `position`), how many commands there are, and whether a joint is moved.
@@ -108,5 +100,5 @@ impl Simulation {
 
 fn last(drive: &SimulatedDrive) -> Vec<f64> {
     let series = &drive.motion().series;
-    series.len().checked_sub(1).and_then(|i| series.row(i)).unwrap_or_default()
+    series.points().checked_sub(1).and_then(|i| series.row(i)).unwrap_or_default()
 }

@@ -10,10 +10,10 @@ use serde_json::{Map, Number, Value};
 const DEEPEST: usize = 32;
 
 pub fn request(object: &Bound<'_, PyAny>) -> PyResult<Value> {
-    of(object.as_borrowed(), DEEPEST)
+    from_python(object.as_borrowed(), DEEPEST)
 }
 
-fn of(object: Borrowed<'_, '_, PyAny>, deeper: usize) -> PyResult<Value> {
+fn from_python(object: Borrowed<'_, '_, PyAny>, deeper: usize) -> PyResult<Value> {
     let Some(deeper) = deeper.checked_sub(1) else {
         return Err(PyValueError::new_err("the request is nested too deep, or a list contains itself"));
     };
@@ -43,12 +43,12 @@ fn of(object: Borrowed<'_, '_, PyAny>, deeper: usize) -> PyResult<Value> {
             let Ok(key) = key.cast::<PyString>() else {
                 return Err(PyTypeError::new_err(format!("a key of a request is a str, not {}", kind(&key))));
             };
-            out.insert(key.to_str()?.to_owned(), of(value.as_borrowed(), deeper)?);
+            out.insert(key.to_str()?.to_owned(), from_python(value.as_borrowed(), deeper)?);
         }
         return Ok(Value::Object(out));
     }
     if object.cast::<PyList>().is_ok() || object.cast::<PyTuple>().is_ok() {
-        return object.try_iter()?.map(|item| of(item?.as_borrowed(), deeper)).collect();
+        return object.try_iter()?.map(|item| from_python(item?.as_borrowed(), deeper)).collect();
     }
     Err(PyTypeError::new_err(format!("{} is not a part of a request", kind(&object))))
 }

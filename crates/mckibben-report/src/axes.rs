@@ -9,7 +9,7 @@ use crate::line_labels::{self, Ended};
 use crate::rect::Rect;
 use crate::room::Room;
 use crate::ticks::{self, Scale};
-use crate::{Axis, FigureError, Panel, Style, palette};
+use crate::{Axis, FigureError, Panel, Result, Style, palette};
 
 /// Font sizes of tick texts and axis labels.
 pub(crate) const TICK: f64 = 9.8;
@@ -51,12 +51,12 @@ pub(crate) struct Grid<'a, 'b> {
     pub panels: &'a [Panel],
     pub columns: usize,
     pub cell: &'b dyn Fn(usize) -> Rect,
-    /// Whether each panel has a legend of its own.
-    pub own_legends: bool,
+    /// Whether each panel has a legend.
+    pub has_legends: bool,
     pub metrics: &'b Metrics,
 }
 
-/// Lowest and highest values on both axes, of what the fixed ranges leave visible.
+/// Lowest and highest values on both axes, within the fixed ranges.
 pub(crate) type Extents = (Option<(f64, f64)>, Option<(f64, f64)>);
 
 /// Extents of the data of a panel.
@@ -74,7 +74,7 @@ pub(crate) fn extents(panel: &Panel) -> Extents {
     let lines = ticks::extent(points.iter().filter(|p| !p.0).map(|p| p.1.1));
     let all = ticks::extent(points.iter().map(|p| p.1.1));
     let y = lines.zip(all).map(|((low, high), (least, most))| {
-        // A band that is wider than what it is about does not fill the axis: the frame cuts it.
+        // A band that is wider than its line does not fill the axis: the frame cuts it.
         let low = if panel.y.from_zero { low.min(0.0) } else { low };
         let room = 0.5 * (high - low).max(0.5 * high.abs().max(low.abs()));
         (least.max(low - room), most.min(high + room))
@@ -95,7 +95,7 @@ fn y_wanted(height: f64) -> usize {
     ((height / 40.0).round() as usize).clamp(2, 8)
 }
 
-/// What is drawn in a plot.
+/// The drawn parts of a plot.
 fn room_of(panel: &Panel, axes: &Axes) -> Room {
     let frame = axes.frame();
     let mut room = Room::new(axes.plot);
@@ -113,11 +113,11 @@ fn room_of(panel: &Panel, axes: &Axes) -> Room {
 
 impl<'a> Grid<'a, '_> {
     /// Puts every panel into its cell; plots of one column and of one row line up.
-    pub fn place(&self) -> Result<Vec<Placed<'a>>, FigureError> {
+    pub fn place(&self) -> Result<Vec<Placed<'a>>> {
         let each = 0..self.panels.len();
         let mut all: Vec<Gutters> = each.clone().map(|i| self.gutters(i)).collect::<Result<_, _>>()?;
         let below: Vec<f64> = each.clone().map(|i| self.room_below(&all, i)).collect::<Result<_, _>>()?;
-        all.iter_mut().zip(&below).for_each(|(own, room)| own.bottom += room);
+        all.iter_mut().zip(&below).for_each(|(gutters, room)| gutters.bottom += room);
         each.map(|i| self.place_one(i, self.aligned(&all, i), below[i])).collect()
     }
 
@@ -130,7 +130,7 @@ impl<'a> Grid<'a, '_> {
     }
 
     /// The horizontal scale with as many ticks as their texts allow.
-    fn x_scale(&self, panel: &Panel, data: Option<(f64, f64)>, width: f64) -> Result<Scale, FigureError> {
+    fn x_scale(&self, panel: &Panel, data: Option<(f64, f64)>, width: f64) -> Result<Scale> {
         let mut wanted = ((width / 62.0).round() as usize).clamp(2, 10);
         loop {
             let scale = ticks::scale(&panel.x, data, wanted)?;
@@ -143,7 +143,7 @@ impl<'a> Grid<'a, '_> {
         }
     }
 
-    fn axes(&self, i: usize, gutters: Gutters) -> Result<Axes, FigureError> {
+    fn axes(&self, i: usize, gutters: Gutters) -> Result<Axes> {
         let (panel, cell) = (&self.panels[i], (self.cell)(i));
         let (x_data, y_data) = extents(panel);
         let plot = Rect {
@@ -160,7 +160,7 @@ impl<'a> Grid<'a, '_> {
     }
 
     /// Gutters of a panel, without room for a legend.
-    fn gutters(&self, i: usize) -> Result<Gutters, FigureError> {
+    fn gutters(&self, i: usize) -> Result<Gutters> {
         let row = self.panels.chunks(self.columns).nth(i / self.columns).unwrap_or_default();
         let title = if row.iter().all(|p| p.title.is_empty()) { 0.0 } else { PANEL_TITLE + 5.0 };
         let mut gutters = Gutters { left: 40.0, right: 10.0, top: 6.0 + title, bottom: 40.0 };
@@ -190,9 +190,9 @@ impl<'a> Grid<'a, '_> {
         at_edge.map(width).fold(0.0, f64::max)
     }
 
-    /// Room for the legend below a panel, where each has its own.
-    fn room_below(&self, all: &[Gutters], i: usize) -> Result<f64, FigureError> {
-        if !self.own_legends || legend::entries(&self.panels[i]).is_empty() {
+    /// Room for the legend below a panel, where each has one.
+    fn room_below(&self, all: &[Gutters], i: usize) -> Result<f64> {
+        if !self.has_legends || legend::entries(&self.panels[i]).is_empty() {
             return Ok(0.0);
         }
         let axes = self.axes(i, self.aligned(all, i))?;
@@ -221,7 +221,7 @@ impl<'a> Grid<'a, '_> {
         gutters
     }
 
-    fn place_one(&self, index: usize, gutters: Gutters, below: f64) -> Result<Placed<'a>, FigureError> {
+    fn place_one(&self, index: usize, gutters: Gutters, below: f64) -> Result<Placed<'a>> {
         let (panel, cell, metrics) = (&self.panels[index], (self.cell)(index), self.metrics);
         let axes = self.axes(index, gutters)?;
         let mut room = room_of(panel, &axes);
@@ -236,7 +236,7 @@ impl<'a> Grid<'a, '_> {
                 axes.plot.h / PER_MM
             )));
         }
-        let mut labels = labels::of_marks(&panel.marks, &axes.frame(), metrics, &mut room);
+        let mut labels = labels::for_marks(&panel.marks, &axes.frame(), metrics, &mut room);
         let ended = panel.series.iter().enumerate().filter(|(_, s)| !s.end_label.trim().is_empty());
         let ended = ended.filter_map(|(i, s)| {
             let line = axes.frame().line(&s.points).pop()?;
@@ -244,11 +244,11 @@ impl<'a> Grid<'a, '_> {
             let explained = |(k, other): (usize, &crate::Series)| {
                 !other.label.trim().is_empty() && other.number(k) == number
             };
-            let meant = s.neutral || panel.series.iter().enumerate().any(explained);
-            let colour = (!meant).then_some(number);
+            let has_meaning = s.neutral || panel.series.iter().enumerate().any(explained);
+            let colour = (!has_meaning).then_some(number);
             Some(Ended { text: s.end_label.trim().to_owned(), colour, line })
         });
-        labels.extend(line_labels::of_lines(ended.collect(), metrics, &mut room));
+        labels.extend(line_labels::for_lines(ended.collect(), metrics, &mut room));
         let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
         let title = (axes.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text);
         Ok(Placed { panel, axes, title, legend, labels })
@@ -260,7 +260,7 @@ mod tests {
     use super::*;
     use crate::Series;
 
-    /// The frame cuts a band that is wider than what it is about: half of the line's height is left above and below.
+    /// The frame cuts a band that is wider than its line: half of the line's height lies above and below.
     #[test]
     fn a_band_wider_than_its_line_does_not_fill_the_axis() {
         let line = Series::line("pull", vec![(0.0, 10.0), (1.0, 0.0)]);

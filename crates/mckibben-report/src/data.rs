@@ -2,7 +2,7 @@
 
 use crate::ticks::number;
 use crate::xml::escape;
-use crate::{Figure, FigureError, Panel, Style};
+use crate::{Figure, Panel, Result, Style};
 use mckibben_io::clean::cell;
 use std::fmt::Write as _;
 
@@ -65,7 +65,7 @@ svg{width:100%;height:auto}table{border-collapse:collapse}th,td{padding:0 1em;te
 impl Figure {
     /// The figure as a self-contained HTML page that needs no network and no script: the SVG, and the points of each
     /// panel as a table with six significant digits.
-    pub fn to_html(&self) -> Result<String, FigureError> {
+    pub fn to_html(&self) -> Result<String> {
         let title = if self.title.trim().is_empty() { "Figure" } else { self.title.trim() };
         let mut out = format!(
             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\

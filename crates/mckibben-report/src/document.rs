@@ -1,7 +1,7 @@
 //! A report: headings, texts, tables, figures and a body, as one page that needs no network.
 
 use crate::xml::escape;
-use crate::{Figure, FigureError};
+use crate::{Figure, Result};
 use mckibben_io::clean;
 use std::fmt::Write as _;
 
@@ -10,9 +10,9 @@ use std::fmt::Write as _;
 pub struct Document {
     /// Its title.
     pub title: String,
-    /// Its title block: names of fields and what they hold; an empty one is filled in by hand.
+    /// Its title block: names and texts of fields; an empty one is filled in by hand.
     pub title_block: Vec<(String, String)>,
-    /// What it is, in a sentence or two.
+    /// Its purpose, in a sentence or two.
     pub lead: String,
     /// Its parts, in order.
     pub parts: Vec<Part>,
@@ -38,19 +38,12 @@ pub enum Part {
     },
     /// A figure.
     Figure(Box<Figure>),
-    /// A drawing as SVG, on a page of its own.
+    /// A drawing as SVG, on a separate page.
     Drawing(String),
     /// A text whose lines and blanks matter, such as a file.
     Code(String),
-    /// A body in space.
-    Body(Body),
-}
-
-/// A body in space: what a script turns it from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Body {
-    /// What the script gets, as JSON.
-    pub data: String,
+    /// A body in space: the data of the script that shows it, as JSON.
+    Body(String),
 }
 
 const STYLE: &str = include_str!("document.css");
@@ -58,7 +51,7 @@ const STYLE: &str = include_str!("document.css");
 impl Document {
     /// The report as one HTML page. `viewer` is a script (a module without imports) that finds each body's data in an element
     /// `.body` as JSON and shows it there.
-    pub fn to_html(&self, viewer: &str) -> Result<String, FigureError> {
+    pub fn to_html(&self, viewer: &str) -> Result<String> {
         let title = escape(&self.title);
         let mut out = format!(
             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
@@ -81,7 +74,7 @@ impl Document {
 }
 
 impl Part {
-    fn write(&self, out: &mut String) -> Result<(), FigureError> {
+    fn write(&self, out: &mut String) -> Result<()> {
         // Writing to a string cannot fail.
         let _ = match self {
             Self::Heading(text) => writeln!(out, "<h2>{}</h2>", escape(text)),
@@ -97,8 +90,8 @@ impl Part {
                 let lines: Vec<String> = text.lines().map(escape).collect();
                 writeln!(out, "<pre>{}</pre>", lines.join("\n"))
             }
-            Self::Body(body) => {
-                let data = clean::json(&body.data);
+            Self::Body(data) => {
+                let data = clean::json(data);
                 writeln!(out, "<div class=\"body\"><script type=\"application/json\">{data}</script></div>")
             }
         };
@@ -145,7 +138,7 @@ mod tests {
             Part::List(vec![one()]),
             Part::Table { head: vec![one()], rows: vec![vec![one()]] },
             Part::Code(one()),
-            Part::Body(Body { data: format!("\"{evil}\"") }),
+            Part::Body(format!("\"{evil}\"")),
         ];
         let html =
             Document { title: one(), title_block: vec![(one(), one())], lead: one(), parts, footer: one() }

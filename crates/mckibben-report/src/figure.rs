@@ -94,8 +94,8 @@ pub struct Series {
     /// Colour number; `None` takes the position of the series in its panel. Series with
     /// the same number share a colour (and a marker shape).
     pub colour: Option<usize>,
-    /// Short text written at the end of the line, such as `0.25 MPa`; may be empty. It has the colour of the line, unless the legend
-    /// gives that colour a meaning of its own.
+    /// Short text written at the end of the line, such as `0.25 MPa`; may be empty. It has the colour of the line, unless that colour has
+    /// a meaning in the legend.
     pub end_label: String,
     /// Drawn in the colour of the text: its colour means nothing.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
@@ -296,6 +296,8 @@ mod gaps {
         Ok(points.into_iter().map(|(x, y)| (x.unwrap_or(f64::NAN), y.unwrap_or(f64::NAN))).collect())
     }
 }
+
+pub(crate) type Result<T, E = FigureError> = std::result::Result<T, E>;
 
 /// Why a figure could not be drawn or saved.
 #[derive(Debug, thiserror::Error)]

@@ -7,7 +7,7 @@ use ttf_parser::Face;
 #[cfg(feature = "png")]
 use ttf_parser::{GlyphId, OutlineBuilder};
 
-use crate::FigureError;
+use crate::{FigureError, Result};
 
 /// Families named in the drawing: the embedded one first, then what readers have at hand
 /// (all of them narrower, so nothing overlaps when one of them is taken).
@@ -20,7 +20,7 @@ pub(crate) struct Metrics {
 
 impl Metrics {
     /// Reads the embedded font.
-    pub fn new() -> Result<Self, FigureError> {
+    pub fn new() -> Result<Self> {
         let font = Face::parse(dejavu::sans::regular(), 0)
             .map_err(|error| FigureError::Drawing(format!("the embedded font cannot be read: {error}")))?;
         Ok(Self { font })

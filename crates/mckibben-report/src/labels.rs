@@ -27,7 +27,7 @@ pub(crate) struct Label {
     pub text: String,
     /// Colour number; `None`: ink.
     pub colour: Option<usize>,
-    /// A thin line from the thing to its text.
+    /// A thin line from the mark to its text.
     pub leader: Option<(Spot, Spot)>,
 }
 
@@ -35,7 +35,7 @@ pub(crate) fn around(at: Spot, w: f64) -> Rect {
     Rect { x: at.0, y: at.1 - HEIGHT / 2.0, w, h: HEIGHT }
 }
 
-/// What speaks against a box: drawn lines and points under it, texts under it, leaving the plot.
+/// The cost of a box: drawn lines and points under it, texts under it, parts outside of the plot.
 pub(crate) fn cost_of(rect: &Rect, room: &Room, within: &Rect) -> f64 {
     let mut cost = 2.0 * room.drawn_under(&rect.grown(1.0)) as f64;
     if room.meets_box(&rect.grown(1.0)) {
@@ -56,7 +56,7 @@ pub(crate) fn add_rings(marks: &[Mark], frame: &Frame<'_>, room: &mut Room) {
 }
 
 /// Places the texts of the marks.
-pub(crate) fn of_marks(marks: &[Mark], frame: &Frame<'_>, metrics: &Metrics, room: &mut Room) -> Vec<Label> {
+pub(crate) fn for_marks(marks: &[Mark], frame: &Frame<'_>, metrics: &Metrics, room: &mut Room) -> Vec<Label> {
     let within = frame.plot.grown(-2.0);
     let mut labels = Vec::new();
     for mark in marks {
@@ -72,7 +72,7 @@ pub(crate) fn of_marks(marks: &[Mark], frame: &Frame<'_>, metrics: &Metrics, roo
     labels
 }
 
-/// Left end of the text of a mark where least speaks against it.
+/// Left end of the text of a mark at the least cost.
 fn best_place(spot: Spot, w: f64, room: &Room, within: &Rect) -> Spot {
     let mut best = (f64::INFINITY, spot);
     for (ring, gap) in GAPS.into_iter().enumerate() {
@@ -94,7 +94,7 @@ fn best_place(spot: Spot, w: f64, room: &Room, within: &Rect) -> Spot {
                 best = (cost, at);
             }
         }
-        // farther away everything costs more than what is found
+        // farther away everything costs more than the best place
         if best.0 <= 5.0 * (ring + 1) as f64 {
             break;
         }

@@ -4,10 +4,10 @@ use crate::axes::{Grid, Placed};
 use crate::font::Metrics;
 use crate::legend::{self, Entry, Legend};
 use crate::rect::Rect;
-use crate::{Figure, FigureError};
+use crate::{Figure, FigureError, Result};
 
 const MARGIN: f64 = 16.0;
-/// Of a paper whose width alone was asked for: the least width of a panel, mm, and the height of a single one over the width.
+/// Of a paper of a given width: the least width of a panel, mm, and the height of a single one over the width.
 const PANEL_MM: f64 = 75.0;
 const PANEL_SHARE: f64 = 0.62;
 const CAPTION_ROW: f64 = 12.0;
@@ -41,7 +41,7 @@ pub(crate) fn grid(figure: &Figure) -> (usize, usize) {
         (0, 4) => 2,
         (0, 5..=9) => 3,
         (0, _) => 4,
-        (asked, _) => asked.min(count),
+        (wanted, _) => wanted.min(count),
     };
     let columns = match figure.size_mm {
         Some((width_mm, 0.0)) => columns.min((width_mm / PANEL_MM) as usize).max(1),
@@ -51,7 +51,7 @@ pub(crate) fn grid(figure: &Figure) -> (usize, usize) {
 }
 
 /// Each side of the paper is 20 to 2000 mm.
-pub(crate) fn check_paper(width_mm: f64, height_mm: f64) -> Result<(), FigureError> {
+pub(crate) fn check_paper(width_mm: f64, height_mm: f64) -> Result<()> {
     if [width_mm, height_mm].iter().all(|side| (20.0..=2000.0).contains(side)) {
         return Ok(());
     }
@@ -60,7 +60,7 @@ pub(crate) fn check_paper(width_mm: f64, height_mm: f64) -> Result<(), FigureErr
 }
 
 /// Lays a figure out.
-pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>, FigureError> {
+pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>> {
     if figure.panels.is_empty() {
         let message = format!("the figure \"{}\" has no panel to draw", figure.title);
         return Err(FigureError::Drawing(message));
@@ -89,7 +89,7 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     let mut bottom = height - 9.0 - caption_room;
     let common =
         if single { Some(legend::entries(&figure.panels[0])) } else { legend::shared(&figure.panels) };
-    let own_legends = common.is_none();
+    let has_legends = common.is_none();
     let under = common.filter(|entries| !entries.is_empty());
     let legend = under.map(|entries| {
         let entries = legend::fitted(entries, metrics, inner);
@@ -103,7 +103,7 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
         let y = bottom - placed.frame.h - if caption.is_empty() { 0.0 } else { 3.0 };
         placed.frame.y = y;
         placed.entries.iter_mut().for_each(|e| e.1 += y);
-        // rows narrower than the paper stand in its middle
+        // rows narrower than the paper are centred
         let right = placed.entries.iter().map(|e| entry_end(e, metrics)).fold(MARGIN, f64::max);
         let shift = ((MARGIN + inner - right) / 2.0).max(0.0);
         placed.entries.iter_mut().for_each(|e| e.0 += shift);
@@ -122,7 +122,7 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
         h: cell_h,
     };
     let Figure { title: name, panels, .. } = figure;
-    let panels = Grid { title: name, panels, columns, cell: &cell, own_legends, metrics }.place()?;
+    let panels = Grid { title: name, panels, columns, cell: &cell, has_legends, metrics }.place()?;
     Ok(Page { width, height, left: MARGIN, title, caption, caption_y, panels, legend })
 }
 

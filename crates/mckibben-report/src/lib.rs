@@ -1,7 +1,7 @@
 //! Figures for papers and pages.
 //!
 //! A [`Figure`] describes panels with axes, series and marks. It is plain data (serde), so that a page or another
-//! language can draw it by its own means; the crate turns it into SVG ([`Figure::to_svg`]) or a self-contained HTML page
+//! language can draw it; the crate turns it into SVG ([`Figure::to_svg`]) or a self-contained HTML page
 //! ([`Figure::to_html`]). It knows nothing about muscles: quantities and
 //! units are texts of the caller. The same description gives the same bytes on every machine; the font (DejaVu Sans) is
 //! part of the program.
@@ -37,7 +37,8 @@ mod svg;
 mod ticks;
 mod xml;
 
-pub use document::{Body, Document, Part};
+pub use document::{Document, Part};
+pub(crate) use figure::Result;
 pub use figure::{Axis, Figure, FigureError, Mark, Palette, Panel, Series, Style};
 #[cfg(feature = "png")]
 pub use outlines::texts_as_outlines;

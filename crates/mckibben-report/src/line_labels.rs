@@ -22,7 +22,7 @@ pub(crate) fn reaches_edge(line: &[Spot], plot: &Rect) -> bool {
 }
 
 /// Places the texts of the lines.
-pub(crate) fn of_lines(lines: Vec<Ended>, metrics: &Metrics, room: &mut Room) -> Vec<Label> {
+pub(crate) fn for_lines(lines: Vec<Ended>, metrics: &Metrics, room: &mut Room) -> Vec<Label> {
     let plot = room.plot();
     let (edge, inner): (Vec<_>, Vec<_>) =
         lines.into_iter().filter(|l| !l.line.is_empty()).partition(|l| reaches_edge(&l.line, &plot));
@@ -74,9 +74,9 @@ fn along(line: Ended, metrics: &Metrics, room: &mut Room) -> Option<Label> {
     let within = room.plot().grown(-2.0);
     let w = metrics.width(&line.text, SIZE);
     let mut best: Option<(f64, Spot)> = None;
-    for station in 0..=STATIONS {
-        let part = station as f64 / STATIONS as f64;
-        let (spot, direction) = station_of(&line.line, part);
+    for number in 0..=STATIONS {
+        let part = number as f64 / STATIONS as f64;
+        let (spot, direction) = station(&line.line, part);
         let normals = [(direction.1, -direction.0), (-direction.1, direction.0)];
         for (side, normal) in normals.into_iter().enumerate() {
             // so far along the normal that the box just clears the line
@@ -99,25 +99,21 @@ fn lengths(line: &[Spot]) -> impl Iterator<Item = f64> {
     line.windows(2).map(|p| (p[1].0 - p[0].0).hypot(p[1].1 - p[0].1))
 }
 
-fn length_of(line: &[Spot]) -> f64 {
-    lengths(line).sum()
-}
-
 /// The spot a part of the way back from the end of a line, and the direction there.
-fn station_of(line: &[Spot], part: f64) -> (Spot, Spot) {
-    let mut left = length_of(line) * (1.0 - part);
+fn station(line: &[Spot], part: f64) -> (Spot, Spot) {
+    let mut rest = lengths(line).sum::<f64>() * (1.0 - part);
     let mut last = (line.first().copied().unwrap_or_default(), (1.0, 0.0));
     for (pair, length) in line.windows(2).zip(lengths(line)) {
         if length <= 0.0 {
             continue;
         }
         let direction = ((pair[1].0 - pair[0].0) / length, (pair[1].1 - pair[0].1) / length);
-        let t = left.min(length);
+        let t = rest.min(length);
         last = ((pair[0].0 + direction.0 * t, pair[0].1 + direction.1 * t), direction);
-        if left <= length {
+        if rest <= length {
             break;
         }
-        left -= length;
+        rest -= length;
     }
     last
 }

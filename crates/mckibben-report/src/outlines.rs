@@ -4,13 +4,13 @@ use std::fmt::Write as _;
 
 use resvg::usvg::roxmltree::{Document, Node};
 
-use crate::FigureError;
+use crate::Result;
 use crate::font::Metrics;
 use crate::png::raster;
 
 /// A drawing of [`crate::Figure::to_svg`] or [`crate::Sheet::to_svg`] with each `text` element replaced by a `path`: the outlines of its
 /// characters in the embedded font. The n-th one, from 0, has the id `text-n`.
-pub fn texts_as_outlines(svg: &str) -> Result<String, FigureError> {
+pub fn texts_as_outlines(svg: &str) -> Result<String> {
     let metrics = Metrics::new()?;
     let document = Document::parse(svg).map_err(raster)?;
     let texts =
@@ -26,12 +26,12 @@ pub fn texts_as_outlines(svg: &str) -> Result<String, FigureError> {
     Ok(out)
 }
 
-fn path(out: &mut String, number: usize, text: Node<'_, '_>, metrics: &Metrics) -> Result<(), FigureError> {
-    let of = |name: &str| {
+fn path(out: &mut String, number: usize, text: Node<'_, '_>, metrics: &Metrics) -> Result<()> {
+    let number_of = |name: &str| {
         let value = text.attribute(name).and_then(|v| v.parse::<f64>().ok());
         value.ok_or_else(|| raster(format!("a text has no {name}")))
     };
-    let (x, y, size) = (of("x")?, of("y")?, of("font-size")?);
+    let (x, y, size) = (number_of("x")?, number_of("y")?, number_of("font-size")?);
     let words = text.text().unwrap_or_default();
     let width = metrics.width(words, size);
     let start = match text.attribute("text-anchor") {

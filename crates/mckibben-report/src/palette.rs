@@ -28,18 +28,18 @@ const DASHES: [&[f64]; 6] =
     [&[], &[5.0, 2.5], &[1.2, 1.8], &[6.0, 2.0, 1.2, 2.0], &[9.0, 3.0], &[6.0, 1.8, 1.2, 1.8, 1.2, 1.8]];
 
 /// The colour of a number; `count` is the number of different colours in the figure.
-pub(crate) fn rgb(palette: Palette, number: usize, count: usize) -> [u8; 3] {
+fn rgb(palette: Palette, number: usize, count: usize) -> [u8; 3] {
     match palette {
         Palette::Categorical => CATEGORICAL[number % CATEGORICAL.len()],
         Palette::Sequential => {
             let last = count.max(2) - 1;
-            of_part(number.min(last) as f64 / last as f64)
+            ramp(number.min(last) as f64 / last as f64)
         }
     }
 }
 
 /// The colour at a part (0 to 1) of the ramp.
-pub(crate) fn of_part(part: f64) -> [u8; 3] {
+fn ramp(part: f64) -> [u8; 3] {
     let at = part.clamp(0.0, 1.0) * (RAMP.len() - 1) as f64;
     let left = (at.floor() as usize).min(RAMP.len() - 2);
     let part = at - left as f64;

@@ -11,20 +11,20 @@ use resvg::tiny_skia::{PathSegment, Point};
 use resvg::usvg::{self, Fill, FillRule, Group, LineCap, LineJoin, Node, Paint, Stroke, Transform};
 
 use crate::png::raster;
-use crate::{Figure, FigureError, texts_as_outlines};
+use crate::{Figure, Result, texts_as_outlines};
 
 /// Points (1/72 in) for each pixel of CSS (1/96 in).
 const POINTS: f32 = 0.75;
 
 impl Figure {
     /// The figure as a PDF page of its size.
-    pub fn to_pdf(&self) -> Result<Vec<u8>, FigureError> {
+    pub fn to_pdf(&self) -> Result<Vec<u8>> {
         render(&self.to_svg()?, &self.title)
     }
 }
 
 /// A drawing as a PDF page of its size.
-pub(crate) fn render(svg: &str, title: &str) -> Result<Vec<u8>, FigureError> {
+pub(crate) fn render(svg: &str, title: &str) -> Result<Vec<u8>> {
     let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default()).map_err(raster)?;
     let (width, height) = (tree.size().width() * POINTS, tree.size().height() * POINTS);
     let mut drawn = Drawn { content: Content::new(), opacities: vec![] };
@@ -54,7 +54,7 @@ pub(crate) fn render(svg: &str, title: &str) -> Result<Vec<u8>, FigureError> {
     Ok(pdf.finish())
 }
 
-/// What is drawn, and the pairs of opacities (fill, stroke) in it.
+/// The content of a page, and the pairs of opacities (fill, stroke) in it.
 struct Drawn {
     content: Content,
     opacities: Vec<(f32, f32)>,
@@ -65,7 +65,7 @@ fn state_name(i: usize) -> String {
 }
 
 impl Drawn {
-    fn group(&mut self, group: &Group) -> Result<(), FigureError> {
+    fn group(&mut self, group: &Group) -> Result<()> {
         for node in group.children() {
             match node {
                 Node::Group(inner) if !inner.should_isolate() => self.group(inner)?,
@@ -79,7 +79,7 @@ impl Drawn {
         Ok(())
     }
 
-    fn path(&mut self, path: &usvg::Path) -> Result<(), FigureError> {
+    fn path(&mut self, path: &usvg::Path) -> Result<()> {
         self.content.save_state();
         let Transform { sx, ky, kx, sy, tx, ty } = path.abs_transform();
         if !path.abs_transform().is_identity() {
@@ -115,7 +115,7 @@ impl Drawn {
         Ok(())
     }
 
-    fn pen(&mut self, stroke: &Stroke) -> Result<(), FigureError> {
+    fn pen(&mut self, stroke: &Stroke) -> Result<()> {
         let [r, g, b] = colour(stroke.paint())?;
         let cap = match stroke.linecap() {
             LineCap::Butt => LineCapStyle::ButtCap,
@@ -175,7 +175,7 @@ impl Drawn {
     }
 }
 
-fn colour(paint: &Paint) -> Result<[f32; 3], FigureError> {
+fn colour(paint: &Paint) -> Result<[f32; 3]> {
     match paint {
         Paint::Color(c) => Ok([c.red, c.green, c.blue].map(|part| rounded(f32::from(part) / 255.0))),
         _ => Err(raster("it has gradients or patterns")),

@@ -2,7 +2,7 @@
 
 use resvg::{tiny_skia, usvg};
 
-use crate::{Figure, FigureError, texts_as_outlines};
+use crate::{Figure, FigureError, Result, texts_as_outlines};
 
 /// Pixels for each unit of the drawing (a millimetre has four units): 254 dots per inch.
 const SCALE: f32 = 2.5;
@@ -10,7 +10,7 @@ const LONGEST: f32 = 8000.0;
 
 impl Figure {
     /// The figure as a PNG image of 10 pixels per millimetre (1600 × 1000 for one panel).
-    pub fn to_png(&self) -> Result<Vec<u8>, FigureError> {
+    pub fn to_png(&self) -> Result<Vec<u8>> {
         drawn(&self.to_svg()?)?.encode_png().map_err(raster)
     }
 }
@@ -20,7 +20,7 @@ pub(crate) fn raster(reason: impl std::fmt::Display) -> FigureError {
 }
 
 /// Pixels of a drawing.
-fn drawn(svg: &str) -> Result<tiny_skia::Pixmap, FigureError> {
+fn drawn(svg: &str) -> Result<tiny_skia::Pixmap> {
     let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default()).map_err(raster)?;
     // the tree is in CSS pixels (96 to the inch); a unit of the drawing is a quarter millimetre
     let size = tree.size();

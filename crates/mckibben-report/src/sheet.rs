@@ -2,12 +2,12 @@
 //!
 //! Places are in mm from the lower left corner of the sheet, y upwards. Widths of lines follow ISO 128-2: outlines twice as wide as all others.
 
-use crate::FigureError;
 use crate::layout::{PER_MM, check_paper};
 use crate::rect::Spot;
 use crate::strokes::through;
 use crate::svg::{INK, head};
 use crate::xml::{escape, length as n};
+use crate::{FigureError, Result};
 use std::fmt::Write as _;
 
 /// Height of the capitals of the embedded font, as a share of its size.
@@ -19,7 +19,7 @@ pub struct Sheet {
     title: String,
     width_mm: f64,
     height_mm: f64,
-    /// What is drawn, as SVG.
+    /// The drawing, as SVG.
     drawn: String,
     /// A place that is not a number.
     is_lost: bool,
@@ -126,7 +126,7 @@ impl Sheet {
     }
 
     /// The drawing as SVG of the sheet's size.
-    pub fn to_svg(&self) -> Result<String, FigureError> {
+    pub fn to_svg(&self) -> Result<String> {
         check_paper(self.width_mm, self.height_mm)?;
         if self.is_lost {
             let what = format!("a place of the drawing \"{}\" is not a finite number", self.title);
@@ -138,7 +138,7 @@ impl Sheet {
 
     /// The drawing as a PDF page of the sheet's size.
     #[cfg(feature = "png")]
-    pub fn to_pdf(&self) -> Result<Vec<u8>, FigureError> {
+    pub fn to_pdf(&self) -> Result<Vec<u8>> {
         crate::pdf::render(&self.to_svg()?, &self.title)
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Between neighbours x_i, x_{i+1} of a function y(x) the line is y = chord + D (x − x_i)(x − x_{i+1}), D the second divided difference, linear
 //! between those at both ends: the cubic through four points. Where D changes its sign or by more than [`ALIKE`], at a corner or a jump, the chord
-//! is kept; the ends of a line are straight where they have one neighbour only that says so.
+//! is kept; the ends of a line are straight where they have one neighbour only.
 
 use crate::rect::Spot;
 
@@ -67,17 +67,17 @@ mod tests {
     use super::*;
 
     /// The largest distance of the drawn line from a function, in y.
-    fn off(spots: &[Spot], of: impl Fn(f64) -> f64) -> f64 {
+    fn off(spots: &[Spot], function: impl Fn(f64) -> f64) -> f64 {
         let between = |p: &[Spot], s: f64| (p[0].0 + s * (p[1].0 - p[0].0), p[0].1 + s * (p[1].1 - p[0].1));
         let all = spots.windows(2).flat_map(|p| (0..=10).map(move |k| between(p, f64::from(k) / 10.0)));
-        all.map(|(x, y)| (y - of(x)).abs()).fold(0.0, f64::max)
+        all.map(|(x, y)| (y - function(x)).abs()).fold(0.0, f64::max)
     }
 
-    fn sampled(places: &[f64], of: impl Fn(f64) -> f64) -> Vec<Spot> {
-        places.iter().map(|x| (*x, of(*x))).collect()
+    fn sampled(places: &[f64], function: impl Fn(f64) -> f64) -> Vec<Spot> {
+        places.iter().map(|x| (*x, function(*x))).collect()
     }
 
-    /// Exact: the cubic through four points of a parabola or a cubic is that; what is left are chords of a part of the way.
+    /// Exact: the cubic through four points of a parabola or a cubic is that; its error is that of chords of a part of the way.
     #[test]
     fn parabolas_and_cubics_have_no_facets_at_any_spacing() {
         let places = [0.0, 55.0, 100.0, 160.0, 240.0, 300.0, 380.0, 450.0, 520.0, 600.0];

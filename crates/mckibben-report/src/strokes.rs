@@ -12,7 +12,7 @@ const MARKER: f64 = 3.1;
 /// Opacity of an area.
 const PALE: f64 = 0.14;
 
-/// What a series is drawn with.
+/// The brush of a series.
 pub(crate) struct Brush {
     /// Colour number; dash pattern and marker shape follow from it.
     pub number: usize,
@@ -20,12 +20,24 @@ pub(crate) struct Brush {
     pub palette: Palette,
 }
 
-/// Draws the lines and the markers of a series.
-pub(crate) fn series(out: &mut String, lines: &[Vec<Spot>], markers: &[Spot], style: Style, brush: Brush) {
+/// Draws the runs of a series: lines, or markers.
+pub(crate) fn series(out: &mut String, runs: &[Vec<Spot>], style: Style, brush: &Brush) {
     let Brush { number, hex: colour, palette } = brush;
+    if style == Style::Points {
+        let (shape, mut shapes) = (palette::shape(*number), String::new());
+        runs.iter().flatten().for_each(|spot| marker(&mut shapes, shape, *spot));
+        if !shapes.is_empty() {
+            let width = if shape == Shape::Cross { 1.4 } else { 1.3 };
+            let _ = writeln!(
+                out,
+                "<path d=\"{shapes}\" fill=\"#ffffff\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"/>"
+            );
+        }
+        return;
+    }
     let mut path = String::new();
     let mut alone = String::new();
-    for line in lines {
+    for line in runs {
         if let [(x, y)] = line.as_slice() {
             let _ = write!(alone, "<circle cx=\"{}\" cy=\"{}\" r=\"1.8\"/>", n(*x), n(*y));
             continue;
@@ -33,7 +45,7 @@ pub(crate) fn series(out: &mut String, lines: &[Vec<Spot>], markers: &[Spot], st
         through(&mut path, line);
     }
     if !path.is_empty() {
-        let pattern = palette::dash(style, number, palette).unwrap_or(&[]);
+        let pattern = palette::dash(style, *number, *palette).unwrap_or(&[]);
         let _ = writeln!(
             out,
             "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{LINE_WIDTH}\" \
@@ -43,15 +55,6 @@ pub(crate) fn series(out: &mut String, lines: &[Vec<Spot>], markers: &[Spot], st
     }
     if !alone.is_empty() {
         let _ = writeln!(out, "<g fill=\"{colour}\">{alone}</g>");
-    }
-    if !markers.is_empty() {
-        let mut shapes = String::new();
-        markers.iter().for_each(|spot| marker(&mut shapes, palette::shape(number), *spot));
-        let width = if palette::shape(number) == Shape::Cross { 1.4 } else { 1.3 };
-        let _ = writeln!(
-            out,
-            "<path d=\"{shapes}\" fill=\"#ffffff\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"/>"
-        );
     }
 }
 

@@ -10,7 +10,7 @@ use crate::legend::{self, Legend};
 use crate::rect::Spot;
 use crate::strokes::{Brush, area, series as draw_series, through};
 use crate::xml::{escape, length as n};
-use crate::{Figure, FigureError, Style, palette, ticks};
+use crate::{Figure, Result, Style, palette, ticks};
 
 pub(crate) const INK: &str = "#222222";
 pub(crate) const SOFT: &str = "#595959";
@@ -21,14 +21,14 @@ impl Figure {
     ///
     /// # Errors
     /// [`FigureError::Drawing`] without panels, for a range that is empty or not finite, and where paper or panel is too small.
-    pub fn to_svg(&self) -> Result<String, FigureError> {
+    pub fn to_svg(&self) -> Result<String> {
         let metrics = Metrics::new()?;
         let page = layout::page(self, &metrics)?;
         Ok(draw(self, &page))
     }
 }
 
-/// What the drawing of a series needs of its figure.
+/// The colours of the series of a figure.
 struct Pen<'a> {
     figure: &'a Figure,
     colours: usize,
@@ -64,8 +64,8 @@ pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
     for (i, line) in page.title.iter().enumerate() {
         let y = 10.0 + TITLE / 2.0 + i as f64 * (TITLE + 4.0);
         // a hair of outline in place of a second, bold face
-        let extra = format!(" stroke=\"{INK}\" stroke-width=\"0.35\"");
-        text(&mut out, (page.left, y), TITLE, INK, "start", &extra, line);
+        let outline = format!(" stroke=\"{INK}\" stroke-width=\"0.35\"");
+        text(&mut out, (page.left, y), TITLE, INK, &outline, line);
     }
     for placed in &page.panels {
         draw_panel(&mut out, placed, &pen);
@@ -74,26 +74,21 @@ pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
         draw_legend(&mut out, legend, &pen);
     }
     for (i, line) in page.caption.iter().enumerate() {
-        text(&mut out, (page.left, page.caption_y + i as f64 * 12.0), CAPTION, SOFT, "start", "", line);
+        text(&mut out, (page.left, page.caption_y + i as f64 * 12.0), CAPTION, SOFT, "", line);
     }
     out.push_str("</svg>\n");
     out
 }
 
+/// Attributes of a text that does not start at its place.
+const MIDDLE: &str = " text-anchor=\"middle\"";
+const END: &str = " text-anchor=\"end\"";
+
 /// A text whose middle line runs through `at`.
-pub(crate) fn text(
-    out: &mut String,
-    at: Spot,
-    size: f64,
-    fill: &str,
-    anchor: &str,
-    extra: &str,
-    content: &str,
-) {
-    let anchor = if anchor == "start" { String::new() } else { format!(" text-anchor=\"{anchor}\"") };
+fn text(out: &mut String, at: Spot, size: f64, fill: &str, attributes: &str, content: &str) {
     let _ = writeln!(
         out,
-        "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{fill}\"{anchor}{extra}>{}</text>",
+        "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{fill}\"{attributes}>{}</text>",
         n(at.0),
         n(at.1 + 0.36 * size),
         n(size),
@@ -106,8 +101,8 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
     draw_axes(out, &placed.axes);
     let (x, y, title) = &placed.title;
     if !title.is_empty() {
-        let extra = format!(" stroke=\"{INK}\" stroke-width=\"0.2\"");
-        text(out, (*x, *y), PANEL_TITLE, INK, "start", &extra, title);
+        let outline = format!(" stroke=\"{INK}\" stroke-width=\"0.2\"");
+        text(out, (*x, *y), PANEL_TITLE, INK, &outline, title);
     }
     let frame = placed.axes.frame();
     let mut anything = false;
@@ -116,21 +111,20 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
         area(out, &frame.area(&band.points), &pen.hex(band.number(i)));
     }
     for (i, series) in placed.panel.series.iter().enumerate().filter(|(_, s)| !bands(s)) {
-        let (lines, markers) = if series.style == Style::Points {
-            (Vec::new(), frame.markers(&series.points))
-        } else {
-            (frame.line(&series.points), Vec::new())
+        let runs = match series.style {
+            Style::Points => vec![frame.markers(&series.points)],
+            _ => frame.line(&series.points),
         };
-        anything |= !(lines.is_empty() && markers.is_empty());
+        anything |= runs.iter().any(|run| !run.is_empty());
         let brush = pen.brush(series.number(i));
         let brush = if series.neutral { Brush { hex: INK.into(), ..brush } } else { brush };
-        draw_series(out, &lines, &markers, series.style, brush);
+        draw_series(out, &runs, series.style, &brush);
     }
     anything |= draw_marks(out, placed);
     if !anything {
         let plot = placed.axes.plot;
         let middle = (plot.x + plot.w / 2.0, plot.y + plot.h / 2.0);
-        text(out, middle, LABEL, SOFT, "middle", "", "no data in this range");
+        text(out, middle, LABEL, SOFT, MIDDLE, "no data in this range");
     }
     if let Some(legend) = &placed.legend {
         draw_legend(out, legend, pen);
@@ -175,26 +169,26 @@ fn draw_axes(out: &mut String, axes: &Axes) {
     );
     let below = plot.bottom() + TICK_LENGTH + 3.0 + TICK / 2.0;
     for (v, label) in axes.x.ticks.iter().zip(&axes.x.labels) {
-        text(out, (at_x(*v), below), TICK, INK, "middle", "", label);
+        text(out, (at_x(*v), below), TICK, INK, MIDDLE, label);
     }
     for (v, label) in axes.y.ticks.iter().zip(&axes.y.labels) {
-        text(out, (plot.x - TICK_LENGTH - 3.0, at_y(*v)), TICK, INK, "end", "", label);
+        text(out, (plot.x - TICK_LENGTH - 3.0, at_y(*v)), TICK, INK, END, label);
     }
     let row = below + TICK / 2.0 + 3.0 + LABEL / 2.0;
     if axes.x.exponent != 0 {
-        text(out, (plot.right(), row), TICK, INK, "end", "", &ticks::power_text(axes.x.exponent));
+        text(out, (plot.right(), row), TICK, INK, END, &ticks::power_text(axes.x.exponent));
     }
     if axes.y.exponent != 0 {
-        text(out, (plot.x, plot.y - 8.0), TICK, INK, "start", "", &ticks::power_text(axes.y.exponent));
+        text(out, (plot.x, plot.y - 8.0), TICK, INK, "", &ticks::power_text(axes.y.exponent));
     }
     for (i, line) in axes.x_label.iter().enumerate() {
         let at = (plot.x + plot.w / 2.0, row + i as f64 * (LABEL + 2.5));
-        text(out, at, LABEL, INK, "middle", "", line);
+        text(out, at, LABEL, INK, MIDDLE, line);
     }
     for (i, line) in axes.y_label.iter().enumerate() {
         let at = (axes.y_label_x + i as f64 * (LABEL + 2.5), plot.y + plot.h / 2.0);
-        let turned = format!(" transform=\"rotate(-90 {} {})\"", n(at.0), n(at.1));
-        text(out, at, LABEL, INK, "middle", &turned, line);
+        let turned = format!("{MIDDLE} transform=\"rotate(-90 {} {})\"", n(at.0), n(at.1));
+        text(out, at, LABEL, INK, &turned, line);
     }
 }
 
@@ -223,22 +217,21 @@ fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
         through(&mut path, &[a, b]);
         let _ = writeln!(out, "<path d=\"{path}\" stroke=\"{colour}\" stroke-width=\"0.7\" fill=\"none\"/>");
     }
-    // A white outline below keeps the text readable where it has to stand over a line.
+    // A white outline below keeps the text readable over a line.
     let halo = " stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" aria-hidden=\"true\"";
-    text(out, label.at, labels::SIZE, "#ffffff", "start", halo, &label.text);
-    text(out, label.at, labels::SIZE, &colour, "start", "", &label.text);
+    text(out, label.at, labels::SIZE, "#ffffff", halo, &label.text);
+    text(out, label.at, labels::SIZE, &colour, "", &label.text);
 }
 
 fn draw_legend(out: &mut String, legend: &Legend, pen: &Pen<'_>) {
     out.push_str("<g>\n");
     for (x, y, entry) in &legend.entries {
-        let (line, markers) = if entry.style == Style::Points {
-            (Vec::new(), vec![(x + legend::SAMPLE / 2.0, *y)])
-        } else {
-            (vec![vec![(*x, *y), (x + legend::SAMPLE, *y)]], Vec::new())
+        let run = match entry.style {
+            Style::Points => vec![(x + legend::SAMPLE / 2.0, *y)],
+            _ => vec![(*x, *y), (x + legend::SAMPLE, *y)],
         };
-        draw_series(out, &line, &markers, entry.style, pen.brush(entry.colour));
-        text(out, (x + legend::SAMPLE + 6.0, *y), legend::SIZE, INK, "start", "", &entry.label);
+        draw_series(out, &[run], entry.style, &pen.brush(entry.colour));
+        text(out, (x + legend::SAMPLE + 6.0, *y), legend::SIZE, INK, "", &entry.label);
     }
     out.push_str("</g>\n");
 }

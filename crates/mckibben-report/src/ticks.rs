@@ -1,6 +1,6 @@
 //! Axis ranges and ticks at 1, 2 or 5 times a power of ten, and how numbers are written.
 
-use crate::{Axis, FigureError};
+use crate::{Axis, FigureError, Result};
 
 /// The drawn range of an axis with its ticks.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +31,7 @@ pub(crate) fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
 }
 
 /// Chooses range and ticks of an axis with about `wanted` intervals.
-pub(crate) fn scale(axis: &Axis, data: Option<(f64, f64)>, wanted: usize) -> Result<Scale, FigureError> {
+pub(crate) fn scale(axis: &Axis, data: Option<(f64, f64)>, wanted: usize) -> Result<Scale> {
     let wrong = |low: f64, high: f64| {
         let name = &axis.label;
         FigureError::Drawing(format!("axis \"{name}\": {low} to {high} is not a range that can be drawn"))

@@ -15,7 +15,7 @@ use tokio::{sync::Semaphore, task::spawn_blocking};
 /// The content type of packed answers.
 const PACKED: &str = "application/octet-stream";
 
-/// Long work has threads of its own, so that the parts of a short request do not wait behind those of a long one. Where the system gives no
+/// Long work has separate threads, so that the parts of a short request do not wait behind those of a long one. Where the system gives no
 /// more of them, it works alone.
 static LONG: LazyLock<Threads> =
     LazyLock::new(|| Threads::new(Threads::shared().count()).unwrap_or_default());

@@ -47,12 +47,12 @@ fn admitted(request: &Request) -> Result<(), Refusal> {
     let host = header(HOST).unwrap_or_default();
     let with_port = host.rsplit_once(':').filter(|(_, port)| port.parse::<u16>().is_ok());
     let name = with_port.map_or(host, |(name, _)| name);
-    if !LOCAL.iter().any(|own| own.eq_ignore_ascii_case(name)) {
+    if !LOCAL.iter().any(|local| local.eq_ignore_ascii_case(name)) {
         let message = format!("\"{host}\" is not a name of this server");
         return Err(Refusal::new(StatusCode::FORBIDDEN, message, "open it at `localhost` or `127.0.0.1`"));
     }
     if header(ORIGIN).is_some_and(|origin| !origin.eq_ignore_ascii_case(&format!("http://{host}"))) {
-        let hint = "send the request from the server's own page";
+        let hint = "send the request from the page of this server";
         return Err(Refusal::new(StatusCode::FORBIDDEN, "this comes from a page of another origin", hint));
     }
     Ok(())

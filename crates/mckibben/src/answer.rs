@@ -3,7 +3,7 @@
 pub use crate::analysis::Options;
 
 use crate::analysis::{AnalysisError, Evaluation};
-use crate::model::{ModelError, Response, Result, notes_of};
+use crate::model::{ModelError, Response, Result};
 use crate::muscle::Direction;
 use crate::rubber::RubberLaw;
 use crate::uncertainty::UncertaintyParts;
@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 pub struct Answer {
     /// The model's name.
     pub model: String,
-    /// The branch of the hysteresis loop that was asked for.
+    /// The chosen branch of the hysteresis loop.
     #[serde(skip_serializing_if = "Direction::is_mean")]
     pub direction: Direction,
     /// What the model knows; `force_n` is 0 where the muscle is slack, and all else that of the muscle as it hangs: at its free
@@ -60,9 +60,8 @@ pub(crate) struct SlackState {
 impl Evaluation<'_> {
     /// Checks the model's range; with `extrapolate` a violation becomes a warning.
     pub fn check_range(&self, pressure_mpa: f64, contraction: f64) -> Result<Vec<String>> {
-        let Err(mut error) =
-            self.model.info().range.check(&self.model.info().name, pressure_mpa, contraction)
-        else {
+        let info = self.model.info();
+        let Err(mut error) = info.range.check(&info.name, pressure_mpa, contraction) else {
             return Ok(vec![]);
         };
         let straight = 1.0 - 1.0 / self.model.muscle().braid().angle_rad().cos();
@@ -100,8 +99,8 @@ impl Evaluation<'_> {
         Some(SlackState { free_contraction, response })
     }
 
-    /// The same where it may be known already how the muscle hangs at this pressure: if it was shortened by more than that and is not asked
-    /// for its push it is slack, and the model is not asked. What is found of it is left in `hanging` for the next point of this pressure.
+    /// The same where it may be known already how the muscle hangs at this pressure: if it was shortened by more than that and its push
+    /// is not wanted it is slack, and the model is not used. `hanging` keeps its state for the next point of this pressure.
     pub(crate) fn point_beyond(
         &mut self,
         pressure_mpa: f64,
@@ -112,9 +111,9 @@ impl Evaluation<'_> {
         let said = self.check_range(pressure_mpa, contraction)?;
         let mut warnings: Vec<Warning> = said.into_iter().map(Warning::from).collect();
         warnings.extend(model.muscle().warnings().into_iter().map(Warning::from));
-        warnings.extend(notes_of(model, self.workspace).into_iter().map(Warning::from));
+        warnings.extend(model.notes(self.workspace).into_iter().map(Warning::from));
         let beyond = |h: &SlackState| contraction > h.free_contraction && !options.two_sided;
-        let found = match hanging {
+        let response = match hanging {
             Some(known) if beyond(known) => None,
             _ => match self.response(pressure_mpa, contraction) {
                 Ok(response) => Some(response),
@@ -130,7 +129,7 @@ impl Evaluation<'_> {
                 }
             },
         };
-        let response = found.map(|mut response| {
+        let response = response.map(|mut response| {
             // What rounding leaves of no pull is none.
             let tube = model.muscle().tube();
             let stress_mpa = pressure_mpa.abs() + tube.rubber.law.shear_modulus_mpa();
@@ -222,8 +221,8 @@ impl Evaluation<'_> {
     /// As those of [`Evaluation::pressure`].
     pub fn sought_pressure(&mut self, force_n: f64, contraction: f64) -> Result<f64, AnalysisError> {
         self.check_range(self.model.info().range.pressure_mpa.0, contraction)?;
-        let found = self.pressure_at(force_n, contraction);
-        intact(found, force_n, |p, force| self.broken(p, contraction, force))
+        let pressure = self.pressure_at(force_n, contraction);
+        intact(pressure, force_n, |p, force| self.broken(p, contraction, force))
     }
 
     /// The number alone that [`Evaluation::contraction`] seeks.
@@ -232,8 +231,8 @@ impl Evaluation<'_> {
     /// As those of [`Evaluation::contraction`].
     pub fn sought_contraction(&mut self, force_n: f64, pressure_mpa: f64) -> Result<f64, AnalysisError> {
         self.check_range(pressure_mpa, self.model.info().range.contraction.0.max(0.0))?;
-        let found = self.contraction_or_stretch_at(force_n, pressure_mpa);
-        intact(found, force_n, |e, force| self.broken(pressure_mpa, e, force))
+        let contraction = self.contraction_or_stretch_at(force_n, pressure_mpa);
+        intact(contraction, force_n, |e, force| self.broken(pressure_mpa, e, force))
     }
 
     /// That a pull which was found is one of broken strands.
@@ -288,17 +287,17 @@ const FLAT_CONTRACTION: f64 = 0.4;
 const STRETCHED: &str =
     "the pull exceeds the blocked force: it stretches the muscle (contraction below zero)";
 
-/// What was found, unless the strands are broken there, or where the pull is nearest to the one that is sought.
+/// What was answer, unless the strands are broken there, or where the pull is nearest to the one that is sought.
 fn intact(
-    found: Result<f64, AnalysisError>,
+    answer: Result<f64, AnalysisError>,
     force_n: f64,
     broken: impl FnOnce(f64, f64) -> Option<AnalysisError>,
 ) -> Result<f64, AnalysisError> {
-    let at = found.as_ref().map_or_else(AnalysisError::nearest, |place| Some((*place, force_n)));
-    at.and_then(|(place, force_n)| broken(place, force_n)).map_or(found, Err)
+    let at = answer.as_ref().map_or_else(AnalysisError::nearest, |place| Some((*place, force_n)));
+    at.and_then(|(place, force_n)| broken(place, force_n)).map_or(answer, Err)
 }
 
-/// An inverse answers with the force that was asked for, not with its rounding error (which could read as slack at 0 N).
+/// An inverse answers with the given force, not with its rounding error (which could read as slack at 0 N).
 pub(crate) fn exactly(mut answer: Answer, force_n: f64) -> Answer {
     if (answer.response.force_n - force_n).abs() <= 1e-6 * force_n.abs().max(1.0) {
         answer.response.force_n = force_n;

@@ -19,7 +19,7 @@ impl<'t> Catalogue<'t> {
     }
 
     /// Refuses a table without rows of these kinds, and what a row of a kind, or the table beside its `[sources]`, does not have.
-    pub fn check(&self, kinds: &[(&str, &[&str])]) -> Result<(), CatalogueError> {
+    pub fn check(&self, kinds: &[(&str, &str)]) -> Result<(), CatalogueError> {
         let unknown = |what: &str, key: &str, known: &[&str]| {
             let meant = meant(nearest(key, known.iter().copied()));
             Err(CatalogueError(format!("{what}: unknown key {key}{meant}; known here: {}", known.join(", "))))
@@ -29,9 +29,10 @@ impl<'t> Catalogue<'t> {
             return unknown("the table", key, &names);
         }
         for (kind, known) in kinds {
+            let known: Vec<&str> = known.split_whitespace().collect();
             for row in self.rows(kind) {
                 if let Some((key, _)) = row.table.iter().find(|(key, _)| !known.contains(key)) {
-                    return unknown(row.optional("name").unwrap_or(kind), key, known);
+                    return unknown(row.optional("name").unwrap_or(kind), key, &known);
                 }
             }
         }
@@ -66,8 +67,8 @@ pub fn named<'a, T>(
     name: &str,
 ) -> Result<&'a T, String> {
     let sought = plain(name);
-    let found = parts.iter().find(|part| names(part).0 == sought || names(part).1.contains(&sought));
-    found.ok_or_else(|| {
+    let part = parts.iter().find(|part| names(part).0 == sought || names(part).1.contains(&sought));
+    part.ok_or_else(|| {
         let all = parts.iter().map(&names);
         let spellings = all.clone().flat_map(|(name, also)| also.iter().map(String::as_str).chain([name]));
         let given: String = name.chars().take(60).collect();

@@ -5,13 +5,12 @@
 //! - isobaric: P fixed, F(ε).
 
 use crate::analysis::{AnalysisError, Evaluation};
-use crate::answer::{Answer, SlackState};
+use crate::answer::Answer;
 use crate::cancel;
-use crate::model::ModelError;
 use serde::{Deserialize, Serialize};
 
 /// Which test.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Test {
     /// ε fixed, F over P.
@@ -19,6 +18,7 @@ pub enum Test {
     /// F fixed, ε over P.
     Isotonic,
     /// P fixed, F over ε.
+    #[default]
     Isobaric,
 }
 
@@ -33,14 +33,14 @@ impl Test {
     }
 }
 
-/// One point of a curve: what was asked, and the answer or why there is none.
+/// One point of a curve: the question, and the answer or why there is none.
 #[derive(Debug, Clone)]
 pub struct CurvePoint {
     /// Pressure in MPa.
     pub pressure_mpa: f64,
-    /// Contraction asked for (isometric, isobaric).
+    /// Given contraction (isometric, isobaric).
     pub contraction: Option<f64>,
-    /// Pull asked for in N (isotonic).
+    /// Given pull in N (isotonic).
     pub force_n: Option<f64>,
     /// The answer.
     pub answer: Result<Answer, AnalysisError>,
@@ -51,52 +51,34 @@ pub struct CurvePoint {
 pub struct Curve {
     /// What is fixed along it: ε, F in N, or P in MPa.
     pub fixed: f64,
-    /// Its points in the order asked.
+    /// Its points in the given order.
     pub points: Vec<CurvePoint>,
 }
 
 impl Evaluation<'_> {
     /// A family of curves: `fixed` holds ε, F or P of each curve, `along` the P or ε of its points.
     ///
-    /// Points without an answer carry their reason; the others stand.
+    /// Points without an answer carry their reason; the others keep theirs.
     pub fn curves(&mut self, test: Test, fixed: &[f64], along: &[f64]) -> Vec<Curve> {
         let curve = |&fixed: &f64| {
             // Along an isobaric curve it is sought once how the muscle hangs, at the first slack point.
             let mut hanging = None;
             let mut one = |&x: &f64| {
-                if test != Test::Isobaric {
+                let open = cancel::check().map_err(AnalysisError::from);
+                if test == Test::Isotonic {
+                    let answer = open.and_then(|()| self.contraction(fixed, x));
+                    return CurvePoint { pressure_mpa: x, contraction: None, force_n: Some(fixed), answer };
+                }
+                if test == Test::Isometric {
                     hanging = None;
                 }
-                self.curve_point(test, fixed, x, &mut hanging)
+                let (p, e) = if test == Test::Isobaric { (fixed, x) } else { (x, fixed) };
+                let answer = open.and_then(|()| Ok(self.point_beyond(p, e, &mut hanging)?));
+                CurvePoint { pressure_mpa: p, contraction: Some(e), force_n: None, answer }
             };
             Curve { fixed, points: along.iter().map(&mut one).collect() }
         };
         fixed.iter().map(curve).collect()
-    }
-
-    fn curve_point(
-        &mut self,
-        test: Test,
-        fixed: f64,
-        x: f64,
-        hanging: &mut Option<SlackState>,
-    ) -> CurvePoint {
-        // A search asks the model many times before it gives up: of what is to end, not once.
-        let open = cancel::check().map_err(|e| AnalysisError::from(ModelError::Cancelled(e)));
-        match test {
-            Test::Isotonic => CurvePoint {
-                pressure_mpa: x,
-                contraction: None,
-                force_n: Some(fixed),
-                answer: open.and_then(|()| self.contraction(fixed, x)),
-            },
-            Test::Isometric | Test::Isobaric => {
-                let (p, e) = if test == Test::Isobaric { (fixed, x) } else { (x, fixed) };
-                let answer =
-                    open.and_then(|()| self.point_beyond(p, e, hanging).map_err(AnalysisError::from));
-                CurvePoint { pressure_mpa: p, contraction: Some(e), force_n: None, answer }
-            }
-        }
     }
 }
 

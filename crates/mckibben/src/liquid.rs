@@ -1,4 +1,4 @@
-//! Liquids that fill a muscle: how far they give way under pressure, with the gas that is in them.
+//! Liquids that fill a muscle: their compression under pressure, with the gas that is in them.
 
 use crate::analysis::ATMOSPHERE_MPA;
 use serde::Serialize;
@@ -46,7 +46,7 @@ pub struct LiquidError {
 /// ```
 ///
 /// The gas is ideal, stays at its temperature (slow changes) and does not dissolve; in fact some of it dissolves under pressure, and the liquid is
-/// stiffer then. At 1 bar 1 % of gas gives way 54 times as far as the water around it. Source: \[merritt1967\], effective bulk modulus.
+/// stiffer then. At 1 bar 1 % of gas is compressed 54 times as much as the water around it. Source: \[merritt1967\], effective bulk modulus.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Liquid {
     /// Its name.
@@ -73,13 +73,13 @@ pub struct LiquidSupply {
 impl Liquid {
     /// A liquid of the table with a share of gas.
     pub fn named(name: &str, gas_share: f64) -> Result<Self, LiquidError> {
-        let found = LIQUIDS.into_iter().find(|liquid| liquid.name == name);
-        let found = found.ok_or_else(|| {
+        let liquid = LIQUIDS.into_iter().find(|liquid| liquid.name == name);
+        let liquid = liquid.ok_or_else(|| {
             let names = LIQUIDS.map(|liquid| liquid.name).join(", ");
             let message = format!("there is no liquid \"{name}\"; the liquids are {names}");
             LiquidError { field: "liquid", key: "name", message }
         })?;
-        Self { gas_share, ..found }.validated()
+        Self { gas_share, ..liquid }.validated()
     }
 
     /// The same with another bulk modulus in MPa.

@@ -27,7 +27,7 @@ pub struct Silent;
 
 impl Progress for Silent {}
 
-/// Only the wish to end: for a part of the work that tells no steps of its own.
+/// Cancels only: for a part of the work that reports no steps.
 pub struct CancelOnly<'a>(pub &'a dyn Progress);
 
 impl Progress for CancelOnly<'_> {

@@ -35,13 +35,8 @@ pub fn points(field: &'static str, estimate: f64) -> Result<(), TooLarge> {
 
 /// Refuses more than [`MAX_ELEMENTS`].
 pub fn elements(field: &'static str, estimate: f64) -> Result<(), TooLarge> {
-    at_most(TooLarge {
-        field,
-        estimate,
-        unit: "elements",
-        limit: MAX_ELEMENTS,
-        advice: "take a coarser mesh",
-    })
+    let advice = "take a coarser mesh";
+    at_most(TooLarge { field, estimate, unit: "elements", limit: MAX_ELEMENTS, advice })
 }
 
 /// Refuses more than [`MAX_BYTES`].
@@ -50,8 +45,8 @@ pub fn bytes(field: &'static str, estimate: f64) -> Result<(), TooLarge> {
     at_most(TooLarge { field, estimate, unit: "bytes", limit: MAX_BYTES, advice })
 }
 
-fn at_most(asked: TooLarge) -> Result<(), TooLarge> {
-    if asked.estimate <= asked.limit { Ok(()) } else { Err(asked) }
+fn at_most(estimated: TooLarge) -> Result<(), TooLarge> {
+    if estimated.estimate <= estimated.limit { Ok(()) } else { Err(estimated) }
 }
 
 /// A number with its thousands: 8 388 608, 4e9 as 4 000 000 000.

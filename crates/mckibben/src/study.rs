@@ -154,56 +154,53 @@ fn findings(
             Evaluation::new(&ideals[0].1, &mut Workspace::new(), options).contraction_at(f, HIGHEST_MPA);
         shorter &= ideal? >= list[0];
     }
+    let word = |holds: bool, yes: &'static str, no: &'static str| if holds { yes } else { no };
+    let finding = |statement, holds, ours| Finding { statement, ours, holds };
+    let falls = word(falling, "falls with s", "does not always fall with s");
+    let rises = word(rising, "rises", "does not always rise");
+    let contracts = word(isotonic_falls, "contracts less", "does not always contract less");
+    let more = word(shorter, "more", "not always more");
     Ok(vec![
-        Finding {
-            statement: "a thicker wall gives less force at the same pressure and shortening",
-            ours: format!(
-                "{} at .25 MPa for every shortening",
-                if falling { "falls with s" } else { "does not always fall with s" }
-            ),
-            holds: falling,
-        },
-        Finding {
-            statement: "the loss from s = 1 to 5 mm reaches about 300 N",
-            ours: format!(
-                "at most {largest:.0} N (ΔL 0/20/40: {:.0}/{:.0}/{:.0} N)",
-                loss[0], loss[1], loss[2]
-            ),
-            holds: (250.0..=350.0).contains(&largest),
-        },
-        Finding {
-            statement: "for ΔL > 0 the pressure P′ at which force starts rises with s",
-            ours: format!("{} at 20 and 40 mm", if rising { "rises" } else { "does not always rise" }),
-            holds: rising,
-        },
-        Finding {
-            statement: "P′ rises by up to about 0.07 MPa from s = 1 to 5 mm",
-            ours: format!("{:.3} MPa at 20 mm, {:.3} MPa at 40 mm", rise[0], rise[1]),
-            holds: (0.06..=0.08).contains(&rise[0].max(rise[1])),
-        },
-        Finding {
-            statement: "the curves of (1) with D0 = 24 mm are the steepest",
-            ours: format!("(1) gives {} N, the model with s = 1 {thinnest} N at ΔL 0/20/40", at(0)),
-            holds: steepest(0),
-        },
-        Finding {
-            statement: "the same with the outer diameter, D0 = 30 mm (not in the paper)",
-            ours: format!("(1) gives {} N", at(1)),
-            holds: steepest(1),
-        },
-        Finding {
-            statement: "isotonic: a thicker wall contracts less at the same pressure",
-            ours: format!(
-                "{} at 20, 80 and 150 N",
-                if isotonic_falls { "contracts less" } else { "does not always contract less" }
-            ),
-            holds: isotonic_falls,
-        },
-        Finding {
-            statement: "isotonic: (4) with D0 = 24 mm contracts more than the model",
-            ours: format!("{} than s = 1 at .25 MPa", if shorter { "more" } else { "not always more" }),
-            holds: shorter,
-        },
+        finding(
+            "a thicker wall gives less force at the same pressure and shortening",
+            falling,
+            format!("{falls} at .25 MPa for every shortening"),
+        ),
+        finding(
+            "the loss from s = 1 to 5 mm reaches about 300 N",
+            (250.0..=350.0).contains(&largest),
+            format!("at most {largest:.0} N (ΔL 0/20/40: {:.0}/{:.0}/{:.0} N)", loss[0], loss[1], loss[2]),
+        ),
+        finding(
+            "for ΔL > 0 the pressure P′ at which force starts rises with s",
+            rising,
+            format!("{rises} at 20 and 40 mm"),
+        ),
+        finding(
+            "P′ rises by up to about 0.07 MPa from s = 1 to 5 mm",
+            (0.06..=0.08).contains(&rise[0].max(rise[1])),
+            format!("{:.3} MPa at 20 mm, {:.3} MPa at 40 mm", rise[0], rise[1]),
+        ),
+        finding(
+            "the curves of (1) with D0 = 24 mm are the steepest",
+            steepest(0),
+            format!("(1) gives {} N, the model with s = 1 {thinnest} N at ΔL 0/20/40", at(0)),
+        ),
+        finding(
+            "the same with the outer diameter, D0 = 30 mm (not in the paper)",
+            steepest(1),
+            format!("(1) gives {} N", at(1)),
+        ),
+        finding(
+            "isotonic: a thicker wall contracts less at the same pressure",
+            isotonic_falls,
+            format!("{contracts} at 20, 80 and 150 N"),
+        ),
+        finding(
+            "isotonic: (4) with D0 = 24 mm contracts more than the model",
+            shorter,
+            format!("{more} than s = 1 at .25 MPa"),
+        ),
     ])
 }
 

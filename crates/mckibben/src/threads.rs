@@ -1,7 +1,7 @@
 //! Work side by side, on the threads that the system gives.
 //!
 //! All parallel work of the workspace goes through here. Where threads are refused (a limit of processes, WebAssembly) the
-//! calling thread does the work alone. Results stand in the order of their items: they are the same on any number of threads.
+//! calling thread does the work alone. Results have the order of their items: they are the same on any number of threads.
 //!
 //! There are as many threads as cores; `RAYON_NUM_THREADS` in the environment sets another number, up to 64 or four for each core.
 //! Inside of a pool of rayon ([`rayon::ThreadPool::install`]) the work stays in that pool. The parts of some work have its
@@ -19,7 +19,7 @@ use thiserror::Error;
 /// The caller of [`Threads::for_each`] hears from it this often at least.
 const TICK: Duration = Duration::from_millis(100);
 
-/// Threads that were asked for are not to be had.
+/// Requested threads are not available.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("cannot start threads: {0}")]
 pub struct ThreadsError(String);
@@ -234,7 +234,7 @@ mod tests {
         assert_eq!(threads.within(count), [2, 2, 2]);
     }
 
-    /// One pool asked from its only thread would wait for itself.
+    /// One pool used from its only thread would wait for itself.
     #[test]
     fn work_inside_of_work_ends() {
         let pool = pool(1).unwrap();

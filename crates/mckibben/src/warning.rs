@@ -32,7 +32,7 @@ pub enum WarningKind {
     StrandsBreak,
     /// The strands stretch beyond the validated range of the models.
     StrandStrain,
-    /// A slack muscle was asked for a contraction that its braid does not reach.
+    /// A slack muscle at a contraction that its braid does not reach.
     BeyondBraid,
     /// The muscle pulls less when its pressure rises.
     FallsWithPressure,

@@ -22,7 +22,7 @@ fn random(r: &mut Random) -> Option<(Muscle, f64)> {
     let strain = r.between(0.002, 0.06);
     let sin = angle_deg.to_radians().sin();
     let k = p * 0.5 * d0 / (2.0 * sin * sin * strain);
-    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: mu }));
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: mu }));
     let tube = Tube::new(d0, wall_mm, length_mm, rubber);
     let braid = Braid { angle_deg, stiffness: BraidStiffness::NewtonPerMm(k), ..Braid::paper() };
     Some((Muscle::new(tube, braid, Terminals::default(), None).ok()?, p))

@@ -13,11 +13,6 @@ function spare(c) {
   const points = c.points.map((q) => ({ spare: q.force_at_max_pressure_n * q.margin / (1 + q.margin), half: q.uncertainty_n ?? NaN }));
   return points.reduce((a, b) => (b.spare - b.half < a.spare - a.half ? b : a), points[0] ?? { spare: NaN, half: NaN });
 }
-/** Whether what is to spare covers the ±; nothing where the ± is not known. @param {Candidate} c */
-function isSure(c) {
-  const { spare: more, half } = spare(c);
-  return Number.isFinite(half) ? more >= half * (1 - 1e-6) : undefined;
-}
 /** @param {Candidate} c @param {Prices} prices */
 const price = (c, prices) => [c.tube, c.sleeve].map((name) => prices.get(name ?? "")).filter(Boolean).join(" + ");
 const grams = (/** @type {number | null | undefined} */ g) => (g ? `${number(g, 3)} g` : "–");
@@ -40,7 +35,6 @@ function columns(prices, liquid) {
   }];
   /** @param {string} head @param {(c: Candidate) => string | null | undefined} of @returns {Column} */
   const words = (head, of) => [head, "", (c) => of(c) ?? "", of];
-  const sure = (/** @type {Candidate} */ c) => ({ true: "yes", false: "no" })[String(isSure(c))] ?? "–";
   return [
     words("tube", (c) => c.tube),
     words("sleeve", (c) => c.sleeve),
@@ -54,7 +48,7 @@ function columns(prices, liquid) {
       (c) => outside("force", spare(c).spare)],
     ["± of the pull", unitName("force"), (c) => (c.uncertainty_n ? `± ${show("force", c.uncertainty_n, 2)}` : "–"),
       (c) => c.uncertainty_n && outside("force", c.uncertainty_n)],
-    words("sure", sure),
+    quantity("sure at", "pressure", (c) => c.sure_pressure_mpa, 3),
     quantity("bulged", "length", (c) => c.bulged_diameter_mm),
     quantity("bursts at", "pressure", (c) => c.burst_pressure_mpa, 3),
     liquid
@@ -94,48 +88,27 @@ function csv(candidates, prices) {
 }
 
 /**
- * How to ask for a muscle that is sure, where the best has less to spare than its ±.
+ * The decision, and how to ask for a muscle that is sure.
  * @param {Answer} answer
  * @param {(words: Record<string, string>) => void} ask
  */
-function doubt(answer, ask) {
-  const [best] = answer.candidates, sure = answer.to_be_sure;
-  if (isSure(best) !== false) return null;
-  const half = show("force", best.uncertainty_n, 2),
-    begin = `The best muscle has less pull to spare than its ± of ${half}.`;
-  if (!sure) {
-    return el("p", { class: "doubt" },
-      `${begin} No muscle of this search meets the requirement with the lower end of its ±.`);
-  }
-  const measures = `${show("length", sure.outer_diameter_mm, 4)}, wall ${show("length", sure.wall_mm)}`;
-  return el("p", { class: "doubt row" },
-    el("span", {}, `${begin} To be sure: outer diameter ${measures}, at ${show("pressure", sure.pressure_mpa)}.`),
-    el("button", { type: "button", onclick: () => ask({ sure: "95 %" }) }, "Design for a guaranteed pull (95 %)"));
-}
-
-/** @param {Answer} answer */
-function head(answer) {
-  const [best] = answer.candidates, [point] = best.points;
+function head(answer, ask) {
+  const [best] = answer.candidates, words = answer.uncertainty_words;
   const size = `Outer diameter ${show("length", best.outer_diameter_mm, 4)}, wall ${
     show("length", best.wall_mm)
   }, length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`;
-  const pull = `pull ${withUncertainty("force", point.force_n, point.uncertainty_n)} at ${
-    show("ratio", point.contraction, 3)
-  }, blocked force ${show("force", best.blocked_force_n)}.`;
-  const binds = /** @type {{ binds?: string }} */ (best).binds;
-  const words = answer.uncertainty_words;
   return [
     el("h2", {}, size),
-    el("p", {},
-      `Rubber ${best.rubber}. Required pressure ${show("pressure", best.pressure_mpa, 3)}; ${pull} ${
-        binds ? `Limited by: ${binds.replaceAll("_", " ")}.` : ""
-      }`),
+    el("ul", { class: "decision" }, ...(answer.decision ?? []).map((line) => el("li", {}, inWords(line)))),
     best.joint
       ? el("p", {},
         `Pulley of radius ${show("length", best.joint.radius_mm, 3)}, ${
           show("ratio", best.joint.contraction_at_neutral, 3)
         } contracted at the neutral angle.`)
       : null,
+    answer.searched.guaranteed
+      ? null
+      : el("button", { type: "button", onclick: () => ask({ sure: "95 %" }) }, "Design for a guaranteed pull (95 %)"),
     words?.text
       ? el("p", { class: "small soft" },
         [words.text, words.bench].filter(Boolean).map((text) => `${inWords(/** @type {string} */ (text))}.`).join(" "))
@@ -182,15 +155,14 @@ export function foundView(answer, prices, { open, ask }) {
       el("ul", {}, ...answer.assumptions.map((text) => el("li", {}, capital(inWords(text))))))
     : null;
   return [
-    ...head(answer),
-    doubt(answer, ask),
+    ...head(answer, ask),
     warnings(answer.warnings),
     table(list.map(([name]) => name), rows, { text, pick: (i) => open(answer.candidates[i]),
       label: "Muscles that fit, best first" }),
     el("p", { class: "row small soft" },
       el("span", { class: "grow" },
         `${answer.fitting} of ${answer.looked_at} muscles fit; searched with ${answer.searched_with}, computed by `
-          + `${answer.model}. Click one to show it. Sure: the pull to spare covers the ±.`),
+          + `${answer.model}. Click one to show it. Sure at: there the lower end of the ± meets what is required.`),
       el("button", { type: "button", onclick: save, title: "The table of the muscles as a file" }, "CSV of the table")),
     ...details(answer),
     boughtView(answer),
@@ -207,34 +179,6 @@ function boughtView({ bought }) {
   return bought?.length ? el("p", { class: "small" }, `As sold would do: ${bought.map(one).join("; ")}.`) : null;
 }
 
-/** @param {NonNullable<Answer["closest"]>["relaxations"][number]} r */
-function relaxation(r) {
-  const points = ("points" in r ? r.points : []).map((p) =>
-    `${show("force", p.force_n)} at ${show("ratio", p.contraction, 3)}`
-  ).join(", ");
-  switch (r.relax) {
-    case "max_pressure":
-      return `Supply ${show("pressure", r.pressure_mpa, 3)}.`;
-    case "force":
-      return `Reduce the pull to ${points}.`;
-    case "contraction":
-      return `Reduce the requirement to ${points}.`;
-    case "outer_diameter":
-      return `Take a tube of ${show("length", r.outer_diameter_mm)}.`;
-    case "max_liquid_volume":
-      return `Provide ${number(1e-3 * r.liquid_volume_mm3, 4)} mL of liquid for each muscle.`;
-    case "guided":
-      return "Guide the muscle, so that it cannot buckle.";
-    default:
-      return capital(
-        Object.entries(r).map(([k, v]) => (k === "relax"
-          ? String(v).replaceAll("_", " ")
-          : `${k.replaceAll("_", " ")} ${typeof v === "number" ? number(v) : v}`)
-        ).join(": "),
-      ) + ".";
-  }
-}
-
 /** What comes closest where nothing fits. @param {Answer} answer */
 export function closestView(answer) {
   const c = answer.closest;
@@ -248,7 +192,7 @@ export function closestView(answer) {
     warnings(answer.warnings),
     c.hint ? el("p", {}, capital(inWords(c.hint))) : null,
     boughtView(answer),
-    el("ul", {}, ...c.relaxations.map((r) => el("li", {}, relaxation(r)))),
+    el("ul", {}, ...c.relaxations.map((r) => el("li", {}, capital(inWords(r.text))))),
   ].filter((part) => part !== null);
 }
 

@@ -2,6 +2,7 @@
 
 use super::bought::BoughtAnswer;
 use super::bundle::BundleAnswer;
+use super::remedies::RelaxationAnswer;
 use super::request::{OperatingPoint, TorqueWanted};
 use crate::{
     MuscleSummary, PressureLimits, TextFile, UncertaintyWords, Units, number, percent, put_first, said_of,
@@ -11,7 +12,7 @@ use mckibben::analysis::Burst;
 use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::{liquid::Liquid, muscle::file::to_toml, warning::Warning};
 use mckibben_design::{
-    BraidChoice, Candidate, Demand, Lift, Limit, Outcome, Rejected, Relaxation, Spec, Spread, tubes::rubbers,
+    BraidChoice, Candidate, Demand, Lift, Limit, Outcome, Rejected, Spec, Spread, tubes::rubbers,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -21,6 +22,9 @@ use serde::Serialize;
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct DesignAnswer {
+    /// The decision in sentences: what to take, which pressure to set, what it pulls, what is sure, what limits it; none where nothing fits.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub decision: Vec<String>,
     /// The model that all numbers come from.
     pub model: String,
     /// The model that computed most muscles of the search.
@@ -56,7 +60,7 @@ pub struct DesignAnswer {
     /// Spread of the pull of the best muscle under the tolerances, point by point.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tolerance: Vec<Spread>,
-    /// If the margin of the best muscle is smaller than its ±: the best muscle whose lower end of the ± meets the requirement
+    /// If none of the candidates is sure at a pressure that it may have: the best muscle whose lower end of the ± meets the requirement
     /// (`guaranteed`); none where the same search finds none.
     pub to_be_sure: Option<CandidateAnswer>,
     /// If nothing fits: the muscle that comes closest.
@@ -116,7 +120,7 @@ pub struct SearchedAnswer {
     /// Safety factor of the tube.
     pub min_tube_margin: Option<f64>,
     /// Of a bundle: how many muscles share the requirement. What is wanted, and all numbers of the candidates, are those of one of them.
-    pub bundle: Option<u32>,
+    pub count: Option<u32>,
     /// Whether it was checked: the strength of the strands is known.
     pub burst_checked: bool,
     /// Largest strain of the strands, where there is one.
@@ -128,6 +132,8 @@ pub struct SearchedAnswer {
 /// A muscle that fits.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct CandidateAnswer {
+    /// So many of it side by side.
+    pub count: u32,
     /// The muscle.
     #[serde(flatten)]
     pub muscle: MuscleSummary,
@@ -186,9 +192,6 @@ pub struct RejectedAnswer {
     /// That limit; none where the model has no answer.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<Limit>,
-    /// By which share of it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub misses_by: Option<f64>,
 }
 
 /// The muscle that comes closest, and what would make it fit.
@@ -197,8 +200,8 @@ pub struct ClosestAnswer {
     /// The muscle and the bound it misses.
     #[serde(flatten)]
     pub rejected: RejectedAnswer,
-    /// Limits to relax, each alone.
-    pub relaxations: Vec<Relaxation>,
+    /// Changes with which a muscle of the search fits, the smallest of each kind; those that ask for least first.
+    pub relaxations: Vec<RelaxationAnswer>,
     /// Contractions beyond every braid of the search, and the angle that reaches them; a stiffer sleeve that fits.
     pub hint: Option<String>,
 }
@@ -247,7 +250,7 @@ impl DemandAnswer {
 }
 
 impl SearchedAnswer {
-    pub(super) fn of(spec: &Spec, bundle: Option<u32>) -> Self {
+    pub(super) fn of(spec: &Spec) -> Self {
         let has_strength = |braid: &Braid| braid.strands.is_some_and(|s| s.strength_n.is_some());
         Self {
             rubber: rubber_of(spec),
@@ -260,7 +263,7 @@ impl SearchedAnswer {
                 _ => has_strength(spec.base.braid()),
             },
             max_strand_strain: spec.limits.strand_strain,
-            bundle,
+            count: Some(spec.count).filter(|n| *n > 1),
             guaranteed: spec.guaranteed,
         }
     }
@@ -304,6 +307,7 @@ impl CandidateAnswer {
                 }),
                 _ => None,
             },
+            count: spec.count,
             muscle: (&c.muscle).into(),
             candidate: c.clone(),
             bulged_diameter_mm: c.bulged_diameter_mm(),
@@ -328,7 +332,6 @@ impl From<&Rejected> for RejectedAnswer {
             muscle: r.clone(),
             reason: r.reason.describe(|kind, v| Units::default().show(kind, v)),
             limit: r.reason.limit(),
-            misses_by: r.reason.misses_by(),
         }
     }
 }

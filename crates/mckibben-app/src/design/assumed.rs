@@ -1,19 +1,29 @@
 //! What a design took where nobody said anything, and what of it keeps muscles from fitting.
 
 use super::request::DesignRequest;
-use crate::words::{number, percent};
+use crate::words::number;
 use mckibben::muscle::{Braid, BraidStiffness, Muscle};
-use mckibben::progress::Progress;
-use mckibben::sleeve::{Helix, SleeveShape, library};
 use mckibben_design::tubes::{LEAST_CAST_WALL_MM, rubbers};
-use mckibben_design::{Below, BraidChoice, Build, Closest, Demand, Models, Spec, design_with, fits};
+use mckibben_design::{BraidChoice, Spec};
+
+/// Pressure of a supply in MPa where none is given: that of a usual workshop.
+pub(super) const SUPPLY_MPA: f64 = 0.6;
+
+/// Whether the length is an assumption.
+pub(super) fn length_is(request: &DesignRequest) -> bool {
+    let says = request.length_mm.is_some() || request.stroke_mm.is_some() && request.contraction.is_some();
+    !says && request.muscle.is_none()
+}
 
 /// What was assumed, in sentences.
 pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
     let mut out = vec![];
-    let says_length =
-        request.length_mm.is_some() || request.stroke_mm.is_some() && request.contraction.is_some();
-    if !says_length && request.muscle.is_none() {
+    if request.max_pressure_mpa.is_none() {
+        out.push(format!(
+            "the supply gives {SUPPLY_MPA} MPa, because no pressure is given (`max_pressure_mpa`)"
+        ));
+    }
+    if length_is(request) {
         let length_mm = number(spec.base.length_mm(), 5);
         let named = "(`length_mm`, or a muscle file)";
         out.push(format!("the length L0 is {length_mm} mm, because none is given {named}"));
@@ -42,69 +52,8 @@ pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
 }
 
 /// Whether the braid is the paper's, whose stiffness follows from the diameter.
-fn is_paper(spec: &Spec) -> bool {
+pub(super) fn is_paper(spec: &Spec) -> bool {
     !matches!(spec.braid, BraidChoice::Sleeves(_)) && spec.base.braid().stiffness == BraidStiffness::Paper
-}
-
-/// Where the strands of the paper's braid stretch too far: that a stiffer sleeve would do, and how stiff it has to be, where that is
-/// what the closest muscle lacks.
-pub(super) fn stiffer_sleeve(spec: &Spec, build: &Build<'_>, closest: &Closest) -> Option<String> {
-    /// Factors on the stiffness that are tried.
-    const FACTORS: [f64; 6] = [1.25, 1.5, 2.0, 3.0, 5.0, 10.0];
-    if !is_paper(spec) {
-        return None;
-    }
-    let muscle = &closest.muscle;
-    let own = muscle.family_stiffness_n_per_mm()?;
-    let fitting = FACTORS.into_iter().map(|factor| factor * own).find(|&k| {
-        let mut braid = muscle.braid().clone();
-        braid.stiffness = BraidStiffness::NewtonPerMm(k);
-        muscle.with_braid(braid).is_ok_and(|stiff| fits(spec, build, &stiff))
-    });
-    let strained = closest.rejected.reason.check().and_then(|check| check.by) == Some(Below::Strained);
-    let (own, limit) = (number(own, 3), percent(spec.limits.strand_strain?));
-    let first = format!(
-        "The braid is that of the paper. Its stiffness of one strand family is {own} N/mm here; its strands may stretch by {limit}, the validated range."
-    );
-    let stiffer = match fitting.map(|k| number(k, 3)) {
-        Some(k) => format!("Use a stiffer sleeve: with {k} N/mm this muscle fits."),
-        None if strained => "The strands of a stiffer sleeve stretch less.".into(),
-        None => return None,
-    };
-    Some(format!("{first} {stiffer} Give a sleeve (`braids`), a `stiffness`, or a muscle file with strands."))
-}
-
-/// The sleeve whose filaments, material and estimates the others have.
-const LIKE: &str = "flexo-overexpanded-0.75in";
-/// It expands to so many times its least diameter.
-const EXPANDS: f64 = 4.0;
-/// Least diameters in mm, and the ratio of one to the next.
-const SIZES: (f64, f64) = (2.0, 80.0);
-const RATIO: f64 = 1.15;
-
-/// The sleeve of a least diameter on a tube that it just fits.
-fn sized(least_mm: f64) -> Option<Braid> {
-    let mut sleeve = library::find(LIKE).ok()?;
-    let largest_mm = EXPANDS * least_mm;
-    let helix = Helix::jammed_at(least_mm, largest_mm)?;
-    sleeve.shape = SleeveShape { name: "another".into(), helix, least_mm, largest_mm };
-    sleeve.on(least_mm).ok()
-}
-
-/// Which sleeve would make a muscle that fits, in a sentence; none where no size does. Of a joint, whose search takes seconds, nothing is looked for.
-pub(super) fn that_fits(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> Option<String> {
-    if spec.tubes.is_empty() || matches!(spec.wanted, Demand::Joint(_)) {
-        return None;
-    }
-    let sizes = std::iter::successors(Some(SIZES.0), |d| Some(d * RATIO)).take_while(|d| *d <= SIZES.1);
-    let braid = BraidChoice::Sleeves(sizes.filter_map(sized).collect());
-    let wider = Spec { braid, top: 1, ..spec.clone() };
-    let found = design_with(&wider, Models { settle: None, ..models }, progress).ok()?;
-    let first = found.candidates.first()?;
-    let shape = first.muscle.braid().sleeve.as_ref()?;
-    let [least, largest] = [shape.least_mm, shape.largest_mm].map(|mm| number(mm, 2));
-    let expands = format!("One of polyester that expands from {least} to {largest} mm would");
-    Some(format!("No sleeve of the catalogue fits. {expands}, with the tube {}.", first.tube.as_deref()?))
 }
 
 /// A wall that nobody makes.

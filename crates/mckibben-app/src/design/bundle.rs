@@ -53,15 +53,15 @@ pub struct BundlePoint {
 impl DesignRequest {
     /// How many muscles share what is required.
     pub(super) fn count(&self) -> Result<u32> {
-        let count = self.bundle.unwrap_or(1);
+        let count = self.count.unwrap_or(1);
         if !(1..=MOST).contains(&count) {
             let message = format!("{count} muscles; a bundle has 1 to {MOST}");
-            return Err(Problem::new(ProblemKind::Range, message, "").in_field("bundle"));
+            return Err(Problem::new(ProblemKind::Range, message, "").in_field("count"));
         }
         let pitch = [("pitch_mm", count == 1 && self.pitch_mm.is_some())];
         Problem::refuse_unused(
             &pitch,
-            "it is the distance of neighbours in a `bundle` of two muscles or more",
+            "it is the distance of neighbours in a `count` of two muscles or more",
         )?;
         for (field, value) in [("max_envelope_mm", self.max_envelope_mm), ("pitch_mm", self.pitch_mm)] {
             value.map(|mm| above_zero(ProblemKind::Specification, field, mm)).transpose()?;
@@ -109,7 +109,7 @@ pub(super) fn of(
     build: &Build<'_>,
     winner: Option<&Candidate>,
 ) -> Option<BundleAnswer> {
-    let (winner, muscles) = (winner?, request.bundle?);
+    let (winner, muscles) = (winner?, request.count?);
     let (ratio, count) = (envelope_ratio(muscles), f64::from(muscles));
     let bulged = winner.bulged_diameter_mm();
     let pitch_mm = request.pitch_mm.or(request.max_envelope_mm.map(|mm| mm / ratio)).or(bulged);

@@ -4,6 +4,8 @@ mod answer;
 mod assumed;
 mod bought;
 mod bundle;
+mod decision;
+mod remedies;
 mod request;
 
 pub use answer::{
@@ -16,16 +18,18 @@ pub use request::{Choice, DesignRequest, ObjectiveWord, OperatingPoint, TorqueWa
 
 use crate::{Model, Result, UncertaintyWords, Units, figure, not_measured};
 use answer::{muscle_file, not_checked, out_of_reach};
+use decision::Decision;
 use mckibben::analysis::Evaluation;
 use mckibben::answer::Options;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben_design::{
-    Build, Candidate, CandidatePoint, Models, Outcome, Spec, Spread, Tolerances, design_joint, design_with,
-    fits, spread,
+    Build, Candidate, CandidatePoint, Models, Outcome, Relaxation, Spec, Spread, Tolerances, design_joint,
+    design_with, fits, spread,
 };
 use mckibben_report::Figure;
+use remedies::RelaxationAnswer;
 use request::Search;
 
 /// Curves are drawn of so many candidates.
@@ -50,6 +54,12 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     let (spec, outcome) = search(&wanted, progress)?;
     let tolerance = spreads(request.tolerance.as_ref(), &decide, &outcome)?;
     let winner = outcome.candidates.first();
+    if winner.is_none()
+        && request.count.is_none()
+        && let Some(bundle) = as_bundle(request, &outcome, progress)?
+    {
+        return Ok(bundle);
+    }
     let verification = match (request.verify, winner) {
         (Verify::Fe, Some(winner)) if winner.model != Model::FE.name() => Some(verified(&spec, winner)?),
         _ => None,
@@ -58,19 +68,22 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         Some(unit) if winner.is_some() => Some(draw(&spec, &decide, &outcome, unit)?),
         _ => None,
     };
-    let hint = outcome.closest.as_ref().and_then(|closest| {
-        let stiffer = assumed::stiffer_sleeve(&spec, &decide, closest);
-        let by_parts = || assumed::that_fits(&spec, models, &CancelOnly(progress));
-        stiffer.or_else(|| request.braids.is_empty().then(by_parts).flatten())
-    });
+    let is_sure = outcome.candidates.iter().any(|c| c.sure_pressure_mpa.is_some());
     let to_be_sure = match winner {
-        Some(winner) if spec.guaranteed.is_none() && winner.is_doubtful() => {
+        Some(_) if spec.guaranteed.is_none() && !is_sure => {
             let guaranteed = Spec { guaranteed: Some(0.95), top: 1, ..wanted };
             let (spec, sure) = search(&guaranteed, &CancelOnly(progress))?;
             sure.candidates.first().map(|c| CandidateAnswer::new(c, &spec))
         }
         _ => None,
     };
+    let decision = Decision {
+        spec: &spec,
+        is_length_assumed: assumed::length_is(request),
+        candidates: &outcome.candidates,
+        to_be_sure: to_be_sure.as_ref(),
+    };
+    let decision = decision.lines();
     let supply_mpa = spec.max_pressure_mpa;
     let mut warnings = winner.map_or_else(|| not_checked(&outcome, supply_mpa), answer::warnings);
     let bundle = bundle::of(request, &decide, winner);
@@ -79,19 +92,22 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         warnings.extend(not_measured(&c.muscle, c.highest_pressure_mpa)?);
     }
     let closest = outcome.closest.as_ref().map(|closest| {
-        let hints: Vec<String> = out_of_reach(&spec).into_iter().chain(hint).collect();
+        let parts = remedies::of_parts(request, &spec, models, closest, &CancelOnly(progress));
+        let changes = closest.relaxations.iter().cloned().chain(parts);
+        let has_stroke = request.stroke_mm.is_some() && request.contraction.is_none();
         ClosestAnswer {
             rejected: (&closest.rejected).into(),
-            relaxations: closest.relaxations.clone(),
-            hint: (!hints.is_empty()).then(|| hints.join(" ")),
+            relaxations: changes.map(|change| RelaxationAnswer::of(change, &spec, has_stroke)).collect(),
+            hint: out_of_reach(&spec),
         }
     });
     Ok(DesignAnswer {
+        decision,
         model: policy.model.name().into(),
         searched_with: policy.searches().into(),
         max_pressure_mpa: supply_mpa,
         wanted: DemandAnswer::of(&spec.wanted),
-        searched: SearchedAnswer::of(&spec, request.bundle),
+        searched: SearchedAnswer::of(&spec),
         liquid: spec.liquid.as_ref().map(|supply| supply.liquid.clone()),
         load: request.load.load.clone(),
         assumptions: assumed::assumptions(request, &spec),
@@ -112,6 +128,39 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     })
 }
 
+/// Counts that are tried, as multiples of the least.
+const COUNTS: [f64; 4] = [1.0, 1.01, 1.5, 2.0];
+
+/// Where no single muscle meets what is required: as few side by side as do, and as the envelope has room for.
+fn as_bundle(
+    request: &DesignRequest,
+    outcome: &Outcome,
+    progress: &dyn Progress,
+) -> Result<Option<DesignAnswer>> {
+    let changes = outcome.closest.iter().flat_map(|closest| &closest.relaxations);
+    let share = changes.into_iter().find_map(|change| match change {
+        Relaxation::Force { share, .. } => Some(*share),
+        _ => None,
+    });
+    for multiple in COUNTS {
+        let Some(share) = share else { break };
+        let count = (multiple / share).ceil();
+        if count > f64::from(mckibben_design::bundle::MOST) {
+            break;
+        }
+        let several = DesignRequest { count: Some(count as u32), ..request.clone() };
+        let mut answer = design(&several, &CancelOnly(progress))?;
+        if !answer.candidates.is_empty() {
+            let said = format!(
+                "{count} equal muscles share what is required, because no single one does it (`count`)"
+            );
+            answer.assumptions.insert(0, said);
+            return Ok(Some(answer));
+        }
+    }
+    Ok(None)
+}
+
 /// The ± of the winner in words, at the point where it is largest.
 fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<UncertaintyWords> {
     let winner = winner?;
@@ -120,7 +169,7 @@ fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<U
     let (model, workspace) = (build(&winner.muscle).ok()?, &mut Workspace::new());
     let mut model = Evaluation::new(&*model, workspace, spec.options().direction);
     let parts = model.uncertainty(response.pressure_mpa, response.contraction, response.force_n);
-    Some(UncertaintyWords::of(parts, &mut model, response.pressure_mpa))
+    Some(UncertaintyWords::at(parts, &mut model, response.pressure_mpa))
 }
 
 fn spreads(tolerances: Option<&Tolerances>, build: &Build<'_>, outcome: &Outcome) -> Result<Vec<Spread>> {

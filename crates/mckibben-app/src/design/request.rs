@@ -1,5 +1,6 @@
 //! What is wanted, and what may be varied.
 
+use super::assumed::SUPPLY_MPA;
 use super::{ModelPolicy, SearchedMuscles, near_the_box};
 use crate::{
     LiquidFields, LoadFields, MeshFields, Model, ModelFields, MuscleFields, NamedFields, Problem,
@@ -36,7 +37,7 @@ pub struct DesignRequest {
     pub largest_angle_deg: Option<f64>,
     /// Radii of the pulley, mm; default: searched.
     pub radius_mm: Option<Choice>,
-    /// Pressure that the supply can give, MPa. Each muscle is used up to this pressure or its own allowed one, whichever is lower.
+    /// Pressure that the supply can give, MPa; default 0.6. Each muscle is used up to this pressure or its own allowed one, whichever is lower.
     pub max_pressure_mpa: Option<f64>,
     /// A liquid in the place of air.
     #[serde(flatten)]
@@ -49,7 +50,7 @@ pub struct DesignRequest {
     /// together. It needs `liquid`.
     pub max_liquid_volume_mm3: Option<f64>,
     /// Equal muscles side by side that share what is required, 1 to 1000; default 1.
-    pub bundle: Option<u32>,
+    pub count: Option<u32>,
     /// Largest diameter of the circle around all muscles at the operating points, mm.
     pub max_envelope_mm: Option<f64>,
     /// Distance between the axes of neighbours of a bundle, mm; default: that of the largest envelope, or the bulged diameter.
@@ -75,9 +76,9 @@ pub struct DesignRequest {
     /// Search free diameters and walls with the rubber and the braid of the paper, or those that are given, instead of tubes and sleeves as sold. So
     /// does any of `muscle`, `outer_diameter_mm`, `wall_mm`, `angle_deg`, `strand_length_per_turn_mm` and `stiffness`.
     pub continuous: bool,
-    /// Tubes as sold or cast, by name; default: all that are sold, and those that can be cast of `dragon-skin-30` or of `rubbers`.
+    /// Tubes as sold or cast, by name, or by bore and outer diameter in mm, such as `8x12`, of each of `rubbers`; default: all that are sold, and those that can be cast of `dragon-skin-30` or of `rubbers`.
     pub tubes: Vec<String>,
-    /// Tubes of your own (TOML, as the catalogue), in place of the catalogue.
+    /// Tubes and sleeves of your own (TOML, as the catalogues), in place of those of the catalogue.
     pub parts: Option<TextFile>,
     /// Outer diameters D0 at rest, mm.
     pub outer_diameter_mm: Option<Choice>,
@@ -166,8 +167,7 @@ impl DesignRequest {
         let (base, wanted, radius_mm) = self.demand()?;
         let wanted = self.share(&wanted)?;
         let extends = wanted.extends();
-        let max_pressure_mpa =
-            given("max_pressure_mpa", self.max_pressure_mpa, "a pressure, such as 0.25 MPa")?;
+        let max_pressure_mpa = finite("max_pressure_mpa", self.max_pressure_mpa.unwrap_or(SUPPLY_MPA))?;
         let model = Model::choose(&self.model)?;
         let sections = model.sections();
         let (diameters, walls) = sections.unwrap_or(SECTIONS);
@@ -217,6 +217,7 @@ impl DesignRequest {
         }
         let spec = Spec {
             wanted,
+            count: self.count()?,
             max_pressure_mpa,
             liquid: self.liquid.named_supply()?,
             length_mm: match &self.length_mm {
@@ -279,22 +280,26 @@ impl DesignRequest {
     fn tubes(&self) -> Result<Vec<TubePart>> {
         let problem = |e: tubes::TubeError| Problem::new(ProblemKind::Specification, e.to_string(), "");
         let own = self.parts.as_ref().map(|file| tubes::read(&file.text)).transpose();
-        let own = own.map_err(|e| problem(e).in_field("parts"))?;
+        let own = own.map_err(|e| problem(e).in_field("parts"))?.filter(|tubes| !tubes.is_empty());
         let all = match &own {
             Some(own) => &own[..],
             None => tubes::catalogue().map_err(problem)?,
         };
-        if !self.tubes.is_empty() {
-            let named = self.tubes.iter().map(|name| tubes::find(all, name));
-            return named.collect::<Result<_, _>>().map_err(|e| problem(e).in_field("tubes"));
-        }
-        if own.is_some() && self.rubbers.is_empty() {
+        if own.is_some() && self.tubes.is_empty() && self.rubbers.is_empty() {
             return Ok(all.to_vec());
         }
         let rubbers: Vec<String> = match &self.rubbers[..] {
             [] => vec![tubes::CAST_RUBBER.into()],
             some => some.to_vec(),
         };
+        if !self.tubes.is_empty() {
+            let of_name = |name: &String| match tubes::of_size(name, &rubbers[0]) {
+                Some(_) => rubbers.iter().filter_map(|rubber| tubes::of_size(name, rubber)).collect(),
+                None => Ok(vec![tubes::find(all, name)?]),
+            };
+            let named: std::result::Result<Vec<Vec<TubePart>>, _> = self.tubes.iter().map(of_name).collect();
+            return Ok(named.map_err(|e| problem(e).in_field("tubes"))?.concat());
+        }
         let wanted = rubbers.iter().map(|name| Ok(rubber(name)?.name)).collect::<Result<Vec<_>>>()?;
         let sold =
             all.iter().filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)));
@@ -309,15 +314,21 @@ impl DesignRequest {
 
     /// The named sleeves, all of the library where parts are searched, or the base muscle's.
     fn sleeves(&self, base: &Muscle, as_sold: bool) -> Result<Vec<Braid>> {
+        let own = self.parts.as_ref().map(|file| library::read(&file.text)).transpose();
+        let own = own.map_err(|e| Problem::from(e).in_field("parts"))?.unwrap_or_default();
         if self.braids.is_empty() && as_sold {
             let on_least = |entry: &SleeveEntry| Ok(entry.sleeve.on(entry.sleeve.diameters().0)?);
-            return library::entries()?.iter().map(on_least).collect();
+            let all = if own.is_empty() { library::entries()? } else { &own };
+            return all.iter().map(on_least).collect();
         }
         if self.braids.is_empty() {
             let own = base.braid().sleeve.is_some() && self.angle_deg.is_none();
             return Ok(if own { vec![base.braid().clone()] } else { vec![] });
         }
         let braid = |name: &String| {
+            if let Some(entry) = own.iter().find(|entry| entry.sleeve.name() == name) {
+                return Ok(entry.sleeve.on(entry.sleeve.diameters().0)?);
+            }
             let mut fields = MuscleFields::from(NamedFields {
                 braid: Some(name.clone()),
                 stiffness: self.stiffness,

@@ -106,15 +106,15 @@ const LINE: usize = 101;
 
 /// The line of a load over the contraction, and its equilibria: filled where they are stable.
 fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> (Series, Series) {
-    let asked = list.iter().flat_map(|c| &c.points).filter_map(|p| p.contraction);
-    let found = loaded.at.iter().flat_map(|at| &at.equilibria);
-    let end = asked.chain(found.clone().map(|e| e.answer.response.contraction)).fold(0.0, f64::max);
+    let along = list.iter().flat_map(|c| &c.points).filter_map(|p| p.contraction);
+    let equilibria = loaded.at.iter().flat_map(|at| &at.equilibria);
+    let end = along.chain(equilibria.clone().map(|e| e.answer.response.contraction)).fold(0.0, f64::max);
     let (low, high) = loaded.line.reach_mm();
     let places = (0..LINE).map(|i| end * i as f64 / (LINE - 1) as f64);
     let known = places.filter(|e| (low..=high).contains(&(e * length_mm)));
     let line: Vec<(f64, f64)> =
         known.map(|e| (e, u.force.value(loaded.line.force_n(e * length_mm)))).collect();
-    let points = found.map(|e| {
+    let points = equilibria.map(|e| {
         let r = &e.answer.response;
         (r.contraction, u.force.value(r.force_n))
     });
@@ -162,11 +162,11 @@ pub fn design(
 ) -> Figure {
     let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
     let mut first_band = None;
-    let asked = wanted.iter().map(|w| w.contraction).fold(0.0, f64::max);
+    let reach = wanted.iter().map(|w| w.contraction).fold(0.0, f64::max);
     for (i, (candidate, model)) in models.iter().enumerate() {
         let m = &candidate.muscle;
         let name = format!("D0 {}, s {}", u.length.to(m.outer_diameter_mm(), 4), u.length.to(m.wall_mm(), 3));
-        let end = candidate.free_contraction.unwrap_or(0.2).max(asked).min(model.info().range.contraction.1);
+        let end = candidate.free_contraction.unwrap_or(0.2).max(reach).min(model.info().range.contraction.1);
         let along: Vec<f64> = (0..=60).map(|i| end * f64::from(i) / 60.0).collect();
         let (max_pressure_mpa, needed) = (candidate.highest_pressure_mpa, candidate.pressure_mpa);
         let workspace = &mut Workspace::new();

@@ -1,7 +1,7 @@
 //! The paper's Figures 5 to 12, from the tables of its method.
 
 use super::caption;
-use crate::words::number;
+use crate::{NamedFigure, words::number};
 use mckibben::formula::Formula;
 use mckibben_campaign::fit::data::{distinct, same};
 use mckibben_campaign::fit::paper_method::{CurveFit, LineFit, PaperMethod};
@@ -53,10 +53,10 @@ fn curve_panel<'a>(
 }
 
 /// Figures 5 to 11 where the paper's method was used, and 12, with names for their files.
-pub(crate) fn fitted(f: &FittedFormula) -> Vec<(&'static str, Figure)> {
-    let mut all = f.paper.as_ref().map_or_else(Vec::new, |m| paper_figures(m, &f.formula));
-    all.push(("figure_12_formula_and_points", against_points(&f.formula, &f.compared)));
-    all
+pub(crate) fn fitted(f: &FittedFormula) -> Vec<NamedFigure> {
+    let last = ("figure_12_formula_and_points", against_points(&f.formula, &f.compared));
+    let all = f.paper.iter().flat_map(|m| paper_figures(m, &f.formula)).chain([last]);
+    all.map(|(name, figure)| NamedFigure { name: name.into(), figure }).collect()
 }
 
 /// Figures 5 to 11.

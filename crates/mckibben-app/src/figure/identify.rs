@@ -1,4 +1,4 @@
-//! What was identified: the model over the points, and what is left of them.
+//! What was identified: the model over the points, and the residuals.
 
 use super::curves::{MOST_BANDS, pull};
 use super::{BAND, caption, has_band, some_of};
@@ -8,7 +8,7 @@ use mckibben::model::Workspace;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben_fit::identify::{Identification, PointFit};
 use mckibben_fit::measured::{DataPoint, Section, distinct, mean_of_data};
-use mckibben_fit::{identify::Build, validation::case::MuscleCase, validation::report::FitResult};
+use mckibben_fit::{identify::Build, validation::case::MuscleCase, validation::report::MeasuredFit};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// Curves of one figure at most; of more levels some are shown.
@@ -35,8 +35,8 @@ struct Levels {
 }
 
 impl Levels {
-    fn of(found: &Identification) -> Self {
-        let at = || found.points.iter().map(|f| f.point.at);
+    fn new(identified: &Identification) -> Self {
+        let at = || identified.points.iter().map(|f| f.point.at);
         let pressures = distinct(at().map(|p| p.pressure_mpa));
         let contractions = distinct(at().map(|p| p.contraction));
         let isobaric = pressures.len() <= contractions.len();
@@ -68,27 +68,27 @@ impl Levels {
 
 /// The model over the points of the first muscle, and the residuals of all over contraction and pressure.
 pub(crate) fn identified(
-    found: &Identification,
+    identified: &Identification,
     build: &Build<'_>,
     origin: &str,
     about: &str,
     u: &Units,
 ) -> Figure {
     let mut figure = Figure::new(format!("Identified from {origin}")).palette(Palette::Sequential);
-    let sections = sections(found);
-    let levels = Levels::of(found);
+    let sections = sections(identified);
+    let levels = Levels::new(identified);
     for section in sections.iter().take(if sections.len() > 1 { 2 } else { 1 }) {
-        figure = figure.panel(fit(found, build, section, &levels, u, sections.len() > 1));
+        figure = figure.panel(fit(identified, build, section, &levels, u, sections.len() > 1));
     }
     let said = if figure.panels.iter().any(has_band) { BAND } else { "" };
     let shown = levels.shown();
-    let rms = u.force.to(found.rms_n, 3);
+    let rms = u.force.to(identified.rms_n, 3);
     figure = figure
         .caption(caption(format!("Dots: data; lines: {about}{said}{shown}. rms {rms} {}", u.force.name)));
-    let left = |x: fn(&PointFit) -> f64, axis: Axis, scale: f64| {
+    let residuals = |x: fn(&PointFit) -> f64, axis: Axis, scale: f64| {
         let mut panel = Panel::new(axis, Axis::new(u.force.heading("model − data")).from_zero());
         for n in 0..levels.fixed.len() {
-            let mine = found.points.iter().filter(|f| levels.nearest(f) == n);
+            let mine = identified.points.iter().filter(|f| levels.nearest(f) == n);
             let points: Vec<(f64, f64)> = mine.map(|f| (scale * x(f), u.force.value(f.residual_n))).collect();
             if !points.is_empty() {
                 panel = panel.series(Series::scatter(levels.label(n, u), points).colour(n));
@@ -97,8 +97,8 @@ pub(crate) fn identified(
         panel
     };
     figure
-        .panel(left(|f| f.point.at.contraction, Axis::new("contraction ratio ε [–]").from_zero(), 1.0))
-        .panel(left(
+        .panel(residuals(|f| f.point.at.contraction, Axis::new("contraction ratio ε [–]").from_zero(), 1.0))
+        .panel(residuals(
             |f| f.point.at.pressure_mpa,
             Axis::new(u.pressure.heading("pressure P")).from_zero(),
             u.pressure.value(1.0),
@@ -106,9 +106,9 @@ pub(crate) fn identified(
 }
 
 /// The muscles of the data, those with most points first.
-fn sections(found: &Identification) -> Vec<Section> {
+fn sections(identified: &Identification) -> Vec<Section> {
     let mut list: Vec<(Section, usize)> = vec![];
-    for f in &found.points {
+    for f in &identified.points {
         match list.iter_mut().find(|s| s.0 == f.point.section) {
             Some(entry) => entry.1 += 1,
             None => list.push((f.point.section, 1)),
@@ -124,26 +124,26 @@ fn sections(found: &Identification) -> Vec<Section> {
 }
 
 fn fit(
-    found: &Identification,
+    identified: &Identification,
     build: &Build<'_>,
     section: &Section,
     levels: &Levels,
     u: &Units,
     named: bool,
 ) -> Panel {
-    let mine: Vec<&PointFit> = found.points.iter().filter(|f| f.point.section == *section).collect();
+    let mine: Vec<&PointFit> = identified.points.iter().filter(|f| f.point.section == *section).collect();
     let isobaric = levels.isobaric;
     let x_axis =
         if isobaric { "contraction ratio ε [–]".into() } else { u.pressure.heading("pressure P") };
     let mut panel = Panel::new(Axis::new(x_axis).from_zero(), pull(u));
-    let muscle = found.candidate.of_section(section);
+    let muscle = identified.candidate.section_muscle(section);
     if named && let Ok(m) = &muscle {
         let [diameter, wall] = [m.outer_diameter_mm(), m.wall_mm()].map(|mm| u.length.show(mm));
         panel = panel.title(format!("D0 {diameter}, s {wall}"));
     }
     // The ± of the fit belongs to the muscle of the file.
-    let bench = found.bench.as_ref().filter(|_| muscle.as_ref().is_ok_and(|m| *m == found.muscle));
-    let (mut bands, offset) = (vec![], found.candidate.contraction_offset);
+    let bench = identified.bench.as_ref().filter(|_| muscle.as_ref().is_ok_and(|m| *m == identified.muscle));
+    let (mut bands, offset) = (vec![], identified.candidate.contraction_offset);
     let model = muscle.ok().and_then(|m| build(&m).ok());
     for (n, &value) in levels.fixed.iter().enumerate() {
         let key = |f: &&&PointFit| same(levels.key(f), value);
@@ -198,19 +198,19 @@ const LINE: u32 = 30;
 /// Measured points and lines of a model, muscle by muscle.
 pub(crate) fn measured(
     cases: &[&MuscleCase],
-    found: &[FitResult],
+    results: &[MeasuredFit],
     model: (&str, &Build<'_>),
     u: &Units,
 ) -> Figure {
     let name = model.0;
     let about = format!(
-        "Dots: measured, means of the branches; lines: {name} with what the first fit of each muscle found, over ε at constant pressure"
+        "Dots: measured, means of the branches; lines: {name} with the constants of the first fit of each muscle, over ε at constant pressure"
     );
     let mut figure = Figure::new(format!("Measured muscles and {name}"))
         .caption(caption(&about))
         .palette(Palette::Sequential);
     for (number, case) in cases.iter().enumerate() {
-        let Some(first) = found.iter().find(|r| r.case == number) else { continue };
+        let Some(first) = results.iter().find(|r| r.case == number) else { continue };
         figure = panels(figure, case, &first.muscle, model.1, u);
     }
     figure.columns(2)
@@ -226,17 +226,17 @@ fn panels(mut figure: Figure, case: &MuscleCase, muscle: &Muscle, build: &Build<
         }
     }
     for section in &sections {
-        let own: Vec<&DataPoint> = means.iter().filter(|p| p.section == *section).collect();
+        let points: Vec<&DataPoint> = means.iter().filter(|p| p.section == *section).collect();
         let title = match section.length_mm {
             Some(length) if sections.len() > 1 => format!("{}: {}", case.facts.name, u.length.show(length)),
             _ => case.facts.title.clone(),
         };
-        figure = figure.panel(panel(title, &own, muscle, build, u));
+        figure = figure.panel(panel(title, &points, muscle, build, u));
     }
     figure
 }
 
-fn panel(title: String, points: &[&DataPoint], found: &Muscle, build: &Build<'_>, u: &Units) -> Panel {
+fn panel(title: String, points: &[&DataPoint], fitted: &Muscle, build: &Build<'_>, u: &Units) -> Panel {
     let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
     let mut pressures: Vec<f64> = points.iter().map(|p| p.at.pressure_mpa).collect();
     pressures.sort_by(f64::total_cmp);
@@ -249,7 +249,7 @@ fn panel(title: String, points: &[&DataPoint], found: &Muscle, build: &Build<'_>
     let some =
         if shown.len() < all { format!(" ({} of {all} pressures)", shown.len()) } else { String::new() };
     panel = panel.title(title + &some);
-    let muscle = points.first().and_then(|p| p.section.apply(found).ok());
+    let muscle = points.first().and_then(|p| p.section.apply(fitted).ok());
     let model = muscle.and_then(|m| build(&m).ok());
     let mut workspace = Workspace::new();
     for (n, &pressure) in shown.iter().enumerate() {

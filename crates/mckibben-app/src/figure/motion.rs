@@ -8,7 +8,7 @@ use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 /// Position, pressures with their command, and pulls; the runs of a sweep one over the other.
 pub fn motion(answer: &MotionAnswer, sweep: Option<&str>, u: &Units) -> Figure {
     let runs: Vec<&MotionRun> = answer.runs().collect();
-    let joint = answer.motion.motion.series.of == Coordinate::Angle;
+    let joint = answer.motion.motion.series.kind == Coordinate::Angle;
     let time = || Axis::new("time t [s]").from_zero();
     let position = if joint { "angle φ [°]" } else { "contraction ratio ε [–]" };
     let mut places = Panel::new(time(), Axis::new(position));
@@ -64,8 +64,8 @@ fn end_band(run: &MotionRun) -> Option<Series> {
             (motion.equilibrium_angle_deg.or(in_the_end(&angle))?, half)
         }
         (None, Some(half)) => {
-            let own = motion.series.muscles.first().and_then(|m| in_the_end(&m.contraction));
-            (motion.equilibrium_contraction.or(own)?, half)
+            let last = motion.series.muscles.first().and_then(|m| in_the_end(&m.contraction));
+            (motion.equilibrium_contraction.or(last)?, half)
         }
         (None, None) => return None,
     };

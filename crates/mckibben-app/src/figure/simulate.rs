@@ -78,9 +78,9 @@ fn capital(word: &str) -> String {
 /// What is fixed along the curve of a point.
 fn key(test: Test, q: &Simulated) -> f64 {
     match test {
-        Test::Isometric => q.asked.contraction.unwrap_or(f64::NAN),
-        Test::Isotonic => q.asked.force_n.unwrap_or(f64::NAN),
-        Test::Isobaric => q.asked.pressure_mpa,
+        Test::Isometric => q.requested.contraction.unwrap_or(f64::NAN),
+        Test::Isotonic => q.requested.force_n.unwrap_or(f64::NAN),
+        Test::Isobaric => q.requested.pressure_mpa,
     }
 }
 
@@ -88,8 +88,8 @@ fn coordinates(test: Test, q: &Simulated, u: &Units) -> (f64, f64) {
     let r = q.solution.as_ref().ok().map(|s| s.response);
     let pull = r.filter(|_| !q.slack).map_or(f64::NAN, |r| u.force.value(r.force_n));
     match test {
-        Test::Isometric => (u.pressure.value(q.asked.pressure_mpa), pull),
-        Test::Isotonic => (u.pressure.value(q.asked.pressure_mpa), r.map_or(f64::NAN, |r| r.contraction)),
-        Test::Isobaric => (q.asked.contraction.unwrap_or(f64::NAN), pull),
+        Test::Isometric => (u.pressure.value(q.requested.pressure_mpa), pull),
+        Test::Isotonic => (u.pressure.value(q.requested.pressure_mpa), r.map_or(f64::NAN, |r| r.contraction)),
+        Test::Isobaric => (q.requested.contraction.unwrap_or(f64::NAN), pull),
     }
 }

@@ -1,4 +1,4 @@
-//! A model bound to its muscle and asked for many points, for front ends that hold arrays of numbers.
+//! A model bound to its muscle and evaluated at many points, for front ends that hold arrays of numbers.
 //!
 //! A request in JSON is one question; here the same question is put to lists of numbers, without text on the way: F(P, ε), or its
 //! inverses P(F, ε) and ε(F, P), with the derivatives that the model has ([`slopes`]). What a point answers is what
@@ -15,7 +15,7 @@ use mckibben_fit::identify::Target;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// What is asked of each pair of numbers.
+/// The quantity that follows from each pair of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PointQuantity {
     /// F in N, of P in MPa and ε.
@@ -26,16 +26,7 @@ pub enum PointQuantity {
     Contraction,
 }
 
-/// What becomes of a point without an answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unanswered {
-    /// The first one ends the work with its reason.
-    Refused,
-    /// Its numbers are NaN.
-    NotANumber,
-}
-
-/// How many points are asked.
+/// How many points are answered.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Many {
     pub wanted: PointQuantity,
@@ -43,8 +34,8 @@ pub struct Many {
     pub slopes: bool,
     /// Also the derivatives by these constants and measures of the muscle, all others held.
     pub parameters: Vec<Target>,
-    /// Points without an answer.
-    pub unanswered: Unanswered,
+    /// The numbers of a point without an answer are NaN; else the first one ends the work with its reason.
+    pub nan: bool,
 }
 
 impl Many {
@@ -110,7 +101,7 @@ impl BoundModel {
         &self.model.info().name
     }
 
-    /// How it is asked.
+    /// How it is evaluated.
     pub fn options(&self) -> Options {
         self.options
     }
@@ -129,7 +120,7 @@ impl BoundModel {
         matches!(self.choice, Model::Formula(_) | Model::ClosedForm(ModelKind::Paper))
     }
 
-    /// Whether so many numbers take some hundredths of a second at most: nobody needs to hear of progress.
+    /// Whether so many numbers take some hundredths of a second at most: no progress is reported.
     pub fn is_moment(&self, numbers: usize) -> bool {
         let most = match self.choice {
             Model::Elements(_) => 0,
@@ -145,7 +136,7 @@ impl BoundModel {
     }
 
     /// Answers every pair, each into its [`Many::width`] places of `out`, on the threads of the process; returns how many have no
-    /// answer. What is found does not depend on the number of threads.
+    /// answer. The numbers do not depend on the number of threads.
     pub fn fill(
         &self,
         pairs: [&[f64]; 2],
@@ -182,7 +173,7 @@ impl BoundModel {
             let mut workspace = Workspace::new();
             for (i, places) in part.chunks_mut(BLOCK * width).enumerate() {
                 let (from, length) = (place / width + i * BLOCK, places.len() / width);
-                // What is behind a point without an answer is not asked for.
+                // Points behind one without an answer are left out.
                 if from > first.load(Ordering::Relaxed) || progress.cancelled() {
                     return;
                 }
@@ -194,7 +185,7 @@ impl BoundModel {
                 progress.report(done.fetch_add(length, Ordering::Relaxed) + length, count);
             }
         };
-        // To ask whether the process has threads takes as long as some hundred points.
+        // A look at the threads of the process takes as long as some hundred points.
         if out.len() <= share * width {
             work(0, out)
         } else {

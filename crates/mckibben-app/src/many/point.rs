@@ -9,13 +9,13 @@
 //! F in N, P in MPa, ε = ΔL/L0, θ a constant or measure of the muscle in its unit (MPa, N/mm, mm, degrees). F_θ holds all other
 //! constants and measures: by the diameter, say, the strands' k in N/mm stays what it is, also where the braid's k follows the diameter.
 
-use super::{BoundModel, Many, PointQuantity, Unanswered};
+use super::{BoundModel, Many, PointQuantity};
 use crate::{Problem, ProblemKind, Result, finite, ratio};
 use mckibben::analysis::Evaluation;
 use mckibben::model::{Bounds, ModelError, Workspace, pulls_within};
 use mckibben::muscle::{BraidStiffness, Muscle};
 use mckibben::{cancel, differences::slope, rubber::RubberLaw, warning::strand_strength_n};
-use mckibben_fit::identify::{Candidate, Target, own_value};
+use mckibben_fit::identify::{Candidate, Target};
 use std::f64::consts::PI;
 
 /// What rounding leaves of no pull, as a share of the pressure on the outer section.
@@ -42,7 +42,7 @@ impl BoundModel {
             match self.one((a, b), many, workspace, &mut free, places) {
                 Ok(()) => {}
                 // Work that is to end says so of every point.
-                Err(problem) if many.unanswered == Unanswered::Refused || cancel::check().is_err() => {
+                Err(problem) if !many.nan || cancel::check().is_err() => {
                     return Err((index, problem));
                 }
                 Err(_) => {
@@ -67,7 +67,7 @@ impl BoundModel {
         } else {
             (range.pressure_mpa, (range.contraction.0, range.contraction.1.min(1.0 - 1e-9)))
         };
-        let own = self.options.extrapolate || range.muscle.is_empty() && range.make.is_empty();
+        let is_checked = self.options.extrapolate || range.muscle.is_empty() && range.make.is_empty();
         let wider = |(low, high): (f64, f64)| (low - 1e-12, high + 1e-12);
         let bounds = Bounds {
             pressure_mpa: wider(pressures),
@@ -75,7 +75,7 @@ impl BoundModel {
             push_n: if self.options.two_sided { f64::NEG_INFINITY } else { 0.0 },
             rounding_mm2: ROUNDING * self.outer_area_mm2(),
         };
-        own && pulls_within(&*self.model, workspace, [p, e], &bounds, out)
+        is_checked && pulls_within(&*self.model, workspace, [p, e], &bounds, out)
     }
 
     fn evaluation<'a>(&'a self, workspace: &'a mut Workspace) -> Evaluation<'a> {
@@ -180,7 +180,7 @@ impl BoundModel {
         places: &mut [f64],
     ) -> Result<()> {
         // ∂F/∂θ first: finite elements then have the equilibrium of this very point.
-        let (own, by_parameters) = places.split_at_mut(if many.slopes { 2 } else { 0 });
+        let (by_pair, by_parameters) = places.split_at_mut(if many.slopes { 2 } else { 0 });
         let (f_p, f_e) = self.force_slopes(workspace, p, e)?;
         self.force_by(workspace, (p, e), &many.parameters, by_parameters)?;
         let (pair, scale) = match many.wanted {
@@ -188,11 +188,11 @@ impl BoundModel {
             PointQuantity::Pressure => ([1.0 / f_p, -f_e / f_p], -1.0 / f_p),
             PointQuantity::Contraction => ([1.0 / f_e, -f_p / f_e], -1.0 / f_e),
         };
-        own.copy_from_slice(pair.get(..own.len()).unwrap_or_default());
+        by_pair.copy_from_slice(pair.get(..by_pair.len()).unwrap_or_default());
         by_parameters.iter_mut().for_each(|v| *v *= scale);
-        match own.iter().chain(by_parameters.iter()).all(|v| v.is_finite()) {
+        match by_pair.iter().chain(by_parameters.iter()).all(|v| v.is_finite()) {
             true => Ok(()),
-            false => Err(self.no_slope("what was asked", p, e)),
+            false => Err(self.no_slope("a requested quantity", p, e)),
         }
     }
 
@@ -205,7 +205,7 @@ impl BoundModel {
         Ok((f_p, f_e))
     }
 
-    /// ∂F/∂θ of each parameter: the model's own, else by differences.
+    /// ∂F/∂θ of each parameter: that of the model, else by differences.
     fn force_by(
         &self,
         workspace: &mut Workspace,
@@ -218,8 +218,7 @@ impl BoundModel {
         }
         let muscle = self.muscle();
         let names: Vec<String> = parameters.iter().map(|t| t.name(muscle)).collect();
-        let own = self.model.extensions().slopes;
-        if let Some(known) = own.and_then(|own| own.force_by(workspace, p, e, &names)) {
+        if let Some(known) = self.model.force_by(workspace, p, e, &names) {
             let known = known?;
             places.iter_mut().zip(known).for_each(|(place, v)| *place = v);
             return Ok(());
@@ -227,20 +226,20 @@ impl BoundModel {
         // All others are held, k of the strands among them.
         let held = stated(muscle)?;
         for ((target, name), place) in parameters.iter().zip(&names).zip(places) {
-            let value = own_value(&held, *target).ok_or_else(|| self.no_slope(name, p, e))?;
+            let value = target.value(&held).ok_or_else(|| self.no_slope(name, p, e))?;
             let scale = match target {
                 Target::Law(_) => muscle.tube().rubber.law.shear_modulus_mpa(),
                 _ => 1.0,
             };
             let h = STEP * if value == 0.0 { scale } else { value.abs() };
-            *place = slope(h, |h| self.force_of(&held, *target, value + h, (p, e)))?;
+            *place = slope(h, |h| self.force_with(&held, *target, value + h, p, e))?;
         }
         Ok(())
     }
 
     /// The pull with another value of a parameter.
-    fn force_of(&self, held: &Muscle, target: Target, value: f64, (p, e): (f64, f64)) -> Result<f64> {
-        let model = self.choice.build(Candidate::new(held, &[(target, value)])?.muscle())?;
+    fn force_with(&self, held: &Muscle, target: Target, value: f64, p: f64, e: f64) -> Result<f64> {
+        let model = self.choice.build(&Candidate::new(held, &[(target, value)])?.muscle)?;
         Ok(Evaluation::new(&*model, &mut Workspace::new(), self.options).force_n(p, e)?)
     }
 }
@@ -250,7 +249,7 @@ pub fn with_parameters(muscle: &Muscle, values: &[(String, f64)]) -> Result<Musc
     let held = stated(muscle)?;
     let list =
         values.iter().map(|(name, value)| Ok((super::parameter(muscle, name)?, finite(name, *value)?)));
-    Ok(Candidate::new(&held, &list.collect::<Result<Vec<_>>>()?)?.muscle().clone())
+    Ok(Candidate::new(&held, &list.collect::<Result<Vec<_>>>()?)?.muscle)
 }
 
 /// The same muscle with k stated in N/mm, where it follows from other measures.

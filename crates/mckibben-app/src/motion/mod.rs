@@ -24,8 +24,8 @@ use mckibben::{
 };
 use mckibben_motion::{
     Actuated, Command, Coordinate, Drive, DriveFile, Hysteresis, Linear, Mechanism, Motion, MotionError,
-    Moves, Names, SingleMuscle, Subject, Tables, Target, Tolerance, drive_names, parse_drive, run_as_far,
-    size, with_value,
+    Moves, Names, SingleMuscle, Subject, Tables, Target, drive_names, parse_drive, run_as_far, size,
+    with_value,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -35,7 +35,7 @@ use std::path::Path;
 /// Most runs of a sweep.
 const MOST_RUNS: usize = 100;
 
-/// What a drive moves, ready to be asked.
+/// What a drive moves, with its models.
 struct Moved {
     choice: Model,
     joint: Option<Joint>,
@@ -44,7 +44,7 @@ struct Moved {
 
 impl MotionRequest {
     pub fn names_of(drive: &TextFile) -> Result<Names> {
-        drive_names(&drive.text).map_err(|e| Problem::from(e.of(Path::new(&drive.name))))
+        drive_names(&drive.text).map_err(|e| Problem::from(e.in_file(Path::new(&drive.name))))
     }
 
     fn moved(&self) -> Result<Moved> {
@@ -58,7 +58,7 @@ impl MotionRequest {
             Subject::Muscle(_) => {
                 let missing = || Problem::missing("muscle", "the muscle file that the drive names");
                 let file = self.muscle.clone().ok_or_else(missing)?;
-                let models = vec![choice.bound(&MuscleFields::of_file(file).resolve()?)?];
+                let models = vec![choice.bound(&MuscleFields::from_file(file).resolve()?)?];
                 Ok(Moved { choice, joint: None, models })
             }
             Subject::Joint(_) => {
@@ -85,7 +85,7 @@ impl MotionRequest {
             Some((key, value)) => with_value(&text, key, value).and_then(|text| parse_drive(&text, &tables)),
             None => parse_drive(&text, &tables),
         };
-        let one = |changed| one(changed).map_err(|error| Problem::from(error.of(name)));
+        let one = |changed| one(changed).map_err(|error| Problem::from(error.in_file(name)));
         let Some(sweep) = &self.sweep else { return Ok(vec![(None, one(None)?)]) };
         if sweep.values.is_empty() || sweep.values.len() > MOST_RUNS {
             let message = format!("a sweep has 1 to {MOST_RUNS} values, not {}", sweep.values.len());
@@ -127,7 +127,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let mut warnings = Warning::gravest(&said);
     let bursts = moved.models.iter().map(|m| burst_of(&moved.choice, &**m));
     let bursts = bursts.collect::<Result<Vec<_>, _>>()?;
-    let burst = bursts.iter().zip(&highest_mpa).flat_map(|(found, highest)| said_of(found, *highest, 0.0));
+    let burst = bursts.iter().zip(&highest_mpa).flat_map(|(burst, highest)| said_of(burst, *highest, 0.0));
     put_first(&mut warnings, burst.collect::<Vec<_>>());
     let mut runs = runs.into_iter();
     let Some(motion) = runs.next() else { return Err(Problem::missing("drive", "a drive file")) };
@@ -188,14 +188,13 @@ impl Moved {
     ) -> Drive<'a> {
         let muscles = self.models.iter().map(|model| Actuated {
             fluid: file.fluid.clone(),
-            friction: model.muscle().friction().map(|f| Hysteresis::of(f, file.presliding.as_ref())),
+            friction: model.muscle().friction().map(|f| Hysteresis::new(f, file.presliding.as_ref())),
             rubber: file.rubber.clone(),
             ..Actuated::new(&**model, file.actuator)
         });
         Drive {
             supply: file.supply,
             output_step_s: file.output_step_s,
-            tolerance: Tolerance::default(),
             initial_coordinate: single.zip(file.held).map(|(s, e)| e * s.length_mm),
             ..Drive::new(mechanism, muscles.collect(), target, file.until_s)
         }
@@ -233,8 +232,8 @@ impl Moved {
         let (mut motion, conductance) = match rise_time_s {
             None => (run_as_far(&drive, progress)?, None),
             Some(wanted) => {
-                let found = size(&drive, finite("rise_time_s", wanted)?, progress)?;
-                (found.motion, Some(found.conductance_l_per_s_bar))
+                let sized = size(&drive, finite("rise_time_s", wanted)?, progress)?;
+                (sized.motion, Some(sized.conductance_l_per_s_bar))
             }
         };
         motion.bandwidth_hz = bandwidth_hz;
@@ -250,11 +249,11 @@ impl From<MotionError> for Problem {
             MotionError::Muscle(error) => return error.clone().into(),
             MotionError::Model { error: model, .. } => Self::from((**model).clone()).kind,
             MotionError::Diverged(_) => ProblemKind::NotConverged,
-            MotionError::NoAnswer(_) | MotionError::NeverLifted { .. } => ProblemKind::NoAnswer,
+            MotionError::NoAnswer(_) | MotionError::NeverLifted(_) => ProblemKind::NoAnswer,
             _ => ProblemKind::File,
         };
         let hint = match error {
-            MotionError::NeverLifted { .. } => "use the load `held` for a muscle with fixed ends",
+            MotionError::NeverLifted(_) => "use the load `held` for a muscle with fixed ends",
             _ => "",
         };
         Self::new(kind, error.to_string(), hint)
@@ -313,7 +312,7 @@ pub struct MotionAnswer {
     /// The other motions of a sweep.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub others: Vec<MotionRun>,
-    /// Sonic conductance of the smallest valve with the rise time that was asked for, L/(s bar).
+    /// Sonic conductance of the smallest valve with the requested rise time, L/(s bar).
     pub sonic_conductance_l_per_s_bar: Option<f64>,
     /// The pressures that its weakest muscle bears.
     #[serde(flatten)]
@@ -321,7 +320,7 @@ pub struct MotionAnswer {
     /// Warnings.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// The figure, where it was asked for.
+    /// The figure, if requested.
     pub figure: Option<Figure>,
 }
 
@@ -366,7 +365,7 @@ impl Moved {
     fn not_at_rest(&self, motion: &Motion, file: &DriveFile) -> Option<String> {
         let at_end = motion.end?;
         let degrees = |angle: f64| format!("{}°", number(angle, 4));
-        let shown = |q: f64| match motion.series.of {
+        let shown = |q: f64| match motion.series.kind {
             Coordinate::Shortening { rest_length_mm } => percent(q / rest_length_mm),
             Coordinate::Angle => degrees(q.to_degrees()),
         };
@@ -411,12 +410,12 @@ impl Moved {
             _ if run.motion.at_rest() != Some(true) => None,
             _ => run.motion.series.muscles.iter().map(|m| m.pressure_mpa.last().copied()).collect(),
         };
-        let found = match (&self.joint, pressures) {
+        let end = match (&self.joint, pressures) {
             (_, None) => None,
             (Some(_), Some(pressures)) => self.end_of_joint(run, &pressures),
             (None, Some(pressures)) => self.end_of_muscle(run, file, &pressures),
         };
-        run.end = found.unwrap_or_default();
+        run.end = end.unwrap_or_default();
         run.end.uncertainty_text = run.uncertainty_in(&Units::default());
     }
 
@@ -453,9 +452,9 @@ impl Moved {
         let workspace = &mut Workspace::new();
         let options = Options { extrapolate: true, ..Options::default() };
         let mut model = Evaluation::new(&**model, workspace, options);
-        let found = model.balances(load, *pressures_mpa.first()?).ok()?;
+        let balances = model.balances(load, *pressures_mpa.first()?).ok()?;
         let far = |e: f64| (e - contraction).abs();
-        let nearest = found.into_iter().map(|b| b.answer);
+        let nearest = balances.into_iter().map(|b| b.answer);
         let nearest =
             nearest.min_by(|a, b| far(a.response.contraction).total_cmp(&far(b.response.contraction)))?;
         Some(EndUncertainty {

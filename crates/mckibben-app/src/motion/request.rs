@@ -1,4 +1,4 @@
-//! What is asked of a drive.
+//! Requests of a drive.
 
 use crate::{
     JointFields, LoadFields, ModelFields, Problem, ProblemKind, Result, TextFile, Units, finite, given,

@@ -30,11 +30,11 @@ pub struct SimulateAnswer {
     /// The pressures that the muscle bears.
     #[serde(flatten)]
     pub limits: PressureLimits,
-    /// The figure, where it was asked for.
+    /// The figure, if requested.
     pub figure: Option<Figure>,
-    /// The input deck, where it was asked for.
+    /// The input deck, if requested.
     pub deck: Option<String>,
-    /// Files for ParaView, where they were asked for: `muscle.pvd`, which lists the others, comes first.
+    /// Files for ParaView, if requested: `muscle.pvd`, which lists the others, comes first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub files: Vec<BuiltFile>,
     /// Where no point has an answer: the reason.
@@ -51,27 +51,8 @@ pub struct SimulateAnswer {
 pub enum SimulatedRow {
     /// There is an equilibrium.
     Answered(Box<SimulatedPoint>),
-    /// The muscle hangs slack, and pushing it to this contraction has no equilibrium.
-    Slack(SlackPoint),
     /// There is none.
     Failed(FailedPoint),
-}
-
-/// A slack muscle of which nothing more is known.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-pub struct SlackPoint {
-    /// Pressure, MPa.
-    pub pressure_mpa: f64,
-    /// Contraction asked for.
-    pub contraction: f64,
-    /// Its pull, 0 N.
-    pub force_n: f64,
-    /// `true`.
-    pub slack: bool,
-    /// The free contraction at this pressure.
-    pub free_contraction: f64,
-    /// `ok`.
-    pub status: Status,
 }
 
 /// An equilibrium.
@@ -122,26 +103,16 @@ fn points<S: Serializer>(simulated: &[Simulated], serializer: S) -> Result<S::Ok
 
 impl From<&Simulated> for SimulatedRow {
     fn from(q: &Simulated) -> Self {
-        let s = match (&q.solution, q.asked.contraction, q.free_contraction) {
-            (Ok(s), ..) => s,
-            (Err(_), Some(contraction), Some(free_contraction)) => {
-                return Self::Slack(SlackPoint {
-                    pressure_mpa: q.asked.pressure_mpa,
-                    contraction,
-                    force_n: 0.0,
-                    slack: true,
-                    free_contraction,
-                    status: q.status,
-                });
-            }
-            (Err(error), ..) => {
+        let s = match &q.solution {
+            Ok(s) => s,
+            Err(error) => {
                 let (status, cause) = (q.status, error.to_string());
-                return Self::Failed(FailedPoint { asked: q.asked, status, cause });
+                return Self::Failed(FailedPoint { requested: q.requested, status, cause });
             }
         };
         let response = Response {
-            pressure_mpa: q.asked.pressure_mpa,
-            contraction: q.asked.contraction.unwrap_or(s.response.contraction),
+            pressure_mpa: q.requested.pressure_mpa,
+            contraction: q.requested.contraction.unwrap_or(s.response.contraction),
             force_n: if q.slack { 0.0 } else { s.response.force_n },
             ..s.response
         };

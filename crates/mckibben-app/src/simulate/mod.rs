@@ -1,20 +1,18 @@
 //! `simulate`: one finite-element test with everything it knows.
 
 mod answer;
-#[cfg(feature = "whole")]
-mod vtu;
+mod files;
 
 pub use answer::*;
-#[cfg(feature = "whole")]
-pub(crate) use vtu::with_files;
 
 use crate::{
-    AskedPoint, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, Result,
+    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, RequestedPoint, Result,
     Units, burst_of, check_count, check_test, contractions, figure, forces, list, put_first, reach, said_of,
     steps, warnings,
 };
+use files::ShapeFiles;
 use mckibben::analysis::Evaluation;
-use mckibben::model::{ModelError, Response, Workspace, notes_of};
+use mckibben::model::{ModelError, Response, Workspace};
 use mckibben::muscle::{Ends, Muscle};
 use mckibben::{
     answer::Options, cancel, curve::Test, progress::Progress, status::Status, warning::overloaded,
@@ -28,10 +26,10 @@ use mckibben_fem::{
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// One point of the test: what was asked, and what came out.
+/// One point of the test: the request and the solution.
 #[derive(Debug, Clone)]
 pub struct Simulated {
-    pub asked: AskedPoint,
+    pub requested: RequestedPoint,
     pub solution: Result<Solution, FemError>,
     /// Whether the muscle would have to push, and lies slack instead.
     pub slack: bool,
@@ -72,20 +70,11 @@ pub struct SimulateRequest {
     /// Add the deformed muscle of every point to the answer, as files that ParaView opens.
     #[serde(default)]
     pub vtu: bool,
+    /// In these files only the eighth of the muscle that `fe3d` computes; `fe` always gives the whole muscle.
+    #[serde(default)]
+    pub eighth: bool,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
-}
-
-/// Takes the shapes of a test, point by point: files for ParaView, a page.
-pub trait Shapes {
-    /// The muscle whose shapes come; nothing was wrong with the request.
-    fn begin(&mut self, muscle: &MuscleSummary) -> Result<()>;
-
-    /// The deformed muscle and what the model says about it.
-    fn add(&mut self, shape: Shape, response: &Response) -> Result<()>;
-
-    /// How much of the muscle of `fe3d` is wanted; `fe` always has all of it.
-    fn extent(&self) -> Extent;
 }
 
 /// The elements of a muscle between its ends.
@@ -95,7 +84,7 @@ enum Meshed {
 }
 
 impl Meshed {
-    fn of(elements: &Elements, muscle: &Muscle) -> Result<Self, FemError> {
+    fn new(elements: &Elements, muscle: &Muscle) -> Result<Self, FemError> {
         Ok(match elements {
             Elements::Axisymmetric(spec) => {
                 Self::Axisymmetric(Box::new(Axisymmetric::with_mesh(muscle, spec)?))
@@ -106,7 +95,7 @@ impl Meshed {
         })
     }
 
-    /// The whole muscle, whose ends may give way; it shares its equilibria with these elements.
+    /// The whole muscle, whose ends may be displaced; it shares its equilibria with these elements.
     fn simulation(&self, whole: &Muscle) -> Box<dyn Simulation> {
         let model: Box<dyn Simulation> = match self {
             Self::Axisymmetric(model) => model.clone(),
@@ -134,12 +123,8 @@ impl Meshed {
 /// Most points of a test.
 const MOST_POINTS: usize = 100_000;
 
-/// One finite-element test. `shapes` takes the deformed muscle of every point that has an answer.
-pub fn simulate(
-    request: &SimulateRequest,
-    progress: &dyn Progress,
-    mut shapes: Option<&mut dyn Shapes>,
-) -> Result<SimulateAnswer> {
+/// One finite-element test.
+pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<SimulateAnswer> {
     check_test(request.test, request.contractions.is_some(), request.forces_n.is_some())?;
     if request.test == Test::Isotonic {
         let why = "`test` isotonic takes pulls (`forces_n`), and no contractions";
@@ -155,30 +140,29 @@ pub fn simulate(
     model.admit(&muscle)?;
     let (ends, inner) = (muscle.ends(), muscle.between_ends());
     let meshed =
-        Meshed::of(elements, &inner).map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
+        Meshed::new(elements, &inner).map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
     let (simulation, workspace) = (meshed.simulation(&muscle), &mut Workspace::new());
     let questions = request.questions(&*simulation, workspace)?;
     let deck =
         if request.deck { Some(written_deck(&meshed, &ends, request.test, &questions)?) } else { None };
     let summary = MuscleSummary::from(&muscle);
-    if let Some(shapes) = &mut shapes {
-        shapes.begin(&summary)?;
-    }
+    let extent = if request.eighth { Extent::Eighth } else { Extent::Whole };
+    let mut files = request.vtu.then(|| ShapeFiles::new(&summary));
     let mut simulated = Vec::with_capacity(questions.len());
-    for (i, &asked) in questions.iter().enumerate() {
+    for (i, &requested) in questions.iter().enumerate() {
         progress.report(i, questions.len());
         progress.check()?;
-        let pressure_mpa = asked.pressure_mpa;
-        let given = match (asked.contraction, asked.force_n) {
+        let pressure_mpa = requested.pressure_mpa;
+        let given = match (requested.contraction, requested.force_n) {
             (None, Some(force_n)) => Given::PressureAndPull { pressure_mpa, force_n },
             (contraction, _) => Given::at(pressure_mpa, contraction.unwrap_or(0.0)),
         };
         let solution = simulation.solve(workspace, given);
         cancel::check()?;
-        let point = judged(&*simulation, workspace, asked, solution, request.two_sided);
-        if let (Ok(solution), Some(shapes)) = (&point.solution, &mut shapes) {
-            let shape = meshed.shape(workspace, &ends, &solution.response, shapes.extent())?;
-            shapes.add(shape, &solution.response)?;
+        let point = judged(&*simulation, workspace, requested, solution, request.two_sided);
+        if let (Ok(solution), Some(files)) = (&point.solution, &mut files) {
+            let shape = meshed.shape(workspace, &ends, &solution.response, extent)?;
+            files.add(shape, &solution.response)?;
         }
         simulated.push(point);
     }
@@ -188,19 +172,19 @@ pub fn simulate(
     let figure = figure.map(|unit| figure::simulate(&summary, request.test, &simulated, unit));
     let pulling = simulated.iter().filter(|s| !s.slack).filter_map(|s| s.solution.as_ref().ok());
     let mut warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
-    let found = burst_of(&model, &*simulation)?;
+    let burst = burst_of(&model, &*simulation)?;
     let highest_mpa = questions.iter().map(|q| q.pressure_mpa).fold(0.0, f64::max);
-    put_first(&mut warnings, said_of(&found, highest_mpa, QUIET_MPA));
+    put_first(&mut warnings, said_of(&burst, highest_mpa, QUIET_MPA));
     Ok(SimulateAnswer {
         model: name.into(),
         test: request.test,
         muscle: summary,
-        notes: notes_of(&*simulation, workspace),
+        notes: simulation.notes(workspace),
         warnings,
-        limits: (&found).into(),
+        limits: (&burst).into(),
         figure,
         deck,
-        files: vec![],
+        files: files.map_or_else(Vec::new, ShapeFiles::all),
         problem,
         strands: muscle.braid().strands.is_some(),
         simulated,
@@ -208,8 +192,8 @@ pub fn simulate(
 }
 
 impl SimulateRequest {
-    /// What is asked of each point, curve by curve.
-    fn questions(&self, model: &dyn Simulation, workspace: &mut Workspace) -> Result<Vec<AskedPoint>> {
+    /// The requested points, curve by curve.
+    fn questions(&self, model: &dyn Simulation, workspace: &mut Workspace) -> Result<Vec<RequestedPoint>> {
         let pressures = list("pressures_mpa", &self.pressures_mpa, || steps(5, 0.05, 0.25))?;
         let mut contractions = contractions(&self.contractions, || {
             if self.test == Test::Isobaric && !self.of_largest {
@@ -218,8 +202,8 @@ impl SimulateRequest {
                 steps(3, 0.0, 0.2)
             }
         })?;
-        let asked = Options { two_sided: true, ..Options::default() };
-        let forces = forces(&self.forces_n, model.muscle(), asked)?;
+        let options = Options { two_sided: true, ..Options::default() };
+        let forces = forces(&self.forces_n, model.muscle(), options)?;
         if self.of_largest {
             let highest = pressures.iter().copied().fold(0.0, f64::max);
             let largest = free_contraction(model, workspace, highest).map_err(Problem::from)?;
@@ -234,7 +218,7 @@ impl SimulateRequest {
             let message = format!("{low} MPa is below zero");
             return Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressures_mpa"));
         }
-        let at = |pressure_mpa, (contraction, force_n)| AskedPoint { pressure_mpa, contraction, force_n };
+        let at = |pressure_mpa, (contraction, force_n)| RequestedPoint { pressure_mpa, contraction, force_n };
         Ok(match self.test {
             Test::Isobaric => pressures.iter().flat_map(|&p| held.iter().map(move |&h| at(p, h))).collect(),
             _ => held.iter().flat_map(|&h| pressures.iter().map(move |&p| at(p, h))).collect(),
@@ -246,30 +230,20 @@ impl SimulateRequest {
 fn judged(
     model: &dyn Simulation,
     workspace: &mut Workspace,
-    asked: AskedPoint,
+    requested: RequestedPoint,
     solution: Result<Solution, FemError>,
     two_sided: bool,
 ) -> Simulated {
-    let pressure_mpa = asked.pressure_mpa;
-    let shortened = asked.contraction.filter(|e| *e > 0.0 && !two_sided && !model.muscle().is_extensile());
-    let (free_contraction, slack) = match (shortened, &solution) {
-        (Some(_), Ok(s)) if s.response.force_n < 0.0 => {
-            (free_contraction(model, workspace, pressure_mpa).ok(), true)
-        }
+    let pressure_mpa = requested.pressure_mpa;
+    let shortened =
+        requested.contraction.filter(|e| *e > 0.0 && !two_sided && !model.muscle().is_extensile());
+    let pushes = solution.as_ref().is_ok_and(|s| s.response.force_n < 0.0);
+    let past_free = shortened.filter(|_| pushes || solution.is_err()).and_then(|e| {
         // Where pushing has no equilibrium a muscle shortened past its free contraction hangs slack all the same.
-        (Some(e), Err(_)) => {
-            let free = free_contraction(model, workspace, pressure_mpa).ok().filter(|free| e >= *free);
-            (free, free.is_some())
-        }
-        _ => (None, false),
-    };
-    let status = match &solution {
-        Ok(_) => Status::Ok,
-        Err(_) if slack => Status::Ok,
-        Err(error) => Status::from(&ModelError::from(error.clone())),
-    };
-    let hangs = free_contraction.filter(|_| slack);
-    let hanging = hangs.and_then(|free| model.solve(workspace, Given::at(pressure_mpa, free)).ok());
+        let free = free_contraction(model, workspace, pressure_mpa).ok();
+        free.filter(|free| pushes || e >= *free)
+    });
+    let hanging = past_free.and_then(|free| model.solve(workspace, Given::at(pressure_mpa, free)).ok());
     let hangs = hanging.is_some();
     let solution = hanging.map_or(solution, Ok).map(|mut s| {
         if hangs || overloaded(model.muscle(), &s.response).is_some() {
@@ -277,7 +251,10 @@ fn judged(
         }
         s
     });
-    Simulated { asked, solution, slack, free_contraction, status }
+    let status =
+        solution.as_ref().map_or_else(|e| Status::from(&ModelError::from(e.clone())), |_| Status::Ok);
+    let slack = hangs || pushes && shortened.is_some();
+    Simulated { requested, solution, slack, free_contraction: past_free, status }
 }
 
 /// Where every point fails: the first reason.
@@ -290,7 +267,7 @@ fn all_failed(points: &[Simulated]) -> Option<Problem> {
 }
 
 /// The input deck of an isometric test with three-dimensional elements.
-fn written_deck(meshed: &Meshed, ends: &Ends, test: Test, questions: &[AskedPoint]) -> Result<String> {
+fn written_deck(meshed: &Meshed, ends: &Ends, test: Test, questions: &[RequestedPoint]) -> Result<String> {
     let wrong = |message: String| {
         let hint =
             "an example: an isometric test of fe3d at one contraction, with pressures from 0.01 to 0.25 MPa";

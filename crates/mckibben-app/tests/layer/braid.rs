@@ -1,12 +1,12 @@
 //! Tubes on which a sleeve is shown.
 
-use super::asked;
+use super::reply;
 use serde_json::json;
 
 #[test]
 fn diameters_are_round_and_inside() {
     let tubes = |name: &str| -> Vec<f64> {
-        let shown = asked("parts-show", json!({ "name": name }));
+        let shown = reply("parts-show", json!({ "name": name }));
         let points = shown["sleeve"]["points"].as_array().unwrap();
         points.iter().map(|point| point["outer_diameter_mm"].as_f64().unwrap()).collect()
     };

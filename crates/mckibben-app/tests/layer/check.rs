@@ -5,14 +5,14 @@ use mckibben::progress::Silent;
 use mckibben_app::units::Units;
 use mckibben_app::{CheckAnswer, CheckRequest, FindingKind, MuscleFields, check};
 
-fn of(request: CheckRequest) -> CheckAnswer {
+fn checked(request: CheckRequest) -> CheckAnswer {
     check(&request, &Silent).unwrap()
 }
 
 /// √(total² − friction²), by hand from the parts of the same muscle.
 #[test]
 fn a_measured_friction_takes_its_square_out_of_the_half_width() {
-    let answer = of(CheckRequest::default());
+    let answer = checked(CheckRequest::default());
     let friction = answer.findings.iter().find(|f| f.text.starts_with("friction unknown")).unwrap();
     let values = answer.characteristics.unwrap();
     let total = values.blocked_force_uncertainty_n.unwrap();
@@ -23,7 +23,7 @@ fn a_measured_friction_takes_its_square_out_of_the_half_width() {
 
 #[test]
 fn each_kind_of_finding_is_found_on_a_muscle_that_has_it() {
-    let answer = of(CheckRequest::default());
+    let answer = checked(CheckRequest::default());
     let values = answer.characteristics.as_ref().unwrap();
     assert_eq!((values.model.as_str(), values.pressure_mpa), ("fe", 0.25));
     let texts = |answer: &CheckAnswer, kind| answer.said(kind, &Units::default()).join("\n");
@@ -31,7 +31,7 @@ fn each_kind_of_finding_is_found_on_a_muscle_that_has_it() {
     // The prototype has 30 mm; the widest measured muscle is the DMSP-20.
     assert!(texts(&answer, FindingKind::Outside).contains("the outer diameter is 30 mm"));
     assert!(texts(&answer, FindingKind::Measure).contains("would reduce the ± to about"));
-    let short = of(CheckRequest {
+    let short = checked(CheckRequest {
         question: MuscleFields::from([(&LENGTH, 100.0)]).into(),
         ..CheckRequest::default()
     });

@@ -111,8 +111,10 @@ fn definitions_of_one_name_are_one() {
     let defs = bundle()["$defs"].take();
     for command in COMMANDS.iter() {
         for part in command.schema().as_object_mut().unwrap().values_mut() {
-            for (name, own) in part["$defs"].as_object().into_iter().flatten().filter(|d| d.0 != "Problem") {
-                assert_eq!(own, &defs[name], "{}: {name}", command.name);
+            for (name, of_command) in
+                part["$defs"].as_object().into_iter().flatten().filter(|d| d.0 != "Problem")
+            {
+                assert_eq!(of_command, &defs[name], "{}: {name}", command.name);
             }
         }
     }

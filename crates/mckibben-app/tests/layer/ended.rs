@@ -66,14 +66,22 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         "pressure" | "contraction" | "force" | "shape" => {
             let kept: &[&str] =
                 if command == "shape" { &["length_mm", "mesh"] } else { &["model", "length_mm", "mesh"] };
-            let asked: &[&str] = match command {
+            let quantities: &[&str] = match command {
                 "pressure" => &["force_n", "contraction"],
                 "contraction" | "shape" => &["force_n", "pressure_mpa"],
                 _ => &["pressure_mpa", "contraction"],
             };
-            let own =
-                |(key, _): &(&String, &Value)| kept.contains(&key.as_str()) || asked.contains(&key.as_str());
-            vec![slim.as_object().unwrap().iter().filter(own).map(|(k, v)| (k.clone(), v.clone())).collect()]
+            let is_taken = |(key, _): &(&String, &Value)| {
+                kept.contains(&key.as_str()) || quantities.contains(&key.as_str())
+            };
+            vec![
+                slim.as_object()
+                    .unwrap()
+                    .iter()
+                    .filter(is_taken)
+                    .map(|(k, v)| (k.clone(), v.clone()))
+                    .collect(),
+            ]
         }
         "fill" => vec![
             json!({ "model": "fe", "length_mm": 30000, "mesh": "2x1024", "volume_mm3": 6e6, "load": "mass:5kg" }),
@@ -165,7 +173,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
     }
 }
 
-/// The kind of what a command ended with, and when, on threads of its own: other tests occupy those of the process for seconds.
+/// The kind of what a command ended with, and when, on separate threads: other tests occupy those of the process for seconds.
 fn ended(command: &str, request: Value, cancel: &Cancel) -> (Result<Value, (ProblemKind, String)>, Duration) {
     let threads = Threads::new(Threads::shared().count()).unwrap();
     let from = Instant::now();

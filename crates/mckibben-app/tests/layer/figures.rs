@@ -1,6 +1,6 @@
 //! What holds for every figure that a command draws.
 
-use crate::asked;
+use crate::reply;
 use mckibben_report::{Figure, Panel, Series, Style};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -83,7 +83,7 @@ fn figures() -> Vec<(String, Figure)> {
         .into_iter()
         .map(|(command, request)| {
             let figure = if command == "rubber" { json!(true) } else { json!("MPa") };
-            let answer = asked(command, with(request.clone(), json!({ "figure": figure })));
+            let answer = reply(command, with(request.clone(), json!({ "figure": figure })));
             let name = format!("{command} {:.200}", request.to_string());
             let figure =
                 serde_json::from_value(answer["figure"].clone()).unwrap_or_else(|e| panic!("{name}: {e}"));

@@ -1,8 +1,7 @@
 //! Muscles that are filled with a liquid: `design` and `fill` on the same way.
 
-use super::asked;
-use mckibben::progress::Silent;
-use mckibben_app::{ProblemKind, ask};
+use super::{refusal, reply};
+use mckibben_app::ProblemKind;
 use serde_json::{Value, json};
 
 fn number(value: &Value, key: &str) -> f64 {
@@ -27,12 +26,15 @@ fn the_liquid_of_a_design_pushed_in_by_fill_gives_back_its_point() {
         };
         let wanted = json!({ "force_n": 300, "contraction": 0.1, "max_pressure_mpa": 0.25, "model": model,
             "outer_diameter_mm": 32, "wall_mm": 1.5, "verify": "none" });
-        let found = asked("design", with_liquid(wanted));
-        let best = &found["candidates"][0];
-        assert_eq!((&found["liquid"]["name"], &best["air_normal_litres"]), (&liquid["liquid"], &Value::Null));
-        let filled = asked(
+        let design = reply("design", with_liquid(wanted));
+        let best = &design["candidates"][0];
+        assert_eq!(
+            (&design["liquid"]["name"], &best["air_normal_litres"]),
+            (&liquid["liquid"], &Value::Null)
+        );
+        let filled = reply(
             "fill",
-            with_liquid(json!({ "muscle": found["muscle_files"][0], "model": model, "load": "force:300N",
+            with_liquid(json!({ "muscle": design["muscle_files"][0], "model": model, "load": "force:300N",
                 "volume_mm3": best["liquid_volume_mm3"] })),
         );
         let point = &best["points"][0];
@@ -48,10 +50,10 @@ fn the_liquid_of_a_design_pushed_in_by_fill_gives_back_its_point() {
 #[test]
 fn a_bundle_shares_the_liquid() {
     let bundle = |force_n: f64, bundle: u32, max: f64| {
-        asked(
+        reply(
             "design",
             json!({ "force_n": force_n, "contraction": 0.1, "max_pressure_mpa": 0.25, "model": "thick-wall",
-                "outer_diameter_mm": 32, "wall_mm": 1.5, "verify": "none", "liquid": "water", "bundle": bundle,
+                "outer_diameter_mm": 32, "wall_mm": 1.5, "verify": "none", "liquid": "water", "count": bundle,
                 "max_liquid_volume_mm3": max }),
         )
     };
@@ -68,13 +70,13 @@ fn what_belongs_to_a_liquid_is_refused_without_one() {
     for field in ["max_liquid_volume_mm3", "gas_share", "dead_volume_mm3", "liquid_bulk_modulus_mpa"] {
         let mut request = wanted.clone();
         request[field] = json!(0.5);
-        let problem = ask("design", &request.to_string(), &Silent).unwrap_err();
+        let problem = refusal("design", request);
         assert_eq!(problem.kind, ProblemKind::Usage, "{problem:?}");
         let said = &problem.message;
         assert!(said.contains(&format!("`{field}`")) && said.contains("`liquid`"), "{problem:?}");
     }
     let mut request = wanted;
     request["liquid"] = json!("watr");
-    let problem = ask("design", &request.to_string(), &Silent).unwrap_err();
+    let problem = refusal("design", request);
     assert_eq!(problem.field.as_deref(), Some("liquid"));
 }

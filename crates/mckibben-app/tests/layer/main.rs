@@ -26,14 +26,18 @@ mod written;
 
 use mckibben::progress::{Progress, Silent};
 use mckibben_app::{
-    DesignRequest, ForceRequest, ProblemKind, SweepRequest, ValidateRequest, ask, design, force, sweep,
-    validate,
+    DesignRequest, ForceRequest, Problem, ProblemKind, SweepRequest, ValidateRequest, ask, design, force,
+    sweep, validate,
 };
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
-fn asked(command: &str, request: Value) -> Value {
+fn reply(command: &str, request: Value) -> Value {
     serde_json::from_str(&ask(command, &request.to_string(), &Silent).unwrap()).unwrap()
+}
+
+fn refusal(command: &str, request: Value) -> Problem {
+    ask(command, &request.to_string(), &Silent).unwrap_err()
 }
 
 #[test]
@@ -69,7 +73,7 @@ fn a_panic_is_a_problem_that_asks_for_a_report() {
 
 #[test]
 fn words_of_the_contract_are_fields() {
-    let point = asked(
+    let point = reply(
         "force",
         json!({
             "outer_diameter_mm": 40, "wall_mm": 2, "length_mm": 285, "angle_deg": 28, "rubber": "dragon-skin-30:mooney-rivlin",
@@ -79,14 +83,14 @@ fn words_of_the_contract_are_fields() {
     assert_eq!(point["model"], "thick-wall");
     assert_eq!(point["muscle"]["braid"], "600 N/mm");
     for word in ["inextensible", "paper"] {
-        let point = asked("force", json!({ "pressure_mpa": 0.2, "stiffness": word, "model": "thick-wall" }));
+        let point = reply("force", json!({ "pressure_mpa": 0.2, "stiffness": word, "model": "thick-wall" }));
         assert_eq!(point["muscle"]["braid"], word);
     }
     let curve =
-        asked("curve", json!({ "test": "isobaric", "pressures_mpa": [0.2], "contractions": [0, 0.1] }));
+        reply("curve", json!({ "test": "isobaric", "pressures_mpa": [0.2], "contractions": [0, 0.1] }));
     assert_eq!(curve["points"].as_array().unwrap().len(), 2);
     let file = "[tube]\nouter_diameter = \"50 mm\"\nwall_thickness = \"1 mm\"\n";
-    let shown = asked(
+    let shown = reply(
         "check",
         json!({ "only_data": true, "muscle": { "name": "mine.toml", "text": file }, "wall_mm": 2 }),
     );
@@ -97,8 +101,8 @@ fn words_of_the_contract_are_fields() {
 fn a_named_sleeve_gives_angle_and_stiffness_of_the_tube_that_it_is_on() {
     let name = "flexo-overexpanded-0.38in";
     let braid = json!({ "only_data": true, "outer_diameter_mm": 12, "wall_mm": 1, "braid": name });
-    let shown = asked("check", braid.clone());
-    let sleeve = asked("parts-show", json!({ "name": name }))["sleeve"].take();
+    let shown = reply("check", braid.clone());
+    let sleeve = reply("parts-show", json!({ "name": name }))["sleeve"].take();
     let points = sleeve["points"].as_array().unwrap();
     let point = points.iter().find(|point| point["outer_diameter_mm"] == 12.0).unwrap();
     for key in ["angle_deg", "stiffness_n_per_mm"] {
@@ -107,25 +111,25 @@ fn a_named_sleeve_gives_angle_and_stiffness_of_the_tube_that_it_is_on() {
     }
     let mut thin = braid;
     thin["strand_diameter_mm"] = 0.25.into();
-    let thin = asked("check", thin);
+    let thin = reply("check", thin);
     assert!(thin["braid"].as_str().unwrap().starts_with("flexo-overexpanded-0.38in, 232 strands, "));
     assert_eq!(sleeve["strands_stated"], false);
     // Another tube over a file's sleeve.
     let file =
         "[tube]\nouter_diameter = 12\nwall_thickness = 1\n[braid]\nname = \"nfl-19\"\nstiffness = 300\n";
     let text = file.replace("= 12", "= 20");
-    let wider = asked(
+    let wider = reply(
         "check",
         json!({ "only_data": true, "muscle": { "name": "m.toml", "text": text }, "outer_diameter_mm": 25 }),
     );
     assert!((wider["angle_deg"].as_f64().unwrap() - 41.04).abs() < 0.01, "{wider}");
-    let problem = |request: Value| ask("check", &request.to_string(), &Silent).unwrap_err();
+    let problem = |request: Value| refusal("check", request);
     let refused = problem(json!({ "muscle": { "name": "m.toml", "text": file } }));
     assert!(
         refused.message.contains("m.toml:5:8: braid.name") && refused.message.contains("from 15 to 35 mm")
     );
     // What its seller does not state is an estimate, and marked as one.
-    let estimated = asked("check", json!({ "only_data": true, "outer_diameter_mm": 20, "braid": "nfl-19" }));
+    let estimated = reply("check", json!({ "only_data": true, "outer_diameter_mm": 20, "braid": "nfl-19" }));
     assert_eq!(estimated["stiffness_factor"], 3.0);
     let refused =
         problem(json!({ "outer_diameter_mm": 20, "braid": "nfl-19", "stiffness": 300, "angle_deg": 28 }));
@@ -147,7 +151,7 @@ fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
         "friction_exponent": 0.7, "friction_lever_mm": 2, "muscle_file": true, "only_data": true,
     });
     let file = |text: &str| json!({ "muscle": { "name": "m.toml", "text": text }, "muscle_file": true, "only_data": true });
-    let shown = |request: &Value| asked("check", request.clone());
+    let shown = |request: &Value| reply("check", request.clone());
     let (mine, theirs) = (shown(&fields), shown(&file(text)));
     assert_eq!(mine, theirs);
     for (field, value) in fields.as_object().unwrap().iter().filter(|f| f.1.is_number()) {
@@ -167,7 +171,7 @@ fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
     ] {
         assert_eq!(over(field, value), shown(&file(&text.replace(was, now))), "{field}");
     }
-    let problem = |request: Value| ask("check", &request.to_string(), &Silent).unwrap_err();
+    let problem = |request: Value| refusal("check", request);
     for (request, field, said) in [
         (json!({ "strand_modulus_mpa": 3000 }), Some("strands"), "`strands` is missing"),
         (json!({ "strands": 96, "strand_area_mm2": 0.05 }), Some("strand_modulus_mpa"), "is missing"),
@@ -204,13 +208,13 @@ fn the_papers_braid_on_a_small_tube_is_a_warning_everywhere() {
             .filter(|w| w.as_str().unwrap().contains("the braid `paper` is known for D0 30 to 50 mm"))
             .count()
     };
-    assert_eq!(said(&asked("force", small.clone())), 1);
+    assert_eq!(said(&reply("force", small.clone())), 1);
     let mut named = small.clone();
     named["stiffness"] = json!("inextensible");
-    assert_eq!(said(&asked("force", named)), 0);
-    assert_eq!(said(&asked("check", json!({ "only_data": true, "outer_diameter_mm": 60 }))), 1);
-    assert_eq!(said(&asked("check", json!({ "only_data": true, "outer_diameter_mm": 50 }))), 0);
-    let curve = asked(
+    assert_eq!(said(&reply("force", named)), 0);
+    assert_eq!(said(&reply("check", json!({ "only_data": true, "outer_diameter_mm": 60 }))), 1);
+    assert_eq!(said(&reply("check", json!({ "only_data": true, "outer_diameter_mm": 50 }))), 0);
+    let curve = reply(
         "curve",
         json!({ "outer_diameter_mm": 20, "wall_mm": 1.5, "test": "isobaric", "pressures_mpa": [0.2], "contractions": [0, 0.1], "model": "thick-wall" }),
     );
@@ -219,7 +223,6 @@ fn the_papers_braid_on_a_small_tube_is_a_warning_everywhere() {
 
 #[test]
 fn problems_name_the_field_and_never_a_flag() {
-    let problem = |command: &str, request: Value| ask(command, &request.to_string(), &Silent).unwrap_err();
     let cases = [
         ("force", json!({}), ProblemKind::Usage, "`pressure_mpa` is missing"),
         (
@@ -261,12 +264,12 @@ fn problems_name_the_field_and_never_a_flag() {
         ("desing", json!({}), ProblemKind::Usage, "did you mean design?"),
     ];
     for (command, request, kind, part) in cases {
-        let found = problem(command, request.clone());
-        assert_eq!(found.kind, kind, "{command} {request}: {found}");
-        assert!(found.message.contains(part), "{command} {request}: {found}");
-        assert!(!format!("{} {}", found.message, found.hint).contains("--"), "{found:?}");
+        let problem = refusal(command, request.clone());
+        assert_eq!(problem.kind, kind, "{command} {request}: {problem}");
+        assert!(problem.message.contains(part), "{command} {request}: {problem}");
+        assert!(!format!("{} {}", problem.message, problem.hint).contains("--"), "{problem:?}");
     }
-    assert_eq!(problem("force", json!({ "pressure_mpa": 0.2, "modle": "fe" })).hint, "did you mean `model`?");
+    assert_eq!(refusal("force", json!({ "pressure_mpa": 0.2, "modle": "fe" })).hint, "did you mean `model`?");
 }
 
 /// Wants the work to end at once.

@@ -5,7 +5,7 @@ use mckibben::muscle::measures::{OUTER_DIAMETER, WALL};
 use mckibben::progress::Silent;
 use mckibben_app::{
     ArrayError, AskFields, BoundModel, ForceRequest, Many, ModelFields, MuscleFields, PointQuantity,
-    ProblemKind, QuestionFields, Unanswered, force, with_parameters,
+    ProblemKind, QuestionFields, force, with_parameters,
 };
 use mckibben_fit::identify::Target;
 
@@ -22,10 +22,10 @@ fn bound(model: &str) -> BoundModel {
 }
 
 fn many(slopes: bool, parameters: Vec<Target>) -> Many {
-    Many { wanted: PointQuantity::Force, slopes, parameters, unanswered: Unanswered::Refused }
+    Many { wanted: PointQuantity::Force, slopes, parameters, nan: false }
 }
 
-fn asked(model: &BoundModel, many: &Many, p: &[f64], e: &[f64]) -> Result<Vec<f64>, ArrayError> {
+fn filled(model: &BoundModel, many: &Many, p: &[f64], e: &[f64]) -> Result<Vec<f64>, ArrayError> {
     let mut out = vec![f64::NAN; p.len() * many.width()];
     model.fill([p, e], many, &mut out, &Silent)?;
     Ok(out)
@@ -37,8 +37,8 @@ fn a_list_is_its_points() {
     let e: Vec<f64> = (0..40).map(|i| f64::from(i) * 0.01).collect();
     for model in ["ideal", "thick-wall", "fe"] {
         let p = vec![0.15; e.len()];
-        let all = asked(&bound(model), &many(false, vec![]), &p, &e).unwrap();
-        for (found, &contraction) in all.iter().zip(&e) {
+        let all = filled(&bound(model), &many(false, vec![]), &p, &e).unwrap();
+        for (pull, &contraction) in all.iter().zip(&e) {
             let request = ForceRequest {
                 question: QuestionFields { muscle: fields(), model: named(model), ..Default::default() },
                 pressure_mpa: Some(0.15),
@@ -46,7 +46,7 @@ fn a_list_is_its_points() {
                 ..Default::default()
             };
             let alone = force(&request, &Silent).unwrap().point.response.force_n;
-            assert!((found - alone).abs() < 1e-5, "{model} {contraction}: {found} {alone}");
+            assert!((pull - alone).abs() < 1e-5, "{model} {contraction}: {pull} {alone}");
         }
     }
 }
@@ -58,8 +58,8 @@ fn derivatives_are_those_of_differences() {
     let h = 1e-4;
     for model in ["fe", "universal", "chou-hannaford"] {
         let of = bound(model);
-        let all = asked(&of, &many(true, vec![]), &[0.2], &[0.1]).unwrap();
-        let at = |p: f64, e: f64| asked(&of, &many(false, vec![]), &[p], &[e]).unwrap()[0];
+        let all = filled(&of, &many(true, vec![]), &[0.2], &[0.1]).unwrap();
+        let at = |p: f64, e: f64| filled(&of, &many(false, vec![]), &[p], &[e]).unwrap()[0];
         let by = [
             (at(0.2 + h, 0.1) - at(0.2 - h, 0.1)) / (2.0 * h),
             (at(0.2, 0.1 + h) - at(0.2, 0.1 - h)) / (2.0 * h),
@@ -71,12 +71,12 @@ fn derivatives_are_those_of_differences() {
     }
     for name in ["tube.material.c10", "braid.stiffness", "tube.outer_diameter"] {
         let of = bound("fe");
-        let all = asked(&of, &many(false, vec![of.parameter(name).unwrap()]), &[0.2], &[0.1]).unwrap();
-        let value = mckibben_fit::identify::own_value(&muscle, of.parameter(name).unwrap()).unwrap();
+        let all = filled(&of, &many(false, vec![of.parameter(name).unwrap()]), &[0.2], &[0.1]).unwrap();
+        let value = of.parameter(name).unwrap().value(&muscle).unwrap();
         let at = |value: f64| {
             let other = with_parameters(&muscle, &[(name.into(), value)]).unwrap();
             let of = BoundModel::new(&other, &named("fe"), AskFields::default()).unwrap();
-            asked(&of, &many(false, vec![]), &[0.2], &[0.1]).unwrap()[0]
+            filled(&of, &many(false, vec![]), &[0.2], &[0.1]).unwrap()[0]
         };
         let by = (at(value * (1.0 + h)) - at(value * (1.0 - h))) / (2.0 * h * value);
         assert!((all[1] / by - 1.0).abs() < 1e-4, "{name}: {} {by}", all[1]);
@@ -93,10 +93,10 @@ fn the_first_point_without_an_answer_ends_the_work() {
     }
     let e = vec![0.05; p.len()];
     let model = bound("paper");
-    let refused = asked(&model, &many(false, vec![]), &p, &e).unwrap_err();
+    let refused = filled(&model, &many(false, vec![]), &p, &e).unwrap_err();
     assert_eq!((refused.index, refused.problem.kind), (Some(20_001), ProblemKind::OutOfRange));
     let mut out = vec![0.0; p.len()];
-    let all = Many { unanswered: Unanswered::NotANumber, ..many(false, vec![]) };
+    let all = Many { nan: true, ..many(false, vec![]) };
     assert_eq!(model.fill([&p, &e], &all, &mut out, &Silent), Ok(3));
     assert!(out[20_001].is_nan() && out.iter().filter(|f| f.is_nan()).count() == 3);
     let wrong = model.fill([&p, &e[1..]], &all, &mut out, &Silent).unwrap_err();
@@ -111,7 +111,7 @@ fn work_that_is_cancelled_says_so() {
     let _entered = cancel.enter();
     let (p, e) = (vec![0.2; 100], vec![0.1; 100]);
     for model in ["fe", "universal"] {
-        let found = bound(model).fill([&p, &e], &many(false, vec![]), &mut [0.0; 100], &Silent);
-        assert_eq!(found.unwrap_err().problem.kind, ProblemKind::Cancelled);
+        let done = bound(model).fill([&p, &e], &many(false, vec![]), &mut [0.0; 100], &Silent);
+        assert_eq!(done.unwrap_err().problem.kind, ProblemKind::Cancelled);
     }
 }

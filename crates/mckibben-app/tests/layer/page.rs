@@ -1,6 +1,6 @@
 //! What a page needs beyond the commands of a terminal: shapes, typed texts, bytes, tables in memory, documents.
 
-use super::asked;
+use super::reply;
 use mckibben::progress::Silent;
 use mckibben_app::{ProblemKind, ask, ask_packed};
 use mckibben_report::Part;
@@ -15,7 +15,7 @@ fn list(value: &Value, name: &str) -> Vec<f64> {
 #[test]
 fn a_shape_keeps_length_turns_and_cavity() {
     for (pressure, contraction) in [(0.25, 0.0), (0.25, 0.15), (0.1, -0.02)] {
-        let answer = asked(
+        let answer = reply(
             "shape",
             json!({ "outer_diameter_mm": 38, "wall_mm": 1, "pressure_mpa": pressure, "contraction": contraction }),
         );
@@ -42,17 +42,17 @@ fn a_shape_keeps_length_turns_and_cavity() {
 #[test]
 fn a_shape_says_what_force_says() {
     let state = json!({ "pressure_mpa": 0.2, "contraction": 0.1 });
-    let (shape, force) = (asked("shape", state.clone()), asked("force", state));
+    let (shape, force) = (reply("shape", state.clone()), reply("force", state));
     for key in ["model", "force_n", "uncertainty_n", "stiffness_n_per_mm", "bulged_diameter_mm", "warnings"] {
         assert_eq!(shape[key], force[key], "{key}");
     }
-    let slack = asked("shape", json!({ "pressure_mpa": 0.1, "contraction": 0.3 }));
+    let slack = reply("shape", json!({ "pressure_mpa": 0.1, "contraction": 0.3 }));
     assert_eq!((&slack["slack"], &slack["force_n"]), (&json!(true), &json!(0.0)));
     assert_eq!(slack["shape_contraction"], slack["free_contraction"]);
     // By its load: ε(F, P).
-    let lifted = asked("shape", json!({ "pressure_mpa": 0.2, "force_n": 150 }));
-    let found = asked("contraction", json!({ "pressure_mpa": 0.2, "force_n": 150 }));
-    assert!((lifted["contraction"].as_f64().unwrap() - found["contraction"].as_f64().unwrap()).abs() < 1e-9);
+    let lifted = reply("shape", json!({ "pressure_mpa": 0.2, "force_n": 150 }));
+    let point = reply("contraction", json!({ "pressure_mpa": 0.2, "force_n": 150 }));
+    assert!((lifted["contraction"].as_f64().unwrap() - point["contraction"].as_f64().unwrap()).abs() < 1e-9);
     let refused = ask("shape", r#"{"pressure_mpa": -0.1}"#, &Silent).unwrap_err();
     assert_eq!((refused.kind, refused.field.as_deref()), (ProblemKind::OutOfRange, Some("pressure_mpa")));
 }
@@ -60,7 +60,7 @@ fn a_shape_says_what_force_says() {
 #[test]
 fn packed_answers_hold_the_same_numbers_in_32_bits() {
     let request = json!({ "pressure_mpa": 0.2, "contraction": 0.1 });
-    let plain = asked("shape", request.clone());
+    let plain = reply("shape", request.clone());
     let packed = ask_packed("shape", &request.to_string(), &Silent).unwrap();
     let length = u32::from_le_bytes(packed[..4].try_into().unwrap()) as usize;
     assert!(length.is_multiple_of(4));
@@ -84,7 +84,7 @@ fn packed_answers_hold_the_same_numbers_in_32_bits() {
 /// 1 psi is 6.894 757 kPa, 1 in 25.4 mm (NIST SP 811).
 #[test]
 fn typed_texts_are_quantities_or_say_why_not() {
-    let answer = asked(
+    let answer = reply(
         "quantities",
         json!({ "texts": [
             { "text": "36psi", "kind": "pressure" }, { "text": "1.5 in", "kind": "length" }, { "text": "15%", "kind": "ratio" },
@@ -101,7 +101,7 @@ fn typed_texts_are_quantities_or_say_why_not() {
     // An interval without a step has its ends too; a range with one has none.
     assert_eq!((&readings[6]["interval"], &readings[3]["interval"]), (&json!([10.0, 30.0]), &json!(null)));
     assert_eq!(readings[6]["values"].as_array().unwrap().len(), 21);
-    let units = asked("units", json!({}));
+    let units = reply("units", json!({}));
     let pressure = units["kinds"].as_array().unwrap().iter().find(|k| k["kind"] == "pressure").unwrap();
     let bar = pressure["units"].as_array().unwrap().iter().find(|u| u["name"] == "bar").unwrap();
     assert_eq!((&bar["multiply"], &bar["divide"]), (&json!(10.0), &json!(1.0)));
@@ -112,12 +112,12 @@ const PLAN: &str = "name = \"two\"\n[tube]\nlength = \"285 mm\"\nrubber = \"pape
 
 #[test]
 fn a_plan_in_memory_is_a_table_of_what_fe_says() {
-    let answer = asked("plan", json!({ "plan": { "name": "two.toml", "text": PLAN } }));
+    let answer = reply("plan", json!({ "plan": { "name": "two.toml", "text": PLAN } }));
     assert_eq!((&answer["muscles"], &answer["points"], &answer["failed"]), (&json!(2), &json!(8), &json!(0)));
     let text = answer["table"]["text"].as_str().unwrap();
     let last: Vec<&str> = text.lines().last().unwrap().split(',').collect();
     let number = |i: usize| last[i].parse::<f64>().unwrap();
-    let force = asked(
+    let force = reply(
         "force",
         json!({ "outer_diameter_mm": number(0), "wall_mm": number(1), "pressure_mpa": number(4), "contraction": number(5), "two_sided": true }),
     );
@@ -146,7 +146,7 @@ fn a_report_holds_the_answers_of_its_commands() {
     let request = json!({ "outer_diameter_mm": 38, "wall_mm": 1, "pressure_mpa": 0.2, "contraction": 0.1, "units": "bar", "report": true });
     let request = serde_json::from_value(request).unwrap();
     let report = mckibben_app::build(&request, &Silent).unwrap().document.unwrap();
-    let force = asked(
+    let force = reply(
         "force",
         json!({ "outer_diameter_mm": 38, "wall_mm": 1, "pressure_mpa": 0.2, "contraction": 0.1 }),
     );
@@ -190,7 +190,7 @@ fn a_written_muscle_file_is_file_and_fields_in_one() {
     let shown = |mut request: Value| {
         request["muscle_file"] = true.into();
         request["only_data"] = true.into();
-        asked("check", request)
+        reply("check", request)
     };
     let first = shown(fields.clone());
     let written = first["muscle_file"].clone();
@@ -204,23 +204,23 @@ fn a_written_muscle_file_is_file_and_fields_in_one() {
         let mut request = muscle.clone();
         request["pressure_mpa"] = 0.2.into();
         request["contraction"] = 0.05.into();
-        asked("force", request)["force_n"].as_f64().unwrap()
+        reply("force", request)["force_n"].as_f64().unwrap()
     };
     assert!((pull(&again) / pull(&fields) - 1.0).abs() < 1e-12);
     // Where nobody asks for it, there is none.
-    assert!(asked("check", fields).get("muscle_file").is_none());
+    assert!(reply("check", fields).get("muscle_file").is_none());
 }
 
 /// Identity: each isobaric curve names its free contraction from its first slack point on, and no pull is left there.
 #[test]
 fn an_isobaric_curve_names_its_free_contraction_at_its_first_slack_point() {
     let request = json!({ "test": "isobaric", "model": "thick-wall", "pressures_mpa": [0.05, 0.25], "contractions": [0.0, 0.1, 0.2, 0.33] });
-    let answer = asked("curve", request);
+    let answer = reply("curve", request);
     let points = answer["points"].as_array().unwrap();
     for curve in points.chunks(4) {
         let slack = curve.iter().find(|q| q["slack"] == true).unwrap();
         let free = slack["free_contraction"].as_f64().unwrap();
         let at = json!({ "model": "thick-wall", "pressure_mpa": slack["pressure_mpa"], "force_n": 0 });
-        assert!((asked("contraction", at)["contraction"].as_f64().unwrap() - free).abs() < 1e-9);
+        assert!((reply("contraction", at)["contraction"].as_f64().unwrap() - free).abs() < 1e-9);
     }
 }

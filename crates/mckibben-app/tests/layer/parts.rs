@@ -1,6 +1,6 @@
 //! Answers about what has a name, and about designs; the keys of answers.
 
-use super::asked;
+use super::reply;
 use serde_json::{Value, json};
 
 fn number(value: &Value, key: &str) -> f64 {
@@ -35,7 +35,7 @@ fn keys_of_answers_are_those_of_their_schemas() {
         ("parts-show", json!({ "name": "nfl-19" })),
     ] {
         let (answer, schema) =
-            (asked(command, request), mckibben_app::schema(command).unwrap()["answer"].take());
+            (reply(command, request), mckibben_app::schema(command).unwrap()["answer"].take());
         let mut out = vec![];
         unknown(&answer, &schema, &schema["$defs"], &mut out);
         assert!(out.is_empty() && schema["properties"].is_object(), "{command}: {out:?}");
@@ -44,27 +44,27 @@ fn keys_of_answers_are_those_of_their_schemas() {
 
 #[test]
 fn every_part_that_is_listed_is_shown_and_makes_a_muscle() {
-    let all = asked("parts-list", json!({}));
+    let all = reply("parts-list", json!({}));
     let list = |kind: &str| all[kind].as_array().unwrap().iter();
     assert!(list("tubes").len() > 100 && list("sleeves").len() >= 10 && list("rubbers").len() > 10);
     for rubber in list("rubbers") {
-        let one = asked("parts-show", json!({ "name": rubber["name"] }))["rubber"].take();
+        let one = reply("parts-show", json!({ "name": rubber["name"] }))["rubber"].take();
         assert!(one["name"] == rubber["name"] && !one["source"].as_str().unwrap().is_empty());
         assert_eq!(
             one["fits"].as_array().unwrap().iter().filter(|f| f["by_reach"] == true).count().min(1),
             1,
             "{one}"
         );
-        asked("check", json!({ "only_data": true, "rubber": rubber["name"] }));
+        reply("check", json!({ "only_data": true, "rubber": rubber["name"] }));
     }
     for sleeve in list("sleeves") {
-        let one = asked("parts-show", json!({ "name": sleeve["name"] }))["sleeve"].take();
+        let one = reply("parts-show", json!({ "name": sleeve["name"] }))["sleeve"].take();
         assert!(!one["source"].as_str().unwrap().is_empty() && !one["terms"].as_str().unwrap().is_empty());
         let points = one["points"].as_array().unwrap();
         assert!(points.len() >= 5, "{one}");
         let diameter = number(&points[0], "outer_diameter_mm");
         let muscle = json!({ "only_data": true, "braid": sleeve["name"], "outer_diameter_mm": diameter, "wall_mm": 0.1 * diameter, "stiffness": "inextensible" });
-        asked("check", muscle);
+        reply("check", muscle);
     }
     for muscle in list("muscles") {
         assert!(
@@ -84,7 +84,7 @@ fn every_part_that_is_listed_is_shown_and_makes_a_muscle() {
         {
             request[key] = value.into();
         }
-        asked("force", request);
+        reply("force", request);
     }
 }
 
@@ -94,7 +94,7 @@ fn designed(more: Value) -> Value {
     let mut request: Value = serde_json::from_str(WANTED).unwrap();
     request.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
     request.as_object_mut().unwrap().retain(|_, value| !value.is_null());
-    asked("design", request)
+    reply("design", request)
 }
 
 #[test]
@@ -105,8 +105,8 @@ fn designs_are_sorted_by_their_objective() {
         ("air", "air_normal_litres", 1.0),
         ("margin", "margin", -1.0),
     ] {
-        let found = designed(json!({ "objective": objective, "top": 8 }));
-        let list = found["candidates"].as_array().unwrap();
+        let design = designed(json!({ "objective": objective, "top": 8 }));
+        let list = design["candidates"].as_array().unwrap();
         let by: Vec<f64> = list.iter().map(|c| sign * number(c, key)).collect();
         assert!(list.len() == 8 && by.windows(2).all(|w| w[0] <= w[1] + 1e-9), "{objective}: {by:?}");
         let weakest = |c: &Value| number(&c["points"][0], "force_at_max_pressure_n");
@@ -119,8 +119,8 @@ fn a_stroke_sets_what_is_open_and_a_load_is_its_pull() {
     let tube = json!({ "outer_diameter_mm": 40, "wall_mm": 2, "stroke_mm": 40 });
     assert!((number(&designed(tube)["candidates"][0], "length_mm") - 400.0).abs() < 1e-6);
     let stroke = json!({ "contraction": null, "stroke_mm": 28.5, "length_mm": 285, "continuous": true });
-    let found = designed(stroke);
-    assert!((number(&found["candidates"][0]["points"][0], "contraction") - 0.1).abs() < 1e-9);
+    let design = designed(stroke);
+    assert!((number(&design["candidates"][0]["points"][0], "contraction") - 0.1).abs() < 1e-9);
     let stroke = |key: &str, value: Value| {
         designed(
             json!({ "contraction": null, "force_n": null, key: value, "stroke_mm": 40, "length_mm": 285 }),
@@ -136,7 +136,7 @@ fn a_bundle_shares_the_requirement() {
     let tube = json!({ "outer_diameter_mm": { "low": 5, "high": 30 }, "wall_mm": 1, "force_n": 100 });
     let mut all = tube.clone();
     all["force_n"] = 700.into();
-    all["bundle"] = 7.into();
+    all["count"] = 7.into();
     let (one, seven) = (designed(tube), designed(all.clone()));
     let (a, b, bundle) = (&one["candidates"][0], &seven["candidates"][0], &seven["bundle"]);
     assert!((number(a, "outer_diameter_mm") / number(b, "outer_diameter_mm") - 1.0).abs() < 1e-9);
@@ -154,21 +154,21 @@ fn a_bundle_shares_the_requirement() {
 
 /// u/(∂F/∂P) and u/(K L0) by hand from the keys of the same answer; with a load its slope counts too.
 #[test]
-fn an_inverse_has_the_uncertainty_of_what_was_asked() {
-    let ask = |command: &str, request: Value| asked(command, request);
-    let p = ask("pressure", json!({ "force_n": 500, "contraction": 0.1, "model": "thick-wall" }));
+fn an_inverse_has_the_uncertainty_of_what_it_computes() {
+    let p = reply("pressure", json!({ "force_n": 500, "contraction": 0.1, "model": "thick-wall" }));
     let half = number(&p, "uncertainty_n") / number(&p, "force_per_pressure_n_per_mpa");
     assert!((number(&p, "pressure_uncertainty_mpa") / half - 1.0).abs() < 1e-9);
-    let e = ask("contraction", json!({ "force_n": 200, "pressure_mpa": 0.25, "model": "thick-wall" }));
+    let e = reply("contraction", json!({ "force_n": 200, "pressure_mpa": 0.25, "model": "thick-wall" }));
     let half = number(&e, "uncertainty_n") / (number(&e, "stiffness_n_per_mm") * 285.0);
     assert!((number(&e, "contraction_uncertainty") / half - 1.0).abs() < 1e-9);
     let load = json!({ "load": "spring:12N/mm@50N", "pressure_mpa": 0.25, "model": "thick-wall" });
-    let l = ask("contraction", load);
+    let l = reply("contraction", load);
     let at = &l["loaded"]["at"][0]["equilibria"][0];
     let half = number(at, "uncertainty_n") / (number(at, "held_stiffness_n_per_mm") * 285.0);
     assert!((number(&l, "contraction_uncertainty") / half - 1.0).abs() < 1e-9);
     for key in ["pressure_uncertainty_mpa", "contraction_uncertainty"] {
-        let force = ask("force", json!({ "pressure_mpa": 0.25, "contraction": 0.1, "model": "thick-wall" }));
+        let force =
+            reply("force", json!({ "pressure_mpa": 0.25, "contraction": 0.1, "model": "thick-wall" }));
         assert!(force.get(key).is_none(), "{key}");
     }
 }

@@ -20,7 +20,7 @@ fn the_list_of_unsafe_code_is_complete() {
     for entry in std::fs::read_dir(root.join("crates")).unwrap() {
         sources(&entry.unwrap().path().join("src"), &mut files);
     }
-    let found: BTreeSet<String> = files
+    let present: BTreeSet<String> = files
         .into_iter()
         .filter(|path| holds_unsafe(&std::fs::read_to_string(path).unwrap()))
         .map(|path| path.strip_prefix(&root).unwrap().to_string_lossy().replace('\\', "/"))
@@ -28,5 +28,5 @@ fn the_list_of_unsafe_code_is_complete() {
     let text = std::fs::read_to_string(root.join("SECURITY.md")).unwrap();
     let named: BTreeSet<String> =
         text.split('`').skip(1).step_by(2).filter(|name| name.ends_with(".rs")).map(Into::into).collect();
-    assert_eq!(named, found);
+    assert_eq!(named, present);
 }

@@ -134,10 +134,10 @@ impl Progress for Patience {
     }
 }
 
-fn judged<T: serde::Serialize>(asked: &dyn Fn(&Patience) -> Result<T, Problem>, said: &str) {
+fn judged<T: serde::Serialize>(work: &dyn Fn(&Patience) -> Result<T, Problem>, said: &str) {
     let patience = Patience(Instant::now());
-    let found = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| asked(&patience)));
-    match found.unwrap_or_else(|_| panic!("panic: {said}")) {
+    let done = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| work(&patience)));
+    match done.unwrap_or_else(|_| panic!("panic: {said}")) {
         Ok(answer) => {
             let numbers = serde_json::to_value(&answer).unwrap();
             // A number that is none is null in JSON; lists have none of those.
@@ -169,7 +169,7 @@ fn every_number_of_a_muscle_file_of_any_size_is_an_answer_or_a_problem() {
             let text = with(MUSCLE, &key, size);
             let request = |model: &str| ForceRequest {
                 question: mckibben_app::QuestionFields {
-                    muscle: MuscleFields::of_file(file("m.toml", &text)),
+                    muscle: MuscleFields::from_file(file("m.toml", &text)),
                     model: mckibben_app::ModelFields { model: Some(model.into()), ..Default::default() },
                     ..Default::default()
                 },

@@ -1,6 +1,6 @@
 //! Muscles that do not pull: slack ones, and those whose strands break; muscles without a text.
 
-use crate::asked;
+use crate::reply;
 use mckibben::progress::Silent;
 use mckibben::random::{Random, rounds};
 use mckibben_app::{ProblemKind, ask};
@@ -19,10 +19,10 @@ fn owned() -> Value {
 fn a_slack_muscle_of_simulate_is_that_of_force() {
     let test =
         json!({"test": "isometric", "muscle": owned(), "pressures_mpa": [0.1], "contractions": [0.1, 0.2]});
-    let simulated = asked("simulate", test);
+    let simulated = reply("simulate", test);
     for point in simulated["points"].as_array().unwrap() {
         let question = json!({"muscle": owned(), "pressure_mpa": 0.1, "contraction": point["contraction"]});
-        let force = asked("force", question);
+        let force = reply("force", question);
         assert_eq!((&point["slack"], &force["slack"]), (&json!(true), &json!(true)));
         for key in ["force_n", "volume_mm3", "bulged_diameter_mm", "free_contraction"] {
             let (a, b) = (point[key].as_f64().unwrap(), force[key].as_f64().unwrap());
@@ -56,7 +56,7 @@ fn one_muscle_has_one_pull_in_every_command() {
         let pressures = [0.0, 0.02, 0.2];
         let test = json!({"test": "isobaric", "muscle": muscle, "pressures_mpa": pressures, "contractions": contractions});
         for command in ["curve", "simulate"] {
-            let answer = asked(command, test.clone());
+            let answer = reply(command, test.clone());
             let points = answer["points"].as_array().unwrap();
             assert_eq!(points.len(), 9, "{command} {text}");
             for point in points {
@@ -79,20 +79,20 @@ fn one_muscle_has_one_pull_in_every_command() {
 /// 84 N at a strength of 20 N: no pull and no ±.
 #[test]
 fn a_muscle_whose_strands_break_neither_pulls_nor_has_an_uncertainty() {
-    let force = asked(
+    let force = reply(
         "force",
         json!({"muscle": owned(), "pressure_mpa": 0.3, "contraction": -0.3, "two_sided": true}),
     );
     assert_eq!(force["force_n"], 0.0);
     assert!(force["strand_tension_n"].as_f64().unwrap() > 20.0 && force["uncertainty_n"].is_null());
-    let simulated = asked(
+    let simulated = reply(
         "simulate",
         json!({"test": "isometric", "muscle": owned(), "pressures_mpa": [0.3], "contractions": [-0.25, 0.0]}),
     );
     assert_eq!(simulated["points"][0]["force_n"], 0.0);
     let grid =
         json!({"muscle": owned(), "models": ["fe"], "pressures_mpa": [0.3], "contractions": [-0.2, 0.0]});
-    assert_eq!(asked("compare", grid)["models"][0]["max_n"], 0.0);
+    assert_eq!(reply("compare", grid)["models"][0]["max_n"], 0.0);
     // Nor is its pull the answer of an inverse, or the nearest one.
     for (command, question) in [
         ("contraction", json!({"muscle": owned(), "force_n": 4000.0, "pressure_mpa": 0.3})),
@@ -116,7 +116,7 @@ fn a_tube_on_wide_plugs_has_an_answer_without_pull_too() {
         let mut before = 0.0;
         for pressure_mpa in [0.0001, 0.001, 0.005, 0.01, 0.02, 0.05] {
             let muscle = json!({"name": "wide.toml", "text": text});
-            let force = asked("force", json!({"muscle": muscle, "pressure_mpa": pressure_mpa}));
+            let force = reply("force", json!({"muscle": muscle, "pressure_mpa": pressure_mpa}));
             let pull = force["force_n"].as_f64().unwrap();
             assert!(pull >= before, "{plug_mm} mm, {pressure_mpa} MPa: {pull} N");
             before = pull;
@@ -129,9 +129,9 @@ fn a_tube_on_wide_plugs_has_an_answer_without_pull_too() {
 #[test]
 fn a_muscle_has_a_text_or_is_of_the_library() {
     let of = |muscle: Value| json!({"muscle": muscle, "pressure_mpa": 0.3});
-    let alone = asked("force", of(json!("lib:dmsp-20-300")));
+    let alone = reply("force", of(json!("lib:dmsp-20-300")));
     let empty = json!({"name": "lib:dmsp-20-300", "text": ""});
-    assert_eq!(alone["force_n"], asked("force", of(empty))["force_n"]);
+    assert_eq!(alone["force_n"], reply("force", of(empty))["force_n"]);
     let unknown = of(json!({"name": "dmsp-20-300", "text": ""})).to_string();
     assert_eq!(ask("force", &unknown, &Silent).unwrap_err().kind, ProblemKind::File);
     let comments = of(json!({"name": "mine.toml", "text": "# my muscle\n\n  # of latex\n"})).to_string();

@@ -1,6 +1,6 @@
 //! Files that the program writes are files that it reads.
 
-use crate::{asked, root};
+use crate::{reply, root};
 use mckibben::progress::Silent;
 use mckibben_app::ask;
 use serde_json::{Value, json};
@@ -51,8 +51,8 @@ fn whatever_was_identified_is_a_muscle() {
             measured.braid().angle_deg
         );
         // The constants of a law behind those that every muscle has.
-        let own: Vec<&str> = law.lines().skip(1).filter_map(|line| line.split(" = ").next()).collect();
-        let all: Vec<&str> = FREE.iter().copied().chain(own).collect();
+        let constants: Vec<&str> = law.lines().skip(1).filter_map(|line| line.split(" = ").next()).collect();
+        let all: Vec<&str> = FREE.iter().copied().chain(constants).collect();
         let mut free: Vec<&str> = (0..=chance(3)).map(|_| all[chance(all.len())]).collect();
         free.sort_unstable();
         free.dedup();
@@ -70,7 +70,7 @@ fn whatever_was_identified_is_a_muscle() {
             }
         };
         written += 1;
-        let file = json!({ "name": "found.toml", "text": answer["muscle_file"] });
+        let file = json!({ "name": "identified.toml", "text": answer["muscle_file"] });
         let point = json!({ "muscle": file, "pressure_mpa": 0.3, "contraction": 0.1, "model": "thick-wall" });
         if let Err(problem) = ask("force", &point.to_string(), &Silent) {
             assert_ne!(
@@ -79,7 +79,7 @@ fn whatever_was_identified_is_a_muscle() {
                 "{set} {law} {free:?}: {problem}"
             );
         }
-        let shown = asked("check", json!({ "muscle": file, "only_data": true }));
+        let shown = reply("check", json!({ "muscle": file, "only_data": true }));
         let said = shown["warnings"].to_string();
         assert!(!said.contains("[identified]"), "{set} {law} {free:?}: {said}");
     }
@@ -98,7 +98,7 @@ fn whatever_rubber_was_fitted_is_a_muscle() {
             let Ok(answer) = ask("rubber", &request.to_string(), &Silent) else { continue };
             let answer: Value = serde_json::from_str(&answer).unwrap();
             if let Some(file) = answer["muscle_file"].as_str() {
-                asked("check", json!({ "muscle": { "name": "r.toml", "text": file }, "only_data": true }));
+                reply("check", json!({ "muscle": { "name": "r.toml", "text": file }, "only_data": true }));
             }
         }
     }

@@ -27,28 +27,25 @@ pub enum CampaignError {
     /// Two files claim to be the same part and are not.
     #[error("{} and {} are the same part of the plan and differ", .0.display(), .1.display())]
     Conflict(PathBuf, PathBuf),
-    /// Nothing of a campaign is there, and what is there instead.
+    /// A place without a campaign, and its content.
     #[error("{path} is not a campaign: {1}", path = .0.display())]
     NoCampaign(PathBuf, String),
-    /// A place that does not go with the rest of the request, and what can be done about it.
+    /// A place that conflicts with the rest of the request, and what to do about it.
     #[error("{0}")]
     Refused(String, &'static str),
     /// A file cannot be written; what was there before is untouched.
     #[error("cannot write {path}: {1}", path = .0.display())]
     Write(PathBuf, std::io::Error),
-    /// A file is not read, whatever it holds.
+    /// A file that is not read.
     #[cfg(feature = "store")]
     #[error("{path} {1}", path = .0.display())]
     Read(PathBuf, mckibben_io::files::ReadError),
-    /// Something that is not of this campaign, and what it is, where a file of it would be.
+    /// A file in the place of one of the campaign that is of something else, and of what.
     #[error("{path} is not a file of a campaign ({1}) and would be overwritten", path = .0.display())]
     Foreign(PathBuf, String),
     /// A file where that of the campaign would be written.
     #[error("{} exists and would be overwritten", .0.display())]
     Appeared(PathBuf),
-    /// A table cannot be encoded.
-    #[error("cannot write the table: {0}")]
-    Encode(String),
     /// The caller wanted it to end.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
@@ -58,7 +55,7 @@ pub enum CampaignError {
 }
 
 impl CampaignError {
-    /// What can be done about it; may be empty.
+    /// What to do about it; may be empty.
     pub fn hint(&self) -> &'static str {
         match self {
             Self::OtherPlan { .. } => {
@@ -83,7 +80,7 @@ impl CampaignError {
             }
             Self::Conflict { .. } => "they come from different programs or machines: recompute one of them",
             Self::Refused(_, hint) => hint,
-            Self::Write { .. } | Self::Encode(_) => {
+            Self::Write { .. } => {
                 "what was written before is a valid store; the same command continues from there"
             }
             Self::Threads(_) => "take fewer threads; the table does not depend on them",

@@ -5,7 +5,7 @@ use super::{Inputs, Plan, Result};
 use crate::PointRow;
 use mckibben::cancel::Cancelled;
 use mckibben::model::Workspace;
-use mckibben::progress::{Progress, Silent};
+use mckibben::progress::Progress;
 use mckibben::size::TooLarge;
 use mckibben::status::Status;
 use mckibben::threads;
@@ -53,7 +53,7 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<PointRow> {
             Ok(model) => {
                 let detail = if testing.sensitivities { Detail::Sensitivities } else { Detail::Tangent };
                 let test = Test::Isometric(contraction);
-                let curve = model.run(workspace, test, &testing.pressures_mpa, detail, &Silent);
+                let curve = model.run(workspace, test, &testing.pressures_mpa, detail);
                 out.extend(
                     testing.pressures_mpa.iter().zip(curve).map(|(&p, point)| filled(blank(p), point)),
                 );

@@ -4,7 +4,6 @@ use crate::PointRow;
 use mckibben::formula::{Coefficients, Formula};
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
-use mckibben::progress::Silent;
 use mckibben::threads;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::simulation::{Detail, Simulation};
@@ -21,7 +20,7 @@ pub const CONTRACTIONS: [f64; 5] = [0.0, 0.05, 0.10, 0.15, 0.20];
 pub const PRESSURES: [f64; 5] = [0.05, 0.10, 0.15, 0.20, 0.25];
 /// The diameter it holds out, in mm.
 pub const HELD_OUT: f64 = 35.0;
-/// The highest pressure in MPa: its blocked force is what errors are shares of.
+/// The highest pressure in MPa: errors are shares of its blocked force.
 pub const FULL_PRESSURE: f64 = 0.25;
 
 /// The pull of one muscle at a pressure and contraction.
@@ -45,13 +44,13 @@ pub struct FitPoint {
 
 impl FitPoint {
     /// F of a formula there, in N.
-    pub fn by(&self, formula: &Formula) -> f64 {
+    pub fn formula_n(&self, formula: &Formula) -> f64 {
         formula.force_n(self.outer_diameter_mm, self.wall_mm, self.pressure_mpa, self.contraction)
     }
 
     /// The same less that of the point.
-    pub fn off(&self, formula: &Formula) -> f64 {
-        self.by(formula) - self.force_n
+    pub fn difference_n(&self, formula: &Formula) -> f64 {
+        self.formula_n(formula) - self.force_n
     }
 
     /// F of the published formula there, in N.
@@ -61,7 +60,7 @@ impl FitPoint {
     }
 
     /// The point of a row, where it has an answer.
-    pub fn of(row: &PointRow) -> Option<Self> {
+    pub fn from_row(row: &PointRow) -> Option<Self> {
         let force_n = row.force_n.filter(|f| f.is_finite() && row.status.is_ok())?;
         Some(Self {
             outer_diameter_mm: row.outer_diameter_mm,
@@ -77,7 +76,7 @@ impl FitPoint {
 
 /// The answered points of a table.
 pub fn points(rows: &[PointRow]) -> Vec<FitPoint> {
-    rows.iter().filter_map(FitPoint::of).collect()
+    rows.iter().filter_map(FitPoint::from_row).collect()
 }
 
 /// P from `first` to .25 MPa in steps of .01 MPa, as in the paper's isometric tests.
@@ -85,7 +84,7 @@ pub fn pressure_steps(first: u32) -> Vec<f64> {
     (first..=25).map(|i| f64::from(i) / 100.0).collect()
 }
 
-/// What is asked: muscles of every diameter and wall, at every contraction and pressure.
+/// A grid of points: muscles of every diameter and wall, at every contraction and pressure.
 #[derive(Debug, Clone, Copy)]
 pub struct Grid<'a> {
     /// D0 in mm.
@@ -108,7 +107,7 @@ impl Grid<'static> {
 
 impl Grid<'_> {
     /// Isometric tests by finite elements; `base` gives the rest of the muscle.
-    pub fn of(&self, base: &Muscle) -> Vec<FitPoint> {
+    pub fn points(&self, base: &Muscle) -> Vec<FitPoint> {
         self.compute(|d, s| base.with_section(d, s).ok())
     }
 
@@ -117,16 +116,16 @@ impl Grid<'_> {
     pub fn compute(&self, muscle: impl Fn(f64, f64) -> Option<Muscle> + Sync) -> Vec<FitPoint> {
         let sections = self.diameters.iter().flat_map(|&d| self.walls.iter().map(move |&s| (d, s)));
         let sections: Vec<(f64, f64)> = sections.collect();
-        let one = |&(d, s): &(f64, f64)| muscle(d, s).map_or_else(Vec::new, |m| self.of_muscle(&m));
+        let one = |&(d, s): &(f64, f64)| muscle(d, s).map_or_else(Vec::new, |m| self.muscle_points(&m));
         threads::map(&sections, one).concat()
     }
 
-    fn of_muscle(&self, muscle: &Muscle) -> Vec<FitPoint> {
+    fn muscle_points(&self, muscle: &Muscle) -> Vec<FitPoint> {
         let Ok(model) = Axisymmetric::new(muscle) else { return vec![] };
         let mut out = vec![];
         for &contraction in self.contractions {
             let (test, w) = (Test::Isometric(contraction), &mut Workspace::new());
-            let curve = model.run(w, test, self.pressures, Detail::Point, &Silent);
+            let curve = model.run(w, test, self.pressures, Detail::Point);
             for (&pressure_mpa, point) in self.pressures.iter().zip(curve) {
                 out.extend(point.ok().map(|p| FitPoint {
                     outer_diameter_mm: muscle.outer_diameter_mm(),

@@ -1,4 +1,4 @@
-//! How far forces are from reference forces, and where.
+//! Errors of forces against reference forces, and where they are.
 
 use super::data::{FitPoint, distinct, same};
 use super::{FitError, Result};
@@ -15,7 +15,7 @@ pub struct Errors {
     pub worst: FitPoint,
 }
 
-/// A point with a force to compare, its reference and the forces it is a share of.
+/// A point with its error, and the forces whose share that is.
 #[derive(Debug, Clone, Copy)]
 pub struct Compared {
     /// The point; its force is that of the finite elements.
@@ -60,14 +60,14 @@ fn bits(v: f64) -> i64 {
     (v * 1e9).round() as i64
 }
 
-/// The errors of what `chosen` picks, over points where the muscle pulls; `None` where nothing is left.
+/// The errors of chosen points where the muscle pulls; `None` without such points.
 pub fn errors(list: &[Compared], chosen: impl Fn(&FitPoint) -> bool) -> Option<Errors> {
     let used: Vec<&Compared> = list.iter().filter(|c| c.point.force_n > 0.0 && chosen(&c.point)).collect();
     let share = |c: &Compared| c.difference_n.abs() / c.blocked_n;
     let worst = used.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
     let mut shares: Vec<f64> = used.iter().map(|c| share(c)).collect();
     shares.sort_by(f64::total_cmp);
-    let largest = |of: fn(&Compared) -> f64| used.iter().map(|c| of(c)).fold(0.0, f64::max);
+    let largest = |value: fn(&Compared) -> f64| used.iter().map(|c| value(c)).fold(0.0, f64::max);
     let squares: f64 = shares.iter().map(|e| e * e).sum();
     let summary = ErrorSummary {
         points: used.len(),
@@ -82,18 +82,18 @@ pub fn errors(list: &[Compared], chosen: impl Fn(&FitPoint) -> bool) -> Option<E
 
 /// The errors by each value of D0, s, P and ε.
 pub fn regions(list: &[Compared]) -> Vec<RegionErrors> {
-    type Of = fn(&FitPoint) -> f64;
-    let quantities: [(&'static str, Of); 4] = [
+    type Quantity = fn(&FitPoint) -> f64;
+    let quantities: [(&'static str, Quantity); 4] = [
         ("outer_diameter_mm", |p| p.outer_diameter_mm),
         ("wall_mm", |p| p.wall_mm),
         ("pressure_mpa", |p| p.pressure_mpa),
         ("contraction", |p| p.contraction),
     ];
     let mut out = vec![];
-    for (quantity, of) in quantities {
-        for value in distinct(list.iter().map(|c| of(&c.point))) {
-            let of_value = errors(list, |p| same(of(p), value)).map(|e| e.summary);
-            out.extend(of_value.map(|errors| RegionErrors { quantity: quantity.into(), value, errors }));
+    for (name, quantity) in quantities {
+        for value in distinct(list.iter().map(|c| quantity(&c.point))) {
+            let errors = errors(list, |p| same(quantity(p), value)).map(|e| e.summary);
+            out.extend(errors.map(|errors| RegionErrors { quantity: name.into(), value, errors }));
         }
     }
     out

@@ -3,12 +3,11 @@
 //!   F = D0² Σ c · xᵃ pᵇ eᶜ dᵈ,   x = (s/D0)/0.1, p = P/P_max, e = ε/ε_max, d = D0/40 mm
 //!   Σ ((F − F_FE)/F_blocked)² → min   over the points where the muscle pulls
 //!
-//! F_blocked is the muscle's blocked force at the highest pressure, so that the sum is what errors are stated in. Points
-//! below zero are left out: there the strands go slack one after the other, F(P) has kinks that no short formula follows,
-//! and nobody asks for them.
+//! F_blocked is the muscle's blocked force at the highest pressure, as in the stated errors. Points
+//! below zero are left out: there the strands go slack one after the other, and F(P) has kinks that no short formula follows.
 //!
-//! Terms are chosen by forward selection: at each step the one that, made orthogonal to those already chosen, takes most
-//! from the sum (S. Chen, S. A. Billings, W. Luo, Int. J. Control 50, 1873, 1989). How many: the smallest number whose error
+//! Terms are chosen by forward selection: at each step the one that, made orthogonal to those already chosen, reduces the sum
+//! most (S. Chen, S. A. Billings, W. Luo, Int. J. Control 50, 1873, 1989). How many: the smallest number whose error
 //! on diameters left out one at a time is within 5 % of the smallest such error, and at most 48. Only inner
 //! diameters are left out; without the outermost the formula would have to extrapolate, which it refuses to do later.
 
@@ -65,9 +64,9 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
     if used.is_empty() {
         return Err(FitError::empty(" where the muscle pulls"));
     }
-    let of = |f: fn(&FitPoint) -> f64| distinct(used.iter().map(|c| f(&c.point)));
-    let (diameters, walls) = (of(|p| p.outer_diameter_mm), of(|p| p.wall_mm));
-    let (pressures, contractions) = (of(|p| p.pressure_mpa), of(|p| p.contraction));
+    let values = |f: fn(&FitPoint) -> f64| distinct(used.iter().map(|c| f(&c.point)));
+    let (diameters, walls) = (values(|p| p.outer_diameter_mm), values(|p| p.wall_mm));
+    let (pressures, contractions) = (values(|p| p.pressure_mpa), values(|p| p.contraction));
     let last = |list: &[f64], default: f64| list.last().copied().filter(|v| *v > 0.0).unwrap_or(default);
     let scales = Scales {
         wall_ratio: 0.1,
@@ -75,23 +74,19 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
         contraction: last(&contractions, 0.2),
         outer_diameter_mm: 40.0,
     };
-    // A power takes one value more than it is high, that of d one more for what s/D0 says of D0 already.
+    // A power needs one value more than its degree, that of d one more, since s/D0 depends on D0.
     let counts = [walls.len(), pressures.len() + 1, contractions.len(), diameters.len().saturating_sub(1)];
     let candidates = candidates(counts);
     cancel::check()?;
     let full = problem(&used, &candidates, &scales);
     let chosen = select(&full);
-    // What was chosen when the work was ended is no choice.
+    // The choice of work that was ended is not complete.
     cancel::check()?;
     let (coefficients, rms) = nested(&full, &chosen);
-    let left_out = leave_out(&used, &candidates, &scales, &diameters);
+    let left_out = leave_out(&used, &candidates, &scales, &diameters).unwrap_or_default();
     cancel::check()?;
     let steps: Vec<Step> = (1..=chosen.len())
-        .map(|terms| Step {
-            terms,
-            rms: rms[terms - 1],
-            left_out: left_out.as_ref().and_then(|l| l.get(terms - 1)).copied(),
-        })
+        .map(|terms| Step { terms, rms: rms[terms - 1], left_out: left_out.get(terms - 1).copied() })
         .collect();
     let count = enough(&steps);
     let values = coefficients(count).ok_or_else(|| FitError::singular("the global formula"))?;
@@ -100,7 +95,7 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
     Ok(GlobalFit { terms, steps, candidates: candidates.len(), points: used.len() })
 }
 
-/// All products of powers that the values in the table can tell apart.
+/// All products of powers that the values in the table distinguish.
 fn candidates(counts: [usize; 4]) -> Vec<[u8; 4]> {
     let highest = |i: usize| HIGHEST[i].min(counts[i].saturating_sub(1));
     let mut out = vec![];
@@ -218,7 +213,7 @@ fn leave_out(
     Some(sums.into_iter().map(|s| (s / rows as f64).sqrt()).collect())
 }
 
-/// The smallest number of terms that is as good as the best on what was left out.
+/// The smallest number of terms that is as good as the best on the diameters left out.
 fn enough(steps: &[Step]) -> usize {
     let known = || steps.iter().filter_map(|s| s.left_out.map(|e| (s.terms, e)));
     let best = known().map(|s| s.1).fold(f64::INFINITY, f64::min);

@@ -10,7 +10,7 @@ use mckibben_fem::verification::VerificationRow;
 /// The formulas by both methods, fitted without D0 35, and the published one.
 pub fn cases() -> Vec<VerificationRow> {
     let base = Muscle::prototype();
-    let (campaign, held) = (Grid::PAPER.of(&base), Grid::HELD_OUT.of(&base));
+    let (campaign, held) = (Grid::PAPER.points(&base), Grid::HELD_OUT.points(&base));
     let row = |name: &str, tolerance: f64, largest: Option<f64>| {
         let name = format!("{name} on D0 35, held out: largest error / blocked force");
         VerificationRow::new(name, "fe", 0.0, largest, tolerance)
@@ -20,7 +20,7 @@ pub fn cases() -> Vec<VerificationRow> {
     };
     let by = |method| {
         let formula = fitted(&campaign, method, &[]).ok()?;
-        largest(&|p| p.off(&formula))
+        largest(&|p| p.difference_n(&formula))
     };
     vec![
         row("global formula", 0.004, by(Method::Global)),

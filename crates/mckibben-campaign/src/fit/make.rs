@@ -46,7 +46,7 @@ impl Method {
 #[derive(Debug, Clone)]
 pub struct Request<'a> {
     pub points: &'a [FitPoint],
-    /// What their muscles have in common beside length and angle, which the points say.
+    /// The make of their muscles; length and angle are those of the points.
     pub made_for: Made,
     pub method: Method,
     /// Diameters in mm that are kept out of the fit, to test it.
@@ -103,11 +103,11 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
         provenance: Provenance {
             method: request.method.text(),
             points: fitted.len(),
-            data_hash: hash::of_numbers(numbers(&fitted)),
+            data_hash: hash::numbers(numbers(&fitted)),
             ..request.from.clone()
         },
     };
-    let list = compared(&points, |p| p.off(&formula))?;
+    let list = compared(&points, |p| p.difference_n(&formula))?;
     formula.errors.fit = errors(&list, |p| !held(p)).map_or_else(ErrorSummary::default, |e| e.summary);
     let seen: Vec<Compared> = list.iter().copied().filter(|c| !held(&c.point)).collect();
     formula.errors.regions = regions(&seen);
@@ -128,12 +128,12 @@ fn at_pressures(points: &[FitPoint], method: Method) -> Vec<FitPoint> {
     let papers = matches!(method, Method::Paper(_))
         && PRESSURES.iter().all(has)
         && pressures.iter().all(|p| *p <= top + 1e-9);
-    let wanted = |p: f64| if papers { PRESSURES.iter().any(|q| same(*q, p)) } else { p > 0.0 };
-    points.iter().copied().filter(|p| wanted(p.pressure_mpa)).collect()
+    let is_used = |p: f64| if papers { PRESSURES.iter().any(|q| same(*q, p)) } else { p > 0.0 };
+    points.iter().copied().filter(|p| is_used(p.pressure_mpa)).collect()
 }
 
-fn single(points: &[FitPoint], quantity: &'static str, of: fn(&FitPoint) -> f64) -> Result<f64> {
-    let list = distinct(points.iter().map(of));
+fn single(points: &[FitPoint], quantity: &'static str, value: fn(&FitPoint) -> f64) -> Result<f64> {
+    let list = distinct(points.iter().map(value));
     match list.as_slice() {
         [one] => Ok(*one),
         [low, .., high] => Err(FitError::mixed_make(&format!("{quantity} ({low} to {high})"))),
@@ -142,14 +142,14 @@ fn single(points: &[FitPoint], quantity: &'static str, of: fn(&FitPoint) -> f64)
 }
 
 fn range(points: &[FitPoint]) -> FormulaRange {
-    let of = |f: fn(&FitPoint) -> f64| {
+    let extent = |f: fn(&FitPoint) -> f64| {
         points.iter().map(f).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)))
     };
     FormulaRange {
-        outer_diameter_mm: of(|p| p.outer_diameter_mm),
-        wall_mm: of(|p| p.wall_mm),
-        pressure_mpa: of(|p| p.pressure_mpa),
-        contraction: of(|p| p.contraction),
+        outer_diameter_mm: extent(|p| p.outer_diameter_mm),
+        wall_mm: extent(|p| p.wall_mm),
+        pressure_mpa: extent(|p| p.pressure_mpa),
+        contraction: extent(|p| p.contraction),
     }
 }
 
@@ -163,7 +163,7 @@ fn numbers(points: &[FitPoint]) -> impl Iterator<Item = f64> {
 
 /// A formula of the paper's muscles from points.
 pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<Formula> {
-    let made_for = Made::of(&Muscle::prototype());
+    let made_for = Made::from_muscle(&Muscle::prototype());
     let name = if method == Method::Paper(Rules::default()) { "paper-method" } else { "global" };
     let (name, from) = (name.into(), Provenance::default());
     let request = Request { points, made_for, method, hold_out, name, from };
@@ -197,7 +197,7 @@ pub fn made_for(rows: &[PointRow]) -> Result<Made> {
     if let Some((column, _)) = rows.iter().find_map(|r| r.measures.first()) {
         return Err(FitError::varies(column));
     }
-    let paper = Made::of(&Muscle::prototype()).rubber;
+    let paper = Made::from_muscle(&Muscle::prototype()).rubber;
     let name = paper.name.clone().filter(|_| paper.is_like(&ours, TOLERANCE));
     let made = Made {
         length_mm: first.length_mm,
@@ -212,13 +212,9 @@ pub fn made_for(rows: &[PointRow]) -> Result<Made> {
     choices.extend(k.map(|k| MadeBraid::TimesDiameter(k * first.outer_diameter_mm)));
     for braid in choices {
         let made = Made { braid, ..made.clone() };
-        let fits = |r: &PointRow| match (
-            made.stiffness_n_per_mm(r.outer_diameter_mm),
-            r.stiffness_of_braid_n_per_mm,
-        ) {
-            (None, None) => true,
-            (Some(a), Some(b)) => close(a, b),
-            _ => false,
+        let fits = |r: &PointRow| {
+            let (a, b) = (made.stiffness_n_per_mm(r.outer_diameter_mm), r.stiffness_of_braid_n_per_mm);
+            a.zip(b).map_or(a == b, |(a, b)| close(a, b))
         };
         if rows.iter().all(fits) {
             return Ok(made);

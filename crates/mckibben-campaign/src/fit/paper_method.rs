@@ -5,7 +5,7 @@
 //!   4–5  for each D0           m_a = A1 s² + A2 s + A3, q_a = A4 s² + A5 s + A6    (9), (10)
 //!   6–7                        A_k = A_k1 D0² + A_k2 D0 + A_k3, B_k likewise, C_k = C_k1 D0 + C_k2   (11)
 //!
-//! Each step is a least-squares fit of its own; what one leaves over, the next does not see.
+//! Each step is a separate least-squares fit; the residuals of one are not in the next.
 
 use super::data::{FitPoint, distinct, same};
 use super::{FitError, Result};
@@ -13,7 +13,7 @@ use mckibben::formula::Coefficients;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-/// What becomes of the curve at .05 MPa of a muscle with D0 < 35 and s > 3, of which the paper takes ε ≤ .05 alone: two of its
+/// Treatment of the curve at .05 MPa of a muscle with D0 < 35 and s > 3, of which the paper takes ε ≤ .05 alone: two of its
 /// five contractions, too few for a quadratic, and the paper does not say how it went on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -27,14 +27,14 @@ pub enum ThinRule {
     Whole,
 }
 
-/// What becomes of points where the muscle would have to push.
+/// Treatment of points where the muscle would have to push.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SlackRule {
     /// Their negative force counts.
     #[default]
     TwoSided,
-    /// They are left out; a curve with fewer than three points left is left out whole.
+    /// They are left out; a curve with fewer than three other points is left out whole.
     PullOnly,
     /// They count as zero force.
     Zero,
@@ -97,7 +97,7 @@ impl WallFit {
     }
 }
 
-/// Everything the method makes on its way.
+/// The results of all steps of the method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PaperMethod {
     pub rules: Rules,
@@ -127,14 +127,15 @@ pub fn paper_method(points: &[FitPoint], rules: Rules) -> Result<PaperMethod> {
     enough("outer_diameter_mm", diameters.len(), 3, || "the table".into())?;
     let (mut curves, mut lines, mut walls) = (vec![], vec![], vec![]);
     for &d in &diameters {
-        let of_d: Vec<&FitPoint> = points.iter().filter(|p| same(p.outer_diameter_mm, d)).collect();
+        let of_diameter: Vec<&FitPoint> = points.iter().filter(|p| same(p.outer_diameter_mm, d)).collect();
         let start = lines.len();
-        for s in distinct(of_d.iter().map(|p| p.wall_mm)) {
-            let of_s: Vec<&FitPoint> = of_d.iter().copied().filter(|p| same(p.wall_mm, s)).collect();
+        for s in distinct(of_diameter.iter().map(|p| p.wall_mm)) {
+            let of_wall: Vec<&FitPoint> =
+                of_diameter.iter().copied().filter(|p| same(p.wall_mm, s)).collect();
             let first = curves.len();
-            for p in distinct(of_s.iter().map(|q| q.pressure_mpa)) {
-                let of_p = of_s.iter().filter(|q| same(q.pressure_mpa, p));
-                curves.push(curve(d, s, p, of_p.map(|q| (q.contraction, q.force_n)).collect(), rules)?);
+            for p in distinct(of_wall.iter().map(|q| q.pressure_mpa)) {
+                let isobar = of_wall.iter().filter(|q| same(q.pressure_mpa, p));
+                curves.push(curve(d, s, p, isobar.map(|q| (q.contraction, q.force_n)).collect(), rules)?);
             }
             lines.push(line(d, s, &curves[first..])?);
         }
@@ -144,13 +145,13 @@ pub fn paper_method(points: &[FitPoint], rules: Rules) -> Result<PaperMethod> {
     Ok(PaperMethod { rules, curves, lines, walls, r2, coefficients })
 }
 
-fn enough(quantity: &'static str, found: usize, needed: usize, place: impl Fn() -> String) -> Result<()> {
-    if found >= needed {
+fn enough(quantity: &'static str, count: usize, needed: usize, place: impl Fn() -> String) -> Result<()> {
+    if count >= needed {
         return Ok(());
     }
     let place = place();
     Err(FitError::Refused(format!(
-        "{place} has {found} different values of {quantity}; {needed} are needed at least"
+        "{place} has {count} different values of {quantity}; {needed} are needed at least"
     )))
 }
 
@@ -196,11 +197,11 @@ fn line(d: f64, s: f64, curves: &[CurveFit]) -> Result<LineFit> {
     let used: Vec<(f64, [f64; 3])> =
         curves.iter().filter_map(|c| c.abc.map(|f| (c.pressure_mpa, f.coefficients))).collect();
     enough("pressure_mpa", used.len(), 2, place)?;
-    let of = |k: usize| {
+    let line = |k: usize| {
         let points: Vec<(f64, f64)> = used.iter().map(|(p, abc)| (*p, abc[k])).collect();
         fit::<2>(&points).ok_or_else(|| FitError::singular(place()))
     };
-    let lines = [of(0)?, of(1)?, of(2)?];
+    let lines = [line(0)?, line(1)?, line(2)?];
     Ok(LineFit { outer_diameter_mm: d, wall_mm: s, lines, pressures: used.len() })
 }
 
@@ -208,11 +209,11 @@ fn line(d: f64, s: f64, curves: &[CurveFit]) -> Result<LineFit> {
 fn parabolas(d: f64, lines: &[LineFit]) -> Result<WallFit> {
     let place = || format!("the diameter D0 {d} mm");
     enough("wall_mm", lines.len(), 3, place)?;
-    let of = |k: usize, j: usize| {
+    let parabola = |k: usize, j: usize| {
         let points: Vec<(f64, f64)> = lines.iter().map(|l| (l.wall_mm, l.lines[k].coefficients[j])).collect();
         fit::<3>(&points).ok_or_else(|| FitError::singular(place()))
     };
-    let pair = |k| Ok::<_, FitError>([of(k, 0)?, of(k, 1)?]);
+    let pair = |k| Ok::<_, FitError>([parabola(k, 0)?, parabola(k, 1)?]);
     Ok(WallFit { outer_diameter_mm: d, parabolas: [pair(0)?, pair(1)?, pair(2)?] })
 }
 

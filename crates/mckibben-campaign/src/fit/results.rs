@@ -1,4 +1,4 @@
-//! What comes out of the paper's campaign: the table of `docs/results.md`, which `mckibben fit --report` prints.
+//! The results of the paper's campaign: the table of `docs/results.md`, which `mckibben fit --report` prints.
 //!
 //! Errors are shares of the finite elements' blocked force of the same muscle at .25 MPa, over points where they pull.
 
@@ -7,7 +7,7 @@ use super::data::{FitPoint, Grid, pressure_steps, same};
 use super::errors::{Errors, compared, errors};
 use super::universal::{HeldOutRow, held_out, held_out_samples};
 use super::{FitError, Method, Result, Rules, SlackRule, ThinRule, fitted};
-use mckibben::formula::{Body, Formula};
+use mckibben::formula::Body;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use serde::Serialize;
@@ -22,12 +22,12 @@ pub struct Finding {
     pub at_most: Option<f64>,
     /// Whether the goal is met.
     pub ok: bool,
-    /// What came out.
+    /// The errors.
     #[serde(flatten)]
     pub errors: Errors,
 }
 
-/// Everything that came out.
+/// All results.
 #[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct Results {
     /// The comparisons.
@@ -49,7 +49,7 @@ const RANDOM: (usize, u64) = (500, 7);
 struct Findings(Vec<Finding>);
 
 impl Findings {
-    /// Points with what they are off by, and the share that was set as a goal.
+    /// Points with their errors, and the share that was set as a goal.
     fn add<'a>(
         &mut self,
         comparison: impl Into<String>,
@@ -69,7 +69,7 @@ impl Findings {
 /// Computes everything anew.
 pub fn results(progress: &dyn Progress) -> Result<Results> {
     let base = Muscle::prototype();
-    let campaign = &Grid::PAPER.of(&base);
+    let campaign = &Grid::PAPER.points(&base);
     let step = |done: usize| {
         progress.report(done, STEPS);
         progress.check()
@@ -86,7 +86,7 @@ pub fn results(progress: &dyn Progress) -> Result<Results> {
     out.add(name, Some(0.015), good.iter().filter(is_table), to_table)?;
     out.add("FE as shipped vs Table 1", None, campaign.iter().filter(is_table), to_table)?;
 
-    let held = Grid::HELD_OUT.of(&base);
+    let held = Grid::HELD_OUT.points(&base);
     let all = [campaign.clone(), held.clone()].concat();
     step(2)?;
     let wide = |p: &&FitPoint| p.outer_diameter_mm > 34.0 && p.wall_mm < 4.5;
@@ -103,7 +103,7 @@ pub fn results(progress: &dyn Progress) -> Result<Results> {
     ];
     for (i, (text, rules)) in variants.into_iter().enumerate() {
         let f = fitted(campaign, Method::Paper(rules), &[])?;
-        let difference = |p: &FitPoint| p.by(&f) - p.published_n();
+        let difference = |p: &FitPoint| p.formula_n(&f) - p.published_n();
         let goal = |v| (i == 0).then_some(v);
         let name = format!("paper's method on our FE vs published, D0 35-50, s 1-4{text}");
         out.add(name, goal(0.025), all.iter().filter(wide), difference)?;
@@ -112,7 +112,7 @@ pub fn results(progress: &dyn Progress) -> Result<Results> {
 
     // With the constants of the first line, so that one set of constants answers both questions.
     let f = fitted(&good, Method::Paper(Rules::default()), &[])?;
-    let difference = |p: &FitPoint| p.by(&f) - p.published_n();
+    let difference = |p: &FitPoint| p.formula_n(&f) - p.published_n();
     let name = "paper's method on our FE with fitted constants vs published, D0 35-50, s 1-4";
     let all_good = [good.clone(), Grid::HELD_OUT.compute(|d, s| constants.muscle(d, s))].concat();
     out.add(name, Some(0.025), all_good.iter().filter(wide), difference)?;
@@ -120,22 +120,24 @@ pub fn results(progress: &dyn Progress) -> Result<Results> {
 
     step(3)?;
     let steps = pressure_steps(1);
-    let full = Grid { pressures: &steps, ..Grid::PAPER }.of(&base);
+    let full = Grid { pressures: &steps, ..Grid::PAPER }.points(&base);
     let global = fitted(&full, Method::Global, &[])?;
-    let held_by_steps = Grid { pressures: &steps, ..Grid::HELD_OUT }.of(&base);
-    out.add("global vs FE, all of the range (P by .01 MPa)", Some(0.004), &full, |p| p.off(&global))?;
-    out.add("global vs FE, D0 35 held out", Some(0.004), &held_by_steps, |p| p.off(&global))?;
+    let held_by_steps = Grid { pressures: &steps, ..Grid::HELD_OUT }.points(&base);
+    out.add("global vs FE, all of the range (P by .01 MPa)", Some(0.004), &full, |p| {
+        p.difference_n(&global)
+    })?;
+    out.add("global vs FE, D0 35 held out", Some(0.004), &held_by_steps, |p| p.difference_n(&global))?;
 
     step(4)?;
     // Between the points: half steps of D0, s and ε.
     let half = |low: f64, step: f64, n: u32| (0..=n).map(|i| low + step * f64::from(i)).collect::<Vec<f64>>();
     let (diameters, walls, contractions) = (half(30.0, 2.5, 8), half(1.0, 0.5, 8), half(0.0, 0.025, 8));
     let finer = Grid { contractions: &contractions, pressures: &steps, ..Grid::PAPER };
-    let between = Grid { diameters: &diameters, walls: &walls, ..finer }.of(&base);
-    out.add("global vs FE between the points too (half steps)", None, &between, |p| p.off(&global))?;
-    let of_finer = fitted(&finer.of(&base), Method::Global, &[])?;
+    let between = Grid { diameters: &diameters, walls: &walls, ..finer }.points(&base);
+    out.add("global vs FE between the points too (half steps)", None, &between, |p| p.difference_n(&global))?;
+    let of_finer = fitted(&finer.points(&base), Method::Global, &[])?;
     let name = "global of a campaign with ε by 2.5 % vs FE, between the points too";
-    out.add(name, Some(0.004), &between, |p| p.off(&of_finer))?;
+    out.add(name, Some(0.004), &between, |p| p.difference_n(&of_finer))?;
 
     let published = |p: &FitPoint| p.published_n() - p.force_n;
     out.add("published formula vs FE, the campaign", None, campaign, published)?;
@@ -143,18 +145,11 @@ pub fn results(progress: &dyn Progress) -> Result<Results> {
     out.add("published formula vs FE, between the points too", None, in_range, published)?;
     out.add("published formula vs FE, D0 35", None, &held, published)?;
     let ours = fitted(campaign, Method::Paper(Rules::default()), &[])?;
-    out.add("paper's method on our FE vs FE, the campaign", None, campaign, |p| p.off(&ours))?;
-    out.add("paper's method on our FE vs FE, D0 35", None, &held, |p| p.off(&ours))?;
+    out.add("paper's method on our FE vs FE, the campaign", None, campaign, |p| p.difference_n(&ours))?;
+    out.add("paper's method on our FE vs FE, D0 35", None, &held, |p| p.difference_n(&ours))?;
     step(5)?;
     let random_muscles = held_out(&held_out_samples(RANDOM.0, RANDOM.1));
-    let global_terms = terms(&global);
+    let global_terms = if let Body::Global(sum) = &global.body { sum.terms.len() } else { 0 };
     step(STEPS)?;
     Ok(Results { findings: out.0, constants, global_terms, random_muscles })
-}
-
-fn terms(f: &Formula) -> usize {
-    match &f.body {
-        Body::Paper(_) => 48,
-        Body::Global(t) => t.terms.len(),
-    }
 }

@@ -1,4 +1,4 @@
-//! What section 3.3.1 of the paper says of a, b and c: which way they go with P and with s.
+//! Section 3.3.1 of the paper on a, b and c: whether they rise or fall with P and with s.
 //!
 //!   D0 35–50: a rises with P and with s; below 35 "opposite". b falls with P and with s. c rises with P and falls with s.
 
@@ -14,7 +14,7 @@ pub struct Sign {
     pub coefficient: &'static str,
     /// `P` or `s`.
     pub with: &'static str,
-    /// What the paper says.
+    /// The statement of the paper.
     pub rises: bool,
     /// Neighbouring pairs of curves of which it holds.
     pub holding: usize,
@@ -41,11 +41,7 @@ pub fn signs(method: &PaperMethod) -> Vec<Sign> {
             .collect();
         for (k, coefficient) in ["a", "b", "c"].into_iter().enumerate() {
             for with in ["P", "s"] {
-                let rises = match (coefficient, with) {
-                    ("a", _) => d >= 35.0,
-                    ("c", "P") => true,
-                    _ => false,
-                };
+                let rises = coefficient == "a" && d >= 35.0 || (coefficient, with) == ("c", "P");
                 let key = |c: &(f64, f64, [f64; 3])| if with == "P" { (c.0, c.1) } else { (c.1, c.0) };
                 let (mut holding, mut pairs) = (0, 0);
                 for a in &curves {

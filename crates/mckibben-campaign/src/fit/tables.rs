@@ -76,8 +76,8 @@ pub fn tables(m: &PaperMethod) -> Vec<Table> {
     let signs = signs(m).into_iter().map(|s| {
         let way = if s.rises { "rises" } else { "falls" };
         let verdict = if s.holds() { "holds" } else { "does not hold" };
-        let said = [json!(s.outer_diameter_mm), json!(s.coefficient), json!(s.with), json!(way)];
-        said.into_iter().chain([json!(s.holding), json!(s.pairs), json!(verdict)]).collect()
+        let statement = [json!(s.outer_diameter_mm), json!(s.coefficient), json!(s.with), json!(way)];
+        statement.into_iter().chain([json!(s.holding), json!(s.pairs), json!(verdict)]).collect()
     });
     let table = |name, header: &'static str, rows| {
         let header = header.split_whitespace().collect();

@@ -37,7 +37,7 @@ fn published() -> Vec<FitPoint> {
 }
 
 fn request(points: &[FitPoint], method: Method) -> Request<'_> {
-    let (made_for, from) = (Made::of(&Muscle::prototype()), Provenance::default());
+    let (made_for, from) = (Made::from_muscle(&Muscle::prototype()), Provenance::default());
     Request { points, made_for, method, hold_out: &[], name: "f".into(), from }
 }
 
@@ -63,7 +63,7 @@ fn the_seven_steps_on_formula_11_give_back_table_2() {
 }
 
 #[test]
-fn global_is_exact_on_a_polynomial_of_its_own_and_finds_its_terms() {
+fn global_is_exact_on_a_polynomial_of_its_terms() {
     let f = |d: f64, s: f64, p: f64, e: f64| {
         let (x, p, e, d4) = (s / d / 0.1, p / 0.25, e / 0.2, d / 40.0);
         d * d * (1.1 * p - 0.55 * p * e - 0.05 * x * p + 0.04 * p * p * d4 + 0.02 * x * x * e * p)
@@ -182,7 +182,7 @@ fn signs_and_tables_are_complete() {
 }
 
 #[test]
-fn the_make_of_a_table_is_found_or_refused() {
+fn the_make_of_a_table_is_read_or_refused() {
     use mckibben::formula::{MadeBraid, NamedBraid};
     let with = |d: f64, k: Option<f64>, c10: f64| PointRow {
         outer_diameter_mm: d,
@@ -190,10 +190,10 @@ fn the_make_of_a_table_is_found_or_refused() {
         constants: vec![("c10_mpa".into(), c10), ("c01_mpa".into(), 0.0)],
         ..row(Some(1.0), Status::Ok)
     };
-    let paper = |d: f64| Made::of(&Muscle::prototype()).stiffness_n_per_mm(d);
+    let paper = |d: f64| Made::from_muscle(&Muscle::prototype()).stiffness_n_per_mm(d);
     let braid = |rows: &[PointRow]| made_for(rows).map(|m| m.braid);
-    let found = made_for(&[with(30.0, paper(30.0), 0.112), with(50.0, paper(50.0), 0.112)]).unwrap();
-    assert_eq!(found, Made::of(&Muscle::prototype()));
+    let made = made_for(&[with(30.0, paper(30.0), 0.112), with(50.0, paper(50.0), 0.112)]).unwrap();
+    assert_eq!(made, Made::from_muscle(&Muscle::prototype()));
     assert_eq!(
         braid(&[with(30.0, None, 0.1), with(50.0, None, 0.1)]),
         Ok(MadeBraid::Named(NamedBraid::Inextensible))
@@ -220,7 +220,7 @@ fn the_shipped_campaign_is_what_is_computed() {
     let rows: Vec<Vec<f64>> =
         text.lines().skip(1).map(|l| l.split(',').map(|v| v.parse().unwrap()).collect()).collect();
     let diameters = [&DIAMETERS[..], &[HELD_OUT]].concat();
-    let points = Grid { diameters: &diameters, ..Grid::PAPER }.of(&Muscle::prototype());
+    let points = Grid { diameters: &diameters, ..Grid::PAPER }.points(&Muscle::prototype());
     assert_eq!(rows.len(), points.len());
     for (row, p) in rows.iter().zip(&points) {
         assert_eq!(row[..2], [p.outer_diameter_mm, p.wall_mm]);
@@ -235,12 +235,12 @@ fn the_shipped_campaign_is_what_is_computed() {
 #[test]
 fn no_pull_is_promised_where_the_muscle_lies_slack() {
     let base = Muscle::prototype();
-    let f = fitted(&Grid::PAPER.of(&base), Method::Global, &[]).unwrap();
+    let f = fitted(&Grid::PAPER.points(&base), Method::Global, &[]).unwrap();
     let contractions: Vec<f64> = (0..=8).map(|i| 0.025 * f64::from(i)).collect();
     let (diameters, walls) = (&[30.0, 35.0, 42.5, 50.0], &[2.5, 4.0, 5.0]);
     let grid = Grid { diameters, walls, contractions: &contractions, pressures: &pressure_steps(5) };
-    let points = grid.of(&base);
-    let list = compared(&points, |p| p.by(&f));
+    let points = grid.points(&base);
+    let list = compared(&points, |p| p.formula_n(&f));
     let slack: Vec<_> = list.unwrap().into_iter().filter(|c| c.point.force_n < 0.0).collect();
     assert!(slack.len() > 100, "{}", slack.len());
     for c in slack {

@@ -12,8 +12,8 @@ use mckibben_campaign::fit::universal::*;
 fn the_goals_hold_on_random_muscles() {
     let samples = held_out_samples(50, 11);
     let rows = held_out(&samples);
-    let of = |name: &str| rows.iter().find(|r| r.model == name).unwrap().errors;
-    let (large, small, thick) = (of("universal"), of("universal-small"), of("thick-wall"));
+    let errors = |name: &str| rows.iter().find(|r| r.model == name).unwrap().errors;
+    let (large, small, thick) = (errors("universal"), errors("universal-small"), errors("thick-wall"));
     assert!(large.muscles == 50 && large.points > 300, "{large:?}");
     assert!(large.rms < 0.001 && large.p99 < 0.004 && large.max < 0.01, "{large:?}");
     assert!(small.rms < 0.006 && small.p99 < 0.023 && small.max < 0.05, "{small:?}");
@@ -39,8 +39,8 @@ fn longer_muscles_than_the_campaigns_are_as_good() {
     }
 }
 
-fn request() -> UniversalRequest {
-    UniversalRequest { form: Form::Membrane, name: "mine".into(), from: Provenance::default() }
+fn request(samples: &[Sample]) -> UniversalRequest<'_> {
+    UniversalRequest { samples, form: Form::Membrane, name: "mine".into(), from: Provenance::default() }
 }
 
 /// The same samples give the same coefficients to the bit on one thread and on four.
@@ -49,7 +49,7 @@ fn a_fit_does_not_depend_on_threads_and_finds_small_errors() {
     let samples = held_out_samples(60, 3);
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| universal(&samples, &request(), &Silent)).unwrap()
+        pool.install(|| universal(&request(&samples), &Silent)).unwrap()
     };
     let (one, four) = (on(1), on(4));
     assert_eq!(one.to_json(), four.to_json());
@@ -61,5 +61,5 @@ fn a_fit_does_not_depend_on_threads_and_finds_small_errors() {
 #[test]
 fn too_few_points_are_an_error() {
     let samples = held_out_samples(1, 3);
-    assert!(universal(&samples, &request(), &Silent).is_err());
+    assert!(universal(&request(&samples), &Silent).is_err());
 }

@@ -1,10 +1,10 @@
 //! `campaign`, `campaign run|show|merge|status`.
 
 use crate::{
-    Asked, Bar, Failure, Format, NO_ANSWER, NOT_CONVERGED, clean, emit, listed, output::json, overwrite,
-    pairs, place, progress::INTERRUPTED, said, shown, tabled, value, warn,
+    Args, Bar, Format, NO_ANSWER, NOT_CONVERGED, Problem, Units, clean, emit, listed, output::json,
+    overwrite, pairs, place, progress::INTERRUPTED, said, shown, tabled, value, warn,
 };
-use mckibben::progress::Progress;
+use mckibben::progress::{Progress, Silent};
 use mckibben_app::{
     CampaignMergeRequest, CampaignRequest, CampaignStatusRequest, ProblemKind, campaign_merge, campaign_show,
     campaign_status,
@@ -12,22 +12,23 @@ use mckibben_app::{
 use mckibben_campaign::campaign::{CampaignStatus, Outcome, ShardState, ShardStatus, Summary};
 use std::time::{Duration, Instant};
 
-fn no_csv(format: Format) -> Result<(), Failure> {
+fn no_csv(format: Format) -> Result<(), Problem> {
     if format != Format::Csv {
         return Ok(());
     }
     let message = "--format csv: the table is the Parquet file itself";
-    Err(Failure::input(ProblemKind::Usage, message, "take text or json"))
+    Err(Problem::new(ProblemKind::Usage, message, "take text or json"))
 }
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    no_csv(asked.format)?;
-    let quiet = asked.is("quiet");
-    let bar = if quiet { Bar::hidden() } else { Bar::new("muscles") };
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    no_csv(args.format)?;
+    let quiet = args.is("quiet");
+    let bar = Bar::new("muscles");
+    let progress: &dyn Progress = if quiet { &Silent } else { &bar };
     let from = Instant::now();
-    let mut request: CampaignRequest = asked.request()?;
+    let mut request: CampaignRequest = args.request()?;
     request.overwrite = overwrite();
-    let outcome = mckibben_app::campaign(&request, &bar)?;
+    let outcome = mckibben_app::campaign(&request, progress)?;
     let interrupted = bar.cancelled() && !outcome.complete;
     drop(bar);
     for file in &outcome.recomputed {
@@ -35,7 +36,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     }
     if !quiet {
         // What is on the disk is valid, whatever ended the run.
-        let out = match asked.format {
+        let out = match args.format {
             Format::Json => format!("{:#}\n", json(&outcome)?),
             _ => as_text(&outcome, from.elapsed()),
         };
@@ -65,26 +66,25 @@ fn as_text(outcome: &Outcome, time: Duration) -> String {
     out + if outcome.complete { "" } else { "Interrupted: the same command continues from here.\n" }
 }
 
-pub fn merge(asked: &Asked) -> Result<u8, Failure> {
-    no_csv(asked.format)?;
-    let request = CampaignMergeRequest { overwrite: overwrite(), ..asked.request()? };
+pub fn merge(args: &Args) -> Result<u8, Problem> {
+    no_csv(args.format)?;
+    let request = CampaignMergeRequest { overwrite: overwrite(), ..args.request()? };
     let merged = campaign_merge(&request)?;
-    asked.print(&merged, "", || {
+    args.print(&merged, "", |merged, _| {
         let out = place(&merged.output);
         format!("{} points of {} muscles are in {out}\n", merged.points, merged.muscles)
     })
 }
 
-pub fn show(asked: &Asked) -> Result<u8, Failure> {
-    let summary = campaign_show(&asked.request()?)?;
-    asked.show(&summary, "ranges", || summary_text(&summary))
+pub fn show(args: &Args) -> Result<u8, Problem> {
+    let summary = campaign_show(&args.request()?)?;
+    args.show(&summary, "ranges", summary_text)
 }
 
-fn summary_text(s: &Summary) -> String {
-    let u = shown::units();
+fn summary_text(s: &Summary, u: &Units) -> String {
     let keys = "muscles points points_wanted points_per_muscle answered failed model sampling seed version=mckibben plan_sha256";
-    let mut out = pairs(&listed(&value(s), keys, &u)) + "\n";
-    out += &tabled(&s.ranges, "name=_ smallest:6~ largest:6~", &u);
+    let mut out = pairs(&listed(&value(s), keys, u)) + "\n";
+    out += &tabled(&s.ranges, "name=_ smallest:6~ largest:6~", u);
     for (status, f) in &s.failed {
         out += &format!("\nThe first {status} is of muscle {}: {}\n", f.first_muscle, f.first_cause);
     }
@@ -99,20 +99,20 @@ fn summary_text(s: &Summary) -> String {
     out
 }
 
-pub fn status(asked: &Asked) -> Result<u8, Failure> {
-    let request = CampaignStatusRequest { output: asked.path("folder").unwrap_or_default() };
+pub fn status(args: &Args) -> Result<u8, Problem> {
+    let request = CampaignStatusRequest { output: args.path("folder").unwrap_or_default() };
     let status = campaign_status(&request)?;
-    asked.show(&status, "shards", || status_text(&status))?;
+    args.show(&status, "shards", status_text)?;
     Ok(if status.shards_missing > 0 { NO_ANSWER } else { 0 })
 }
 
-fn status_text(s: &CampaignStatus) -> String {
+fn status_text(s: &CampaignStatus, u: &Units) -> String {
     let mut out = format!("{} of {} parts are in {}\n", s.parts, s.parts_wanted, place(&s.output));
     let shards = "shards_wanted=shards shards_done=done shards_running=running shards_missing=missing";
-    out += &pairs(&listed(&value(s), shards, &shown::units()));
+    out += &pairs(&listed(&value(s), shards, u));
     let open: Vec<&ShardStatus> = s.shards.iter().filter(|s| s.state != ShardState::Done).collect();
     if !open.is_empty() {
-        out += &format!("\n{}", tabled(&open, "shard state parts parts_wanted=of", &shown::units()));
+        out += &format!("\n{}", tabled(&open, "shard state parts parts_wanted=of", u));
     }
     out.extend(s.damaged.iter().map(|part| format!("Cut off: {}\n", place(part))));
     if s.shards_missing > 0 {

@@ -1,8 +1,9 @@
 //! `check`: what is known of a muscle, whether it is plausible, what is not known, and what to measure first; or a formula's file.
 
 use crate::{
-    Asked, Bar, FLAT, Failure, Format, burst_first, commands::fit::formula_text, emit, files, pairs, shown,
+    Args, FLAT, Format, Problem, Units, burst_first, commands::fit::formula_text, emit, files, pairs, shown,
 };
+use mckibben::progress::Silent;
 use mckibben::warning::is_of_burst;
 use mckibben_app::rows::{characteristic_rows, muscle_sheets};
 use mckibben_app::{CheckAnswer, CheckFormulaRequest, FindingKind, Model, ProblemKind, check, check_formula};
@@ -14,17 +15,17 @@ fn is_formula(word: &str) -> bool {
         || Path::new(word).extension().is_some_and(|end| end.eq_ignore_ascii_case("json"))
 }
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    let word = asked.text("file").or_else(|| asked.text("muscle"));
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let word = args.text("file").or_else(|| args.text("muscle"));
     if let Some(word) = word.filter(|word| is_formula(word)) {
-        return show_formula(&word, asked);
+        return show_formula(&word, args);
     }
-    if asked.is("latex") {
+    if args.is("latex") {
         let message = "--latex is of a formula, not of a muscle";
-        return Err(Failure::input(ProblemKind::Usage, message, "`mckibben check formula.json --latex`"));
+        return Err(Problem::new(ProblemKind::Usage, message, "`mckibben check formula.json --latex`"));
     }
-    let answer = check(&asked.request()?, &Bar::hidden())?;
-    asked.show(&answer, FLAT, || text(&answer))
+    let answer = check(&args.request()?, &Silent)?;
+    args.show(&answer, FLAT, text)
 }
 
 /// The kinds, each with its heading, and what is said where nothing was found.
@@ -39,18 +40,17 @@ const HEADINGS: [(FindingKind, &str, &str); 4] = [
     (FindingKind::Measure, "What to measure first", "no measurement would reduce the ± much"),
 ];
 
-fn text(answer: &CheckAnswer) -> String {
-    let u = shown::units();
+fn text(answer: &CheckAnswer, u: &Units) -> String {
     let burst: Vec<&String> = answer.warnings.iter().filter(|w| is_of_burst(w)).collect();
-    let sheets = muscle_sheets(answer, &u).map(|(head, rows)| format!("{head}\n{}\n", pairs(&rows)));
+    let sheets = muscle_sheets(answer, u).map(|(head, rows)| format!("{head}\n{}\n", pairs(&rows)));
     let mut out = burst_first(&burst) + &sheets.concat();
     if let Some(c) = &answer.characteristics {
         let at = u.pressure.show(c.pressure_mpa);
-        out += &format!("At {at}, model {}\n{}", c.model, pairs(&characteristic_rows(c, &u)));
-        out.extend(c.uncertainty_words.text_in(&u).map(|parts| parts + "\n"));
+        out += &format!("At {at}, model {}\n{}", c.model, pairs(&characteristic_rows(c, u)));
+        out.extend(c.uncertainty_words.text_in(u).map(|parts| parts + "\n"));
     }
     for (kind, heading, none) in HEADINGS {
-        let mut said = answer.said(kind, &u);
+        let mut said = answer.said(kind, u);
         if said.is_empty() {
             said.push(none.into());
         }
@@ -61,21 +61,21 @@ fn text(answer: &CheckAnswer) -> String {
 }
 
 /// Shows a formula: a file, or one that is built in.
-fn show_formula(word: &str, asked: &Asked) -> Result<u8, Failure> {
+fn show_formula(word: &str, args: &Args) -> Result<u8, Problem> {
     let built_in = Model::is_taken(word);
     let file = if built_in { None } else { files::formula(word)? };
     if file.is_none() && !built_in {
         let message = format!("{word}: cannot be read: there is no such file");
-        return Err(Failure::input(ProblemKind::Formula, message, "`mckibben fit` writes such files"));
+        return Err(Problem::new(ProblemKind::Formula, message, "`mckibben fit` writes such files"));
     }
-    if asked.text("pressure_mpa").is_some() {
-        return Err(Failure::input(ProblemKind::Usage, "--pressure is of a muscle, not of a formula", ""));
+    if args.text("pressure_mpa").is_some() {
+        return Err(Problem::new(ProblemKind::Usage, "--pressure is of a muscle, not of a formula", ""));
     }
-    let latex = asked.is("latex");
+    let latex = args.is("latex");
     let answer =
         check_formula(&CheckFormulaRequest { file, name: built_in.then(|| word.to_owned()), latex })?;
-    match answer.latex.as_ref().filter(|_| asked.format == Format::Text) {
-        Some(latex) => emit(latex, asked.path("output").as_deref()).map(|()| 0),
-        None => asked.show(&answer, "terms", || formula_text(&answer.formula, true)),
+    match answer.latex.as_ref().filter(|_| args.format == Format::Text) {
+        Some(latex) => emit(latex, args.path("output").as_deref()).map(|()| 0),
+        None => args.show(&answer, "terms", |answer, _| formula_text(&answer.formula, true)),
     }
 }

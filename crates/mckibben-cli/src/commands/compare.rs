@@ -1,25 +1,22 @@
 //! `compare`: models, and measured points.
 
-use crate::{Asked, Bar, Failure, Units, place, shown, tabled, understood, value, warn};
+use crate::{Args, Bar, Problem, Units, place, tabled, understood, value, warn};
 use mckibben_app::{CompareAnswer, CompareRequest, ComparedModel, Direction};
 use serde_json::Value;
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    let request: CompareRequest = asked.request()?;
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let request: CompareRequest = args.request()?;
     let mut answer = mckibben_app::compare(&request, &Bar::new("models"))?;
-    asked.draw(&mut answer.figure)?;
-    let text = || {
-        answer.warnings.iter().for_each(warn);
-        as_text(asked, &request, &answer, &shown::units())
-    };
-    asked.show(&answer, "models", text)
+    args.draw(&mut answer.figure)?;
+    args.show(&answer, "models", |answer, u| as_text(args, &request, answer, u))
 }
 
 const ERRORS: &str = "model rms_n:3 share=of_the_largest_pull:3% max_n=largest:3 mean_n:3 points fitted";
 const VOLUMES: &str = "model rms_volume_mm3=rms:3 mean_volume_mm3=mean:3 volume_points=points";
 
-fn as_text(asked: &Asked, request: &CompareRequest, answer: &CompareAnswer, u: &Units) -> String {
-    let against = match asked.path("data") {
+fn as_text(args: &Args, request: &CompareRequest, answer: &CompareAnswer, u: &Units) -> String {
+    answer.warnings.iter().for_each(warn);
+    let against = match args.path("data") {
         Some(path) => {
             let mean = request.branch == Direction::Mean;
             let which = if mean { " (mean of the branches where both are given)" } else { "" };
@@ -31,14 +28,14 @@ fn as_text(asked: &Asked, request: &CompareRequest, answer: &CompareAnswer, u: &
     let about = understood(&answer.understood) + &answer.muscle.line(u);
     let row = |m: &ComparedModel| {
         let mut row = value(m);
-        row["share"] = m.rms_n.map(|rms| rms / answer.largest_force_n).into();
+        row["share"] = m.errors.rms_n.map(|rms| rms / answer.largest_force_n).into();
         row["fitted"] = if m.fitted().is_empty() && !request.fit.is_empty() {
             "no constant of --fit".into()
         } else {
             m.fitted().into()
         };
-        row["unanswered"] = Some(m.unanswered).filter(|n| *n > 0).into();
-        row["cause"] = m.cause.as_deref().map(|cause| u.sentence(cause)).into();
+        row["unanswered"] = Some(m.errors.unanswered).filter(|n| *n > 0).into();
+        row["cause"] = m.errors.cause.as_deref().map(|cause| u.sentence(cause)).into();
         row
     };
     let rows: Vec<Value> = answer.models.iter().map(row).collect();
@@ -47,7 +44,7 @@ fn as_text(asked: &Asked, request: &CompareRequest, answer: &CompareAnswer, u: &
     let errors: Vec<&Value> = there.into_iter().chain(some).collect();
     let mut out = format!("{about}\nagainst {against}\n\n{}", tabled(&errors, ERRORS, u));
     out += "\nmean: above zero if the model predicts too much pull\n";
-    if answer.models.iter().any(|m| m.volume_points > 0) {
+    if answer.models.iter().any(|m| m.errors.volume_points > 0) {
         out += &format!("\nvolume of the cavity:\n{}", tabled(&errors, VOLUMES, u));
     }
     if !not.is_empty() {

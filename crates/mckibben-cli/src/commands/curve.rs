@@ -2,84 +2,81 @@
 
 use crate::output::loaded::loaded as text_of_load;
 use crate::{
-    Asked, Bar, Failure, Format, Units, burst_first, columns, half_width, output::form, output::text::within,
-    percent, percents, shown, streamed, warn,
+    Args, Bar, Format, Problem, Units, burst_first, columns, exit_code, half_width, output::form,
+    output::text::aligned, output::text::within, percent, percents, streamed, warn,
 };
 use mckibben::curve::{Curve, Test};
-use mckibben::{answer::Answer, muscle::Direction, study::StudyPanel, warning::Warning};
+use mckibben::{answer::Answer, muscle::Direction, progress::Silent, study::StudyPanel};
 use mckibben_app::{CurveAnswer, CurveRequest, PointRow, StudyAnswer, breakdown, curve_by_curve, study};
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    if asked.text("study").is_some() {
-        return run_study(asked);
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    if args.text("study").is_some() {
+        return run_study(args);
     }
-    let request: CurveRequest = asked.request()?;
-    let unit = shown::units();
+    let request: CurveRequest = args.request()?;
     let bar = Bar::new("curves");
-    let target = asked.path("output");
-    if request.figure.is_none() && form(target.as_deref(), asked.format)? == Format::Json {
+    let target = args.path("output");
+    if request.figure.is_none() && form(target.as_deref(), args.format)? == Format::Json {
         let problem = streamed("points", target.as_deref(), |row| {
             let rows = |curve: Curve| curve.points.iter().try_for_each(|p| row(&PointRow::from(p)));
             let mut answer = curve_by_curve(&request, &bar, &mut { rows })?;
             let problem = answer.problem.take();
             Ok((answer, problem))
         })?;
-        return Ok(problem.map_or(0, |problem| Failure::from(problem).exit()));
+        return Ok(exit_code(problem.as_ref()));
     }
     let mut answer = mckibben_app::curve(&request, &bar)?;
     drop(bar);
-    if let Some(problem) = answer.problem.take_if(|_| asked.format == Format::Text) {
-        return Err(problem.into());
+    if let Some(problem) = answer.problem.take_if(|_| args.format == Format::Text) {
+        return Err(problem);
     }
     if answer.problem.is_none() {
-        asked.draw(&mut answer.figure)?;
+        args.draw(&mut answer.figure)?;
     }
     answer.figure = None;
-    let text = || {
-        let burst = warnings(&answer.warnings, &answer.curves);
-        let (test, muscle) = (answer.test.name(), answer.muscle.line(&unit));
-        burst
-            + &format!("{test} test, model {}\n{muscle}\n\n", answer.model)
-            + &as_table(&answer, &unit)
-            + &doubt(answer.test, &answer.curves, &unit)
-            + &answer.loaded.as_ref().map_or_else(String::new, |loaded| text_of_load(loaded, &unit))
-    };
-    asked.show(&answer, "points", text)?;
-    Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
+    args.show(&answer, "points", as_text)?;
+    Ok(exit_code(answer.problem.as_ref()))
 }
 
-fn warnings(all: &[Warning], list: &[Curve]) -> String {
-    let burst = burst_first(all);
-    let failed = list.iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().err());
+fn as_text(answer: &CurveAnswer, u: &Units) -> String {
+    let burst = burst_first(&answer.warnings);
+    let failed = answer.curves.iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().err());
     let failed: Vec<_> = failed.collect();
     if let Some(first) = failed.first() {
         warn(format!("{} points have no answer (–); the first: {first}", failed.len()));
     }
     burst
+        + &format!("{} test, model {}\n{}\n\n", answer.test.name(), answer.model, answer.muscle.line(u))
+        + &as_table(answer, u)
+        + &half_widths(answer.test, &answer.curves, u)
+        + &answer.loaded.as_ref().map_or_else(String::new, |loaded| text_of_load(loaded, u))
 }
 
-/// The ± of what was asked, from the least to the largest.
-fn doubt(test: Test, list: &[Curve], u: &Units) -> String {
-    let answers = || list.iter().flat_map(|c| &c.points).filter_map(|q| q.answer.as_ref().ok());
-    let half = |a: &Answer| match test {
-        Test::Isotonic => a.contraction_uncertainty,
-        _ => a.uncertainty_n.filter(|_| !a.slack),
+/// The quantity that a test computes and its ±, as they are shown: a contraction in per cent, or the pull of a muscle that is not slack.
+fn computed(test: Test, a: &Answer, u: &Units) -> Option<(f64, Option<f64>)> {
+    let (quantity, half) = match test {
+        Test::Isotonic => {
+            (100.0 * a.response.contraction, a.contraction_uncertainty.map(|half| 100.0 * half))
+        }
+        _ => (u.force.value(a.response.force_n), a.uncertainty_n.map(|half| u.force.value(half))),
     };
-    let known: Vec<f64> = answers().filter_map(half).collect();
-    let (Some(low), Some(high)) =
-        (known.iter().copied().reduce(f64::min), known.iter().copied().reduce(f64::max))
-    else {
+    (test == Test::Isotonic || !a.slack).then_some((quantity, half))
+}
+
+/// The ± of the quantity that the test computes, from the least to the largest.
+fn half_widths(test: Test, list: &[Curve], u: &Units) -> String {
+    let answers = || list.iter().flat_map(|c| &c.points).filter_map(|q| q.answer.as_ref().ok());
+    let known = || answers().filter_map(|a| computed(test, a, u)?.1);
+    let Some((low, high)) = known().reduce(f64::min).zip(known().reduce(f64::max)) else {
         return String::new();
     };
-    let (low, high, unit) = match test {
-        Test::Isotonic => (half_width(100.0 * low), half_width(100.0 * high), "%"),
-        _ => (u.force.half_width(low), u.force.half_width(high), &*u.force.name),
-    };
+    let unit = if test == Test::Isotonic { "%" } else { &u.force.name };
     let of_pull = answers().filter_map(|a| a.uncertainty_parts_n.filter(|_| !a.slack));
     let largest = of_pull.max_by(|a, b| a.total().total_cmp(&b.total()));
     let largest = largest.map_or_else(String::new, |parts| {
         format!("the largest of the pull: {}\n", breakdown(&parts, &u.force))
     });
+    let (low, high) = (half_width(low), half_width(high));
     format!("\n± {low} to {high} {unit}: 95 %, against a measured muscle\n{largest}")
 }
 
@@ -110,41 +107,29 @@ fn as_table(answer: &CurveAnswer, u: &Units) -> String {
 
 /// A curve's answers, to the digits that the least ± of them leaves.
 fn column(test: Test, curve: &Curve, u: &Units) -> Vec<String> {
-    let answers = || curve.points.iter().map(|q| q.answer.as_ref().ok());
-    if test == Test::Isotonic {
-        let ratios = || answers().map(|a| a.map(|a| a.response.contraction));
-        let least = answers().flatten().filter_map(|a| a.contraction_uncertainty).reduce(f64::min);
-        return match least {
-            Some(least) => {
-                let one = |e: f64| within(100.0 * e, 100.0 * least) + " %";
-                ratios().map(|e| e.map_or_else(|| "–".into(), one)).collect()
-            }
-            None => percents(ratios(), 4),
-        };
-    }
-    let pulls = || answers().map(|a| a.filter(|a| !a.slack).map(|a| a.response.force_n));
-    let least = answers().flatten().filter(|a| !a.slack).filter_map(|a| a.uncertainty_n).reduce(f64::min);
+    let values: Vec<_> = curve.points.iter().map(|q| computed(test, q.answer.as_ref().ok()?, u)).collect();
+    let least = values.iter().filter_map(|v| (*v)?.1).reduce(f64::min);
+    let numbers: Vec<Option<f64>> = values.iter().map(|v| v.map(|v| v.0)).collect();
     let cells = match least {
-        Some(least) => {
-            pulls().map(|v| v.map_or_else(|| "–".into(), |v| u.force.within(v, Some(least)))).collect()
-        }
-        None => u.force.column(pulls(), 4),
+        Some(least) => numbers.iter().map(|v| v.map_or_else(|| "–".into(), |v| within(v, least))).collect(),
+        None => aligned(&numbers, 4),
     };
-    let slack = answers().map(|a| a.is_some_and(|a| a.slack));
-    cells.into_iter().zip(slack).map(|(cell, slack)| if slack { "slack".into() } else { cell }).collect()
+    let shown = cells.into_iter().zip(&curve.points).map(|(cell, q)| match &q.answer {
+        Ok(_) if test == Test::Isotonic => cell + " %",
+        Ok(a) if a.slack => "slack".into(),
+        _ => cell,
+    });
+    shown.collect()
 }
 
-fn run_study(asked: &Asked) -> Result<u8, Failure> {
-    let mut answer = study(&asked.request()?, &Bar::hidden())?;
-    asked.draw(&mut answer.figure)?;
-    let text = || {
-        answer.warnings.iter().for_each(warn);
-        study_text(&answer, &shown::units())
-    };
-    asked.show(&answer, "points", text)
+fn run_study(args: &Args) -> Result<u8, Problem> {
+    let mut answer = study(&args.request()?, &Silent)?;
+    args.draw(&mut answer.figure)?;
+    args.show(&answer, "points", study_text)
 }
 
 fn study_text(study: &StudyAnswer, u: &Units) -> String {
+    study.warnings.iter().for_each(warn);
     let [diameter, length] = [30.0, 285.0].map(|mm| u.length.show(mm));
     let mut out = format!("Thickness study, model {}: D0 {diameter}, L0 {length}\n", study.model);
     for test in [Test::Isometric, Test::Isotonic] {

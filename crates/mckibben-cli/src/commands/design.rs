@@ -1,15 +1,15 @@
 //! `design`: the main job.
 
 use crate::{
-    Asked, Bar, Failure, Format, NO_ANSWER, Units, burst_first, check_ending, each, emit, in_flags, listed,
-    number, pairs, place, said, save, shown, tabled, value,
+    Args, Bar, Format, NO_ANSWER, Problem, Units, burst_first, check_ending, each, emit, in_flags, listed,
+    number, pairs, place, said, save, tabled, value,
 };
 use mckibben_app::{CandidateAnswer, ClosestAnswer, DesignAnswer, RejectedAnswer};
-use mckibben_design::{CandidatePoint, Limit, Spread};
+use mckibben_design::Spread;
 use serde_json::Value;
 use std::path::Path;
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
+pub fn run(asked: &Args) -> Result<u8, Problem> {
     let target = asked.path("output");
     check_ending(target.as_deref(), &["toml"])?;
     let mut answer = mckibben_app::design(&asked.request()?, &Bar::new("muscles"))?;
@@ -17,7 +17,9 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     if let Some(winner) = winner {
         save(target.as_deref(), winner.text.as_bytes())?;
     }
-    let text = || burst_first(&answer.warnings) + &as_text(&answer, target.as_deref(), &shown::units());
+    let text = |answer: &DesignAnswer, u: &Units| {
+        burst_first(&answer.warnings) + &as_text(answer, target.as_deref(), asked.is("all"), u)
+    };
     asked.print(&answer, "candidates", text)?;
     if let (Some(path), Some(_), Format::Text) = (&target, winner, asked.format) {
         emit(format!("\nThe winner is in {}.\n", place(path)), None)?;
@@ -32,42 +34,52 @@ Model {model}[, searched with {other}]; {looked_at} muscles examined, {fitting} 
 Safety: [strands stretched by at most {searched.max_strand_strain:%}; ][allowed pressure: that at which strands or clamps fail over {checked}, that of the tube over {searched.min_tube_margin}][burst not checked (safety factor {unchecked}), because the strength of the strands is not stated][{unlimited}]
 ";
 
-/// The design for people.
-fn as_text(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
+/// The design for people: the decision, the candidates, what is assumed; with `all` everything that is known.
+fn as_text(answer: &DesignAnswer, file: Option<&Path>, all: bool, u: &Units) -> String {
     let (searched, mut row) = (&answer.searched, value(answer));
-    row["what"] = wanted(&row, u).into();
-    row["each"] = searched.bundle.filter(|n| *n > 1).into();
-    row["gas"] = answer.liquid.as_ref().map(|l| l.gas_share).filter(|share| *share > 0.0).into();
-    row["other"] = Some(&*answer.searched_with).filter(|with| **with != *answer.model).into();
-    let margin = searched.min_burst_margin;
-    row["checked"] = margin.filter(|_| searched.burst_checked).into();
-    row["unchecked"] = margin.filter(|_| !searched.burst_checked).into();
-    row["unlimited"] = margin.is_none().then_some("no limit on burst").into();
-    let mut out = said(&row, HEAD, u);
-    let assumed = answer.assumptions.iter().map(|sentence| format!("Assumed: {}.\n", in_flags(sentence)));
-    out.extend(assumed);
-    out.push('\n');
+    let mut out = String::new();
+    for line in &answer.decision {
+        let line = in_flags(&u.sentence(line));
+        let (verb, rest) = line.split_once(' ').unwrap_or((&line, ""));
+        out += &format!("{verb:<5}  {rest}\n");
+    }
+    let near = answer.rejected.iter().skip(usize::from(answer.closest.is_some()));
+    let near: String =
+        near.map(|r| format!("  {}\n", missed(r, "[ (misses by {by:%} in all)]", u))).collect();
     if let Some(closest) = &answer.closest {
         out += &nothing_fits(closest, u);
         out.extend(closest.hint.as_ref().map(|hint| in_flags(hint) + "\n"));
-    } else {
-        out += &candidates(&answer.candidates, searched.length_mm.is_none(), u);
-        let words = answer.uncertainty_words.as_ref();
+    }
+    let words = answer.uncertainty_words.as_ref();
+    if answer.closest.is_none() {
+        out += &format!("\n{}", candidates(&answer.candidates, searched.length_mm.is_none(), all, u));
+        let words = words.filter(|_| all);
         out.extend(words.and_then(|w| w.text_in(u)).map(|text| format!("± of the first: {text}.\n")));
-        out += &doubt(answer, u);
         out.extend(words.and_then(|w| w.bench_in(u)).map(|text| format!("{text}.\n")));
         let parts = [bundle(answer, u), joint(answer, file, u), verified(answer, u)];
         out.extend(parts.into_iter().chain([spread_text(&answer.tolerance, u)]));
     }
-    out.push_str(&bought(answer, &row, u));
-    let skip = usize::from(answer.closest.is_some());
-    let others =
-        answer.rejected.iter().skip(skip).map(|r| format!("  {}\n", missed(r, "[ (misses by {by:%})]", u)));
-    let others: String = others.collect();
-    if !others.is_empty() {
-        out += if skip == 0 { "\nNear misses\n" } else { "\nNext closest\n" };
+    row["each"] = searched.count.into();
+    if all {
+        row["what"] = wanted(&row, u).into();
+        row["gas"] = answer.liquid.as_ref().map(|l| l.gas_share).filter(|share| *share > 0.0).into();
+        row["other"] = Some(&*answer.searched_with).filter(|with| **with != *answer.model).into();
+        let margin = searched.min_burst_margin;
+        row["checked"] = margin.filter(|_| searched.burst_checked).into();
+        row["unchecked"] = margin.filter(|_| !searched.burst_checked).into();
+        row["unlimited"] = margin.is_none().then_some("no limit on burst").into();
+        out += &format!("\n{}", said(&row, HEAD, u));
     }
-    out + &others
+    out.push('\n');
+    let assumed = answer.assumptions.iter().map(|sentence| format!("Assumed: {}.\n", in_flags(sentence)));
+    out.extend(assumed);
+    out.push_str(&bought(answer, &row, u));
+    match &answer.closest {
+        _ if near.is_empty() => out,
+        Some(_) => out + "\nNext closest\n" + &near,
+        None if all => out + "\nNear misses\n" + &near,
+        None => out,
+    }
 }
 
 /// What the muscles of a bundle do together.
@@ -125,31 +137,19 @@ fn joint(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     )
 }
 
-/// What keeps the best from being better.
-fn binds(best: &CandidateAnswer) -> String {
-    let Some(limit) = best.candidate.binds else { return String::new() };
-    let what = match limit {
-        Limit::Force => "required pull",
-        Limit::BulgedDiameter => "largest bulged diameter",
-        Limit::MaxStretch => "largest stretch of the rubber",
-        Limit::Buckling => "load at which it buckles",
-        Limit::LiquidVolume => "largest liquid volume",
-    };
-    format!("Limited by: {what}.\n")
-}
-
 const MEASURES: &str = "D0 {outer_diameter_mm:4#}, s {wall_mm:3#}[ in {sleeve}]";
 
 /// A muscle with the limit that it misses, and what else is said of it.
 fn missed(rejected: &RejectedAnswer, more: &str, u: &Units) -> String {
     let mut row = value(rejected);
     row["reason"] = u.sentence(&rejected.reason).into();
-    let thousandths = rejected.misses_by.filter(|share| *share < 1.0).map(|share| (1e3 * share).ceil());
+    let thousandths =
+        rejected.muscle.misses_by.filter(|share| *share < 1.0).map(|share| (1e3 * share).ceil());
     row["by"] = thousandths.map(|by| by / 1e3).into();
     said(&row, &format!("{MEASURES}: {{reason}}{more}"), u)
 }
 
-fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
+fn candidates(list: &[CandidateAnswer], lengths: bool, all: bool, u: &Units) -> String {
     let rows = list.iter().enumerate().map(|(i, c)| {
         let mut row = value(c);
         let needs: Vec<String> =
@@ -165,48 +165,35 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
     let required = format!("needs={}", u.pressure.heading("P_required"));
     let required = required.replace(' ', "_");
     let keys = [
-        (true, "rank=_ tube sleeve outer_diameter_mm=D0 wall_mm=s:3 angle_deg=θ0"),
+        (true, "rank=_ tube sleeve"),
+        (all || !tubes, "outer_diameter_mm=D0 wall_mm=s:3 angle_deg=θ0"),
         (lengths || several("length_mm"), "length_mm=L0"),
-        (several("family_stiffness_n_per_mm"), "family_stiffness_n_per_mm=k:3"),
+        (all && several("family_stiffness_n_per_mm"), "family_stiffness_n_per_mm=k:3"),
         (true, &*required),
+        (any("sure_pressure_mpa"), "sure_pressure_mpa=P_sure:3"),
         (several("highest_pressure_mpa"), "highest_pressure_mpa=P_max:3"),
-        (true, "margin:3% blocked_force_n=F_blocked free_contraction=ε_free:3%"),
-        (true, "bulged_diameter_mm=bulged_D:3 stiffness_n_per_mm=stiffness:3"),
-        (true, if liquid { "liquid_volume_mm3=liquid:3" } else { "air_normal_litres=air:3" }),
-        (true, if strands { "strand_tension_n=strand:3" } else { "braid_tension_n=braid:3" }),
-        (true, "uncertainty_n=±:~ burst_pressure_mpa=P_burst:3"),
+        (all, "margin:3% blocked_force_n=F_blocked free_contraction=ε_free:3%"),
+        (true, "bulged_diameter_mm=bulged_D:3"),
+        (!all, "uncertainty_n=±:~"),
+        (all, "stiffness_n_per_mm=stiffness:3"),
+        (all, if liquid { "liquid_volume_mm3=liquid:3" } else { "air_normal_litres=air:3" }),
+        (all, if strands { "strand_tension_n=strand:3" } else { "braid_tension_n=braid:3" }),
+        (all, "uncertainty_n=±:~ burst_pressure_mpa=P_burst:3"),
         (true, if mass { "mass_g=mass:3" } else { "rubber_mass_g=rubber:3" }),
         (!tubes && several("rubber"), "rubber"),
     ];
     let keys: Vec<&str> = keys.into_iter().filter(|key| key.0).map(|key| key.1).collect();
     let mut out = tabled(&rows, &keys.join(" "), u);
-    out += "\nP required: the pressure of each point. P max: what supply and muscle allow. margin: pull above the required pull, at P max.\n\
-        F blocked and ε free: at P max. stiffness: at the first point. bulged D, air or liquid, strand or braid, ±: the largest of the points.\n\
-        air (normal litres: at 0 °C and 1.01325 bar) and liquid: from rest to the point. k: stiffness of one strand family. strand: tension of one strand; braid: of all together.\n\
-        ±: 95 % half-width of the pull, against a measured muscle.\n";
-    out.push_str(&list.first().map_or_else(String::new, binds));
-    if let Some(first) = list.first().map(|c| &c.candidate).filter(|c| !c.from_thick_wall.is_empty()) {
+    out += "P required: the pressure of each point. P sure: that at which the lower end of the ± meets it. P max: what supply and muscle allow.\n";
+    if all {
+        out += "margin: pull above the required pull, F blocked and ε free: at P max. stiffness: at the first point. bulged D, air or liquid, strand or braid, ±: the largest of the points.\n\
+            air (normal litres: at 0 °C and 1.01325 bar) and liquid: from rest to the point. k: stiffness of one strand family. strand: tension of one strand; braid: of all together.\n\
+            ±: 95 % half-width of the pull, against a measured muscle.\n";
+    }
+    if let Some(first) = list.first().map(|c| &c.candidate).filter(|c| all && !c.from_thick_wall.is_empty()) {
         out.push_str(&format!("From the thick-wall model: {}.\n", first.from_thick_wall.join(", ")));
     }
     out
-}
-
-/// Where the ± is larger than what is to spare: the muscle that is sure to do what is wanted.
-fn doubt(answer: &DesignAnswer, u: &Units) -> String {
-    let Some(first) = answer.candidates.first() else { return String::new() };
-    let tight = first.candidate.points.iter().find_map(|q: &CandidatePoint| {
-        let half = q.uncertainty_n?;
-        (q.force_at_max_pressure_n - q.wanted.force_n < half).then_some(half)
-    });
-    let Some(half) = tight.filter(|_| answer.searched.guaranteed.is_none()) else { return String::new() };
-    let sure = format!("To be sure (--guaranteed): {MEASURES} at {{pressure_mpa}}.");
-    let sure = match &answer.to_be_sure {
-        Some(muscle) => said(&value(muscle), &sure, u),
-        None => "No muscle of this search meets the requirement with the lower end of its ± (--guaranteed)."
-            .into(),
-    };
-    let (half, unit) = (u.force.half_width(half), &u.force.name);
-    format!("The margin of the first muscle is smaller than its ± of {half} {unit}. {sure}\n")
 }
 
 /// What finite elements say of the first candidate.
@@ -235,56 +222,13 @@ fn spread_text(spreads: &[Spread], u: &Units) -> String {
     format!("\nTolerances of the first candidate\n{}{about}\n", tabled(spreads, keys, u))
 }
 
-/// What may be relaxed, and how that is said.
-const RELAXED: [(&str, &str); 10] = [
-    ("max_pressure", "raise the maximum pressure to {pressure_mpa}[ ({extrapolated})]"),
-    ("force", "reduce the pull to {pulls}"),
-    ("contraction", "reduce the contraction to {contractions}"),
-    ("outer_diameter", "take an outer diameter of {outer_diameter_mm:5}"),
-    ("max_bulged_diameter", "allow a bulged diameter of {bulged_diameter_mm:5}"),
-    ("max_stretch", "allow a stretch of {max_stretch:3}"),
-    ("max_strand_strain", "allow a strand strain of {strand_strain:%}"),
-    ("max_liquid_volume", "provide {millilitres} mL of liquid for each muscle"),
-    ("guided", "guide the muscle, so that it cannot buckle (--guided)"),
-    ("min_burst_margin", "reduce the safety factor to {burst_margin:3}"),
-];
-/// So many parts of one are shown of a limit that rises; minus as many of one that falls.
-const ROUNDED: [(&str, f64); 7] = [
-    ("bulged_diameter_mm", 10.0),
-    ("max_stretch", 100.0),
-    ("strand_strain", 1e4),
-    ("liquid_volume_mm3", 0.1),
-    ("burst_margin", -100.0),
-    ("force_n", -1.0),
-    ("contraction", -1e4),
-];
-
-/// A limit that is relaxed, to digits with which the muscle still fits.
-fn rounded(mut of: Value) -> Value {
-    for (key, parts) in ROUNDED {
-        if let Some(number) = of[key].as_f64() {
-            of[key] = ((number.abs() * parts).ceil() / parts * number.signum()).into();
-        }
-    }
-    of
-}
-
 fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
     let mut out = format!("Nothing fits. Closest: {}\n", missed(&closest.rejected, "", u));
-    if closest.relaxations.is_empty() {
-        return out + "None of the limits, relaxed alone, makes one of these muscles fit.\n";
-    }
-    out += "Relax one of these:\n";
-    for relaxation in &closest.relaxations {
-        let mut row = rounded(value(relaxation));
-        let points = row["points"].as_array().into_iter().flatten().cloned().map(rounded).collect();
-        row["pulls"] = each(&points, "{force_n:5} at {contraction:%}", u).join(" and ").into();
-        row["contractions"] = each(&points, "{contraction:%} for {force_n:5}", u).join(" and ").into();
-        let far = row["extrapolated"] == true;
-        row["extrapolated"] = far.then_some("extrapolated: outside of the model's range").into();
-        row["millilitres"] = row["liquid_volume_mm3"].as_f64().map(|volume| 1e-3 * volume).into();
-        let text = RELAXED.iter().find(|(name, _)| row["relax"] == *name).map_or("", |(_, text)| *text);
-        out += &format!("  - {}\n", said(&row, text, u));
-    }
-    out
+    out += match closest.relaxations.len() {
+        0 => "No change of what is required or limited makes a muscle of this search fit.\n",
+        1 => "A muscle fits with this change:\n",
+        _ => "A muscle fits with any of these changes, the smallest first:\n",
+    };
+    let changes = closest.relaxations.iter().map(|change| format!("  - {}\n", u.sentence(&change.text)));
+    out + &changes.collect::<String>()
 }

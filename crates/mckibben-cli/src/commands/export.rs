@@ -1,27 +1,26 @@
 //! `export`: a folder with a muscle for a controller or a simulator.
 
-use crate::{Asked, Bar, FLAT, Failure, listed, pairs, place, save_all, shown, tabled, value};
+use crate::{Args, Bar, FLAT, Problem, Units, listed, pairs, place, save_all, tabled, value};
 use mckibben_app::{ExportAnswer, ExportListRequest, export, export_list};
 use std::path::Path;
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    if asked.is("list") {
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    if args.is("list") {
         let answer = export_list(&ExportListRequest {})?;
-        return asked.print(&answer, "targets", || tabled(&answer.targets, TARGETS, &shown::units()));
+        return args.print(&answer, "targets", |answer, u| tabled(&answer.targets, TARGETS, u));
     }
-    let answer = export(&asked.request()?, &Bar::new("points"))?;
-    let folder = asked.path("output");
+    let answer = export(&args.request()?, &Bar::new("points"))?;
+    let folder = args.path("output");
     folder.as_deref().map_or(Ok(()), |folder| save_all(&answer.files, folder))?;
-    asked.print(&answer, FLAT, || text(&answer, folder.as_deref()))
+    args.print(&answer, FLAT, |answer, u| text(answer, folder.as_deref(), u))
 }
 
 const TARGETS: &str = "name=target about=what_it_is needs loses";
 const KEYS: &str = "model supply_pressure_mpa contraction_low=contraction_from:% contraction_high=to:% blocked_force_n+uncertainty_n force_rms=error_of_the_pull,_rms:2% force_95_ratio=at_95_%_of_points:2% force_worst_ratio=largest:2% volume_rms=error_of_the_volume,_rms:2% volume_worst_ratio=largest:2% needs loses";
 
-fn text(answer: &ExportAnswer, folder: Option<&Path>) -> String {
-    let u = shown::units();
-    let mut out = answer.muscle.line(&u) + "\n" + &pairs(&listed(&value(answer), KEYS, &u)) + "\n";
-    out += &tabled(&answer.files, "name=file about=what_it_is", &u);
+fn text(answer: &ExportAnswer, folder: Option<&Path>, u: &Units) -> String {
+    let mut out = answer.muscle.line(u) + "\n" + &pairs(&listed(&value(answer), KEYS, u)) + "\n";
+    out += &tabled(&answer.files, "name=file about=what_it_is", u);
     for warning in &answer.warnings {
         out += &format!("\nnote: {warning}");
     }

@@ -1,8 +1,8 @@
 //! `fit`: from a table of points to a formula.
 
 use crate::{
-    Asked, Bar, Failure, NO_ANSWER, Units, check_ending, files, listed, number, output::json, overwrite,
-    pairs, place, save, save_inside, tabled, value,
+    Args, Bar, NO_ANSWER, Problem, Units, check_ending, files, listed, number, overwrite, pairs, place, save,
+    save_inside, tabled, value,
 };
 use mckibben::formula::Document;
 use mckibben_app::{FitAnswer, FitReportRequest, FitRequest, NamedFigure, fit_report};
@@ -10,16 +10,15 @@ use mckibben_campaign::fit::results::Results;
 use mckibben_campaign::fit::{FittedFormula, PaperMethod};
 use mckibben_campaign::{fit::constants::Constants, fit::signs::signs};
 use mckibben_report::FigureError;
-use serde::Serialize;
 use serde_json::{Map, Value, json};
 use std::path::Path;
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    let target = asked.path("output");
-    let Some(path) = asked.path("file") else { return report(asked) };
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let target = args.path("output");
+    let Some(path) = args.path("file") else { return report(args) };
     check_ending(target.as_deref(), &["json"])?;
-    let (tables, plots) = (asked.path("folder"), asked.path("plots"));
-    let mut request: FitRequest = asked.request()?;
+    let (tables, plots) = (args.path("folder"), args.path("plots"));
+    let mut request: FitRequest = args.request()?;
     if path.is_dir() || path.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet")) {
         request.campaign = Some(path);
     } else {
@@ -36,24 +35,17 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
         save_inside(folder, figures, overwrite())?;
     }
     save(target.as_deref(), answer.formula_file().as_bytes())?;
-    asked.print(&answer, "terms", || as_text(&answer, target.as_deref()))
+    args.print(&answer, "terms", |answer, _| as_text(answer, target.as_deref()))
 }
 
-/// All tables in one file.
-#[derive(Serialize)]
-struct Tables<'a> {
-    method: &'a str,
-    tables: Map<String, Value>,
-}
-
-fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Failure> {
+fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Problem> {
     let (mut tables, mut files) = (Map::new(), vec![]);
     for table in std::mem::take(&mut answer.tables) {
         files.push((format!("{}.csv", table.name), table.to_csv()));
         tables.insert(table.name.into(), table.to_value());
     }
     let method = answer.fitted.as_ref().map_or("", |f| &f.formula.provenance.method);
-    files.push(("tables.json".into(), format!("{:#}\n", json(&Tables { method, tables })?)));
+    files.push(("tables.json".into(), format!("{:#}\n", json!({ "method": method, "tables": tables }))));
     save_inside(folder, files, overwrite())
 }
 
@@ -61,7 +53,7 @@ fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Failure> {
 const FORMULA: &str = "name kind form equation range made_for.length_mm=L0 made_for.angle_deg=θ0 made_for.rubber.name=rubber made_for.rubber.law=law made_for.rubber.constants=constants made_for.braid=braid provenance.method=method provenance.points=points provenance.table=table provenance.data_hash=data provenance.plan_hash=plan provenance.version=mckibben";
 const ERRORS: &str = "name=points_that_pull points=number muscles rms_of_blocked=rms:3% p95_of_blocked=95_%_of_them:3% p99_of_blocked=99_%:3% max_of_blocked=largest:3% max_of_isobar=(12):3% max_n=largest:3~";
 
-/// A formula with its errors, and with its terms where they are asked for. All is in the units of the formula.
+/// A formula with its errors, and with its terms if `terms` is true. All is in the units of the formula.
 pub fn formula_text(formula: &Document, terms: bool) -> String {
     let (f, u) = (value(formula), Units::default());
     let mut out = pairs(&listed(&f, FORMULA, &u));
@@ -101,15 +93,15 @@ fn error_rows(errors: &Value) -> Vec<Value> {
 /// A fitted formula, and where it was written.
 fn as_text(answer: &FitAnswer, output: Option<&Path>) -> String {
     let mut out = formula_text(&answer.formula, answer.fitted.is_none());
-    out.extend(answer.fitted.as_ref().map(|fitted| way(fitted, answer.failed)));
+    out.extend(answer.fitted.as_ref().map(|fitted| intermediate(fitted, answer.failed)));
     if let Some(path) = output {
         out.push_str(&format!("\nThe formula is in {0}: --model {0}\n", place(path)));
     }
     out
 }
 
-/// What was found on the way to a formula for muscles of one make.
-fn way(f: &FittedFormula, failed: usize) -> String {
+/// Intermediate results of a formula for muscles of one make.
+fn intermediate(f: &FittedFormula, failed: usize) -> String {
     let mut out = format!("\n{} points were not used, {failed} had no answer\n", f.unused);
     if let Some(g) = &f.global {
         out += &format!("{} of {} candidate terms", g.terms.terms.len(), g.candidates);
@@ -155,15 +147,16 @@ fn signs_text(m: &PaperMethod) -> String {
     out + &tabled(&rows, "outer_diameter_mm=D0 statement pairs holds", &Units::default())
 }
 
-fn report(asked: &Asked) -> Result<u8, Failure> {
+fn report(args: &Args) -> Result<u8, Problem> {
     let answer = fit_report(&FitReportRequest {}, &Bar::new("steps"))?;
-    asked.show(&answer, "findings", || report_text(&answer))?;
+    args.show(&answer, "findings", report_text)?;
     Ok(if answer.findings.iter().all(|f| f.ok) { 0 } else { NO_ANSWER })
 }
 
 const FINDINGS: &str = "at_most_of_blocked=at_most:3~% max_of_blocked=largest:3% rms_of_blocked=rms:3% max_of_isobar=(12):3% max_n=largest:3 points comparison outer_diameter_mm=worst_at_D0 wall_mm=s pressure_mpa=P contraction=ε";
 
-fn report_text(r: &Results) -> String {
+/// All is in the units of the formula.
+fn report_text(r: &Results, _: &Units) -> String {
     let u = Units::default();
     let mut out = String::from(
         "In % of the finite elements' blocked force of the same muscle at 0.25 MPa, over points where they pull\n\n",

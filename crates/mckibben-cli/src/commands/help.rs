@@ -1,28 +1,28 @@
 //! `help COMMAND` and `man`: the flags of the commands as text and as manual pages.
 
-use crate::{Asked, Failure, cli::command, emit, overwrite, save_inside};
+use crate::{Args, Problem, cli::command, emit, overwrite, save_inside, unprinted};
 use clap::Command;
 use clap_complete::Shell;
 use clap_mangen::Man;
 use mckibben_app::ProblemKind;
 
 /// Prints the help of a command.
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    let (mut root, words) = (built(), asked.texts("command"));
-    let mut found = &mut root;
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let (mut root, words) = (built(), args.texts("command"));
+    let mut command = &mut root;
     for word in &words {
-        found = found.find_subcommand_mut(word).ok_or_else(|| unknown(&words))?;
+        command = command.find_subcommand_mut(word).ok_or_else(|| unknown(&words))?;
     }
-    found.print_long_help().map_err(|e| Failure::stdout(&e))?;
+    command.print_long_help().map_err(|e| unprinted(&e))?;
     Ok(0)
 }
 
 /// Prints one manual page, or writes all.
-pub fn man(asked: &Asked) -> Result<u8, Failure> {
-    let (root, words) = (built(), asked.texts("command"));
-    let Some(folder) = asked.path("output") else {
-        let found = words.iter().try_fold(&root, |found, word| found.find_subcommand(word));
-        emit(page(found.ok_or_else(|| unknown(&words))?)?, None)?;
+pub fn man(args: &Args) -> Result<u8, Problem> {
+    let (root, words) = (built(), args.texts("command"));
+    let Some(folder) = args.path("output") else {
+        let command = words.iter().try_fold(&root, |command, word| command.find_subcommand(word));
+        emit(page(command.ok_or_else(|| unknown(&words))?)?, None)?;
         return Ok(0);
     };
     let (mut left, mut pages) = (vec![&root], vec![]);
@@ -34,8 +34,8 @@ pub fn man(asked: &Asked) -> Result<u8, Failure> {
 }
 
 /// Prints the completions of a shell.
-pub fn completions(asked: &Asked) -> Result<u8, Failure> {
-    let shell: Shell = asked.text("shell").and_then(|name| name.parse().ok()).unwrap_or(Shell::Bash);
+pub fn completions(args: &Args) -> Result<u8, Problem> {
+    let shell: Shell = args.text("shell").and_then(|name| name.parse().ok()).unwrap_or(Shell::Bash);
     // Into memory first: clap_complete panics where it cannot write.
     let mut script = vec![];
     clap_complete::generate(shell, &mut command(), "mckibben", &mut script);
@@ -51,7 +51,7 @@ fn built() -> Command {
 }
 
 /// The manual page of a command.
-fn page(command: &Command) -> Result<Vec<u8>, Failure> {
+fn page(command: &Command) -> Result<Vec<u8>, Problem> {
     let mut out = vec![];
     // A page has what the short help has not.
     let whole = command.clone().mut_args(|arg| match (arg.get_long_help(), arg.get_help()) {
@@ -62,13 +62,13 @@ fn page(command: &Command) -> Result<Vec<u8>, Failure> {
         _ => arg,
     });
     let page = Man::new(whole).manual("mckibben").source(concat!("mckibben ", env!("CARGO_PKG_VERSION")));
-    page.render(&mut out).map_err(|e| Failure::stdout(&e))?;
+    page.render(&mut out).map_err(|e| unprinted(&e))?;
     let end = command.get_after_help().map(ToString::to_string).unwrap_or_default();
     let heading = if end.starts_with("Example") { ".SH EXAMPLES" } else { ".SH \"EXIT STATUS\"" };
     Ok(String::from_utf8_lossy(&out).replace(".SH EXTRA", heading).into_bytes())
 }
 
-fn unknown(words: &[String]) -> Failure {
+fn unknown(words: &[String]) -> Problem {
     let message = format!("there is no command `{}`", words.join(" "));
-    Failure::input(ProblemKind::Usage, message, "`mckibben help` lists the commands")
+    Problem::new(ProblemKind::Usage, message, "`mckibben help` lists the commands")
 }

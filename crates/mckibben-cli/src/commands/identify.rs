@@ -1,44 +1,41 @@
 //! `identify`: constants of a muscle from points.
 
 use crate::{
-    Asked, Bar, Failure, Units, check_ending, listed, pairs, percent, place, save, shown, table, tabled,
-    understood, value, values,
+    Args, Bar, Problem, Units, check_ending, listed, pairs, percent, place, save, table, tabled, understood,
+    value, values,
 };
 use mckibben::{muscle::Bench, units::Dimension};
 use mckibben_app::{IdentifyAnswer, IdentifyRequest, with_error_bar};
 use mckibben_fit::identify::Identification;
 use serde_json::json;
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    let target = asked.path("output");
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let target = args.path("output");
     check_ending(target.as_deref(), &["toml"])?;
-    let mut answer = mckibben_app::identify(&request(asked)?, &Bar::new("points"))?;
-    asked.draw(&mut answer.figure)?;
+    let mut answer = mckibben_app::identify(&request(args)?, &Bar::new("points"))?;
+    args.draw(&mut answer.figure)?;
     save(target.as_deref(), answer.muscle_file.as_bytes())?;
-    let text = || {
-        let written = target.as_ref().map(|path| format!("\nThe muscle is in {}.\n", place(path)));
-        as_text(&answer, &shown::units()) + &written.unwrap_or_default()
-    };
-    asked.print(&answer, "points", text)
+    let written = target.map(|path| format!("\nThe muscle is in {}.\n", place(&path)));
+    args.print(&answer, "points", |answer, u| as_text(answer, u) + &written.unwrap_or_default())
 }
 
-fn request(asked: &Asked) -> Result<IdentifyRequest, Failure> {
+fn request(args: &Args) -> Result<IdentifyRequest, Problem> {
     // -D and -s may be lists of a formula's muscles.
     let mut lists = vec![];
     for (field, flag, list) in
         [("outer_diameter_mm", "--outer-diameter", "outer_diameters_mm"), ("wall_mm", "--wall", "walls_mm")]
     {
-        let Some(text) = asked.text(field).filter(|_| asked.text("formula").is_some()) else { continue };
+        let Some(text) = args.text(field).filter(|_| args.text("formula").is_some()) else { continue };
         let several = values(flag, &text, Dimension::Length)?.sampled(4);
         lists.extend((several.len() > 1).then_some((field, list, several)));
     }
     let without: Vec<&str> = lists.iter().map(|l| l.0).collect();
-    let mut fields = asked.fields_without(&without)?;
+    let mut fields = args.fields_without(&without)?;
     fields.extend(lists.into_iter().map(|(_, list, several)| (list.to_owned(), json!(several))));
-    if asked.is("robust") {
+    if args.is("robust") {
         fields.insert("loss".into(), "huber".into());
     }
-    Ok(mckibben_app::understood(&fields.into())?)
+    mckibben_app::understood(&fields.into())
 }
 
 const PARAMETERS: &str =
@@ -46,11 +43,11 @@ const PARAMETERS: &str =
 const RESIDUALS: &str = "rms_n=rms_of_the_residuals:3 rms_before_n=at_the_start:3 max_n=largest:3 largest_n=largest_force:5 bench=this_bench";
 
 fn as_text(answer: &IdentifyAnswer, u: &Units) -> String {
-    let (found, mut all) = (&answer.found, value(answer));
+    let (identified, mut all) = (&answer.identified, value(answer));
     let (points, muscle) = (answer.points.len(), answer.muscle.line(u));
     let mut out = understood(&answer.understood);
     out += &format!("model {}, {points} points of {}\n{muscle}\n\n", answer.model, answer.data);
-    let rows = found.parameters.iter().map(|p| {
+    let rows = identified.parameters.iter().map(|p| {
         let mut row = value(p);
         let (value, bar) = with_error_bar(p);
         (row["shown"], row["bar"]) = (value.into(), bar.into());
@@ -65,15 +62,15 @@ fn as_text(answer: &IdentifyAnswer, u: &Units) -> String {
         row
     });
     out += &tabled(&rows.collect::<Vec<_>>(), PARAMETERS, u);
-    if found.parameters.len() > 1 {
-        out += &correlation(found);
+    if identified.parameters.len() > 1 {
+        out += &correlation(identified);
     }
     let largest = answer.points.iter().map(|p| p.point.at.force_n).fold(0.0, f64::max);
     all["largest_n"] = Some(largest).filter(|n| *n > 0.0).into();
-    let bench = found.bench.as_ref().filter(|_| answer.muscle_file.contains("\n[identified]"));
+    let bench = identified.bench.as_ref().filter(|_| answer.muscle_file.contains("\n[identified]"));
     all["bench"] = bench.map(|bench| bench_text(bench, u)).into();
     out += &format!("\n{}", pairs(&listed(&all, RESIDUALS, u)));
-    out += &tabled(&found.spreads, "of=_ points rms_n:3 max_n=largest:3 mean_n:3", u);
+    out += &tabled(&identified.spreads, "of=_ points rms_n:3 max_n=largest:3 mean_n:3", u);
     if !answer.laws.is_empty() {
         out += &laws(answer, u);
     }
@@ -118,12 +115,13 @@ fn laws(answer: &IdentifyAnswer, u: &Units) -> String {
     out
 }
 
-fn correlation(found: &Identification) -> String {
-    let names: Vec<&str> = found.parameters.iter().map(|p| p.name.as_str()).collect();
+fn correlation(identified: &Identification) -> String {
+    let names: Vec<&str> = identified.parameters.iter().map(|p| p.name.as_str()).collect();
     let header: Vec<&str> =
         std::iter::once("correlation").chain(names.iter().copied().take(names.len() - 1)).collect();
     let rows = (1..names.len()).map(|i| {
-        let cell = |j: usize| if j < i { format!("{:.2}", found.correlation[i][j]) } else { String::new() };
+        let cell =
+            |j: usize| if j < i { format!("{:.2}", identified.correlation[i][j]) } else { String::new() };
         std::iter::once(names[i].to_owned()).chain((0..names.len() - 1).map(cell)).collect()
     });
     format!("\n{}", table(&header, rows.collect()))

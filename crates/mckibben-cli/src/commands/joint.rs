@@ -1,15 +1,13 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a joint.
 
-use crate::{
-    Asked, Bar, Failure, Format, Units, burst_first, files, number, output::form, shown, tabled, value,
-};
+use crate::{Args, Bar, Format, Problem, Units, burst_first, files, number, output::form, tabled, value};
 use mckibben_app::{
     JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, joint, rows::limit_rows,
 };
 use std::path::Path;
 
 /// A joint file with its muscle files, which lie relative to it.
-pub fn fields(path: &Path) -> Result<JointFields, Failure> {
+pub fn fields(path: &Path) -> Result<JointFields, Problem> {
     let joint = files::text(path)?;
     let beside = path.parent().unwrap_or(Path::new(""));
     let mut muscles: Vec<TextFile> = vec![];
@@ -22,22 +20,22 @@ pub fn fields(path: &Path) -> Result<JointFields, Failure> {
     Ok(JointFields { joint: Some(joint), muscles })
 }
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    let mut request: JointRequest = asked.request()?;
-    request.joint = fields(&asked.path("file").unwrap_or_default())?;
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let mut request: JointRequest = args.request()?;
+    request.joint = fields(&args.path("file").unwrap_or_default())?;
     // Text does not show them.
-    request.without_start_pressures = form(asked.path("output").as_deref(), asked.format)? == Format::Text;
+    request.without_start_pressures = form(args.path("output").as_deref(), args.format)? == Format::Text;
     let mut answer = joint(&request, &Bar::new("joint"))?;
     if request.figure.is_some() && answer.figure.is_none() {
         let message = "--plot: a figure of a joint has torques over angles, or a map";
-        return Err(Failure::input(ProblemKind::Usage, message, "give --angle with a range, or --map"));
+        return Err(Problem::new(ProblemKind::Usage, message, "give --angle with a range, or --map"));
     }
-    asked.draw(&mut answer.figure)?;
-    asked.show(&answer, "points", || burst_first(&answer.warnings) + &as_text(&answer, &shown::units()))
+    args.draw(&mut answer.figure)?;
+    args.show(&answer, "points", as_text)
 }
 
 fn as_text(answer: &JointAnswer, u: &Units) -> String {
-    let mut text = format!("model {}\n", answer.model);
+    let mut text = burst_first(&answer.warnings) + &format!("model {}\n", answer.model);
     for (i, muscle) in answer.muscles.iter().enumerate() {
         text += &format!("muscle {}: {}\n", i + 1, muscle.line(u));
     }

@@ -2,8 +2,8 @@
 
 use super::joint;
 use crate::{
-    Asked, Bar, Failure, Units, asked::load_tables, burst_first, files, listed, number, pairs, shown, tabled,
-    value,
+    Args, Bar, Problem, Units, args::load_tables, burst_first, exit_code, files, listed, number, pairs,
+    shown, tabled, value,
 };
 use mckibben_app::{
     MotionAnswer, MotionRequest, MotionRun, ProblemKind, Subject, TextFile, motion, rows::limit_rows,
@@ -12,7 +12,7 @@ use serde_json::json;
 use std::path::Path;
 
 /// The files that a drive file names, in its request.
-fn add_files(request: &mut MotionRequest, path: &Path) -> Result<(), Failure> {
+fn add_files(request: &mut MotionRequest, path: &Path) -> Result<(), Problem> {
     let drive = files::text(path)?;
     let beside = path.parent().unwrap_or(Path::new(""));
     let names = MotionRequest::names_of(&drive)?;
@@ -29,18 +29,18 @@ fn add_files(request: &mut MotionRequest, path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    let file = asked.path("file");
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let file = args.path("file");
     if let Some(path) = &file {
         shown::take_file(&files::text(path)?.text);
     }
-    let mut fields = asked.fields()?;
-    fields.insert("tables".into(), load_tables(&asked.text("step.load").unwrap_or_default())?);
-    if let Some(text) = asked.text("change") {
+    let mut fields = args.fields()?;
+    fields.insert("tables".into(), load_tables(&args.text("step.load").unwrap_or_default())?);
+    if let Some(text) = args.text("change") {
         let (key, values) = text.split_once('=').ok_or_else(|| {
             let message = format!("--sweep: \"{text}\" has no = followed by values");
             let hint = "as in --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
-            Failure::input(ProblemKind::Usage, message, hint)
+            Problem::new(ProblemKind::Usage, message, hint)
         })?;
         let values: Vec<&str> = values.split(',').map(str::trim).collect();
         fields.insert("sweep".into(), json!({ "key": key.trim(), "values": values }));
@@ -48,13 +48,13 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let mut request: MotionRequest = mckibben_app::understood(&fields.into())?;
     file.map_or(Ok(()), |path| add_files(&mut request, &path))?;
     let mut answer = motion(&request, &Bar::new("motion"))?;
-    asked.draw(&mut answer.figure)?;
-    asked.show(&answer, "series", || burst_first(&answer.warnings) + &as_text(&answer, &shown::units()))?;
-    Ok(answer.problem().map_or(0, |problem| Failure::from(problem).exit()))
+    args.draw(&mut answer.figure)?;
+    args.show(&answer, "series", as_text)?;
+    Ok(exit_code(answer.problem().as_ref()))
 }
 
 fn as_text(answer: &MotionAnswer, u: &Units) -> String {
-    let mut text = format!("model {}\n", answer.model);
+    let mut text = burst_first(&answer.warnings) + &format!("model {}\n", answer.model);
     for muscle in &answer.muscles {
         text += &format!("muscle: {}\n", muscle.line(u));
     }

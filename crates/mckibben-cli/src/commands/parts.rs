@@ -1,6 +1,6 @@
 //! `parts list|show`.
 
-use crate::{Asked, Failure, listed, output::text::law_text, pairs, shown, tabled, value, warn};
+use crate::{Args, Problem, Units, listed, output::text::law_text, pairs, tabled, value, warn};
 use mckibben_app::{PartShowAnswer, PartsListAnswer, RubberDetails, part_show, parts_list};
 use serde_json::Value;
 
@@ -20,7 +20,7 @@ const LISTS: [(&str, &str, &str); 5] = [
     (
         "muscles",
         "name=muscle outer_diameter_mm=D0 length_mm=L0 pressure_mpa=P:3~ blocked_force_n+uncertainty_n=F_blocked free_contraction=ε_free:3% points product source",
-        "P: highest pressure of the bench. F blocked, its ± (95 %) and ε free: there, by fe.\nA name stands wherever a muscle file may: mckibben force lib:dmsp-20-300 -p 5bar -e 10%\n",
+        "P: highest pressure of the bench. F blocked, its ± (95 %) and ε free: there, by fe.\nA name replaces a muscle file: mckibben force lib:dmsp-20-300 -p 5bar -e 10%\n",
     ),
     ("models", "name=model description", ""),
 ];
@@ -46,49 +46,47 @@ const DETAILS: [(&str, &str); 5] = [
     ("model", "name description needs source uncertainty_basis=basis_of_the_±"),
 ];
 
-pub fn list(asked: &Asked) -> Result<u8, Failure> {
-    let answer = parts_list(&asked.request()?)?;
-    let rows = asked.text("kind").unwrap_or_else(|| "tubes".into());
-    asked.show(&answer, &rows, || list_text(&answer))
+pub fn list(args: &Args) -> Result<u8, Problem> {
+    let answer = parts_list(&args.request()?)?;
+    let rows = args.text("kind").unwrap_or_else(|| "tubes".into());
+    args.show(&answer, &rows, list_text)
 }
 
-fn list_text(answer: &PartsListAnswer) -> String {
-    let (all, u) = (value(answer), shown::units());
+fn list_text(answer: &PartsListAnswer, u: &Units) -> String {
+    let all = value(answer);
     let one = |(name, keys, about): (&str, &str, &str)| {
         let list = all[name].as_array().filter(|list| !list.is_empty())?;
-        Some(tabled(list, keys, &u) + about + "\n")
+        Some(tabled(list, keys, u) + about + "\n")
     };
     let lists: String = LISTS.into_iter().filter_map(one).collect();
     lists + "`mckibben parts show NAME` shows source, price and use.\n"
 }
 
-pub fn show(asked: &Asked) -> Result<u8, Failure> {
-    let answer = part_show(&asked.request()?)?;
-    asked.show(&answer, "", || {
-        answer.rubber.iter().flat_map(|r| &r.warnings).for_each(warn);
-        show_text(&answer)
-    })
+pub fn show(args: &Args) -> Result<u8, Problem> {
+    let answer = part_show(&args.request()?)?;
+    args.show(&answer, "", show_text)
 }
 
-fn show_text(answer: &PartShowAnswer) -> String {
-    let (all, u) = (value(answer), shown::units());
+fn show_text(answer: &PartShowAnswer, u: &Units) -> String {
+    let all = value(answer);
     let named = DETAILS.into_iter().filter(|(name, _)| all[*name].is_object());
-    let parts = named.map(|(name, keys)| pairs(&listed(&all[name], keys, &u)) + "\n");
+    let parts = named.map(|(name, keys)| pairs(&listed(&all[name], keys, u)) + "\n");
     let mut out: String = parts.collect();
     if let Some(rubber) = &answer.rubber {
-        out += &fits_text(rubber);
+        rubber.warnings.iter().for_each(warn);
+        out += &fits_text(rubber, u);
     }
     if all["sleeve"].is_object() {
         let points = all["sleeve"]["points"].as_array().map_or(&[][..], Vec::as_slice);
         let keys =
             "outer_diameter_mm=D0 angle_deg=θ0 stiffness_n_per_mm=k largest_contraction=contracts_by:%";
-        out += &tabled(points, keys, &u);
+        out += &tabled(points, keys, u);
     }
     out + answer.muscle.as_ref().map_or("", |muscle| &muscle.muscle_file.text)
 }
 
 /// The laws of a rubber, without those that the data refuse.
-fn fits_text(rubber: &RubberDetails) -> String {
+fn fits_text(rubber: &RubberDetails, u: &Units) -> String {
     let rows = rubber.fits.iter().map(|fit| {
         let mut row = value(fit);
         row["constants"] = law_text(&fit.fit).into();
@@ -97,7 +95,7 @@ fn fits_text(rubber: &RubberDetails) -> String {
     });
     let rows: Vec<Value> = rows.filter(|row| row["standing"] != "behind").collect();
     let keys = "taken=_ reach_up_to=reach:3~ up_to_strain=data_to:3% points constants=law_and_constants shear_modulus_mpa=μ:3~ r_squared=R²:5~ standing planar_difference=differs:2%~";
-    tabled(&rows, keys, &shown::units())
+    tabled(&rows, keys, u)
         + &format!(
             "→: --rubber {} means it, for a muscle that stretches its rubber up to the reach (`mckibben check`); between two reaches it means constants between theirs, beyond the last those of the last.\nstanding: equal where the data do not distinguish a law from the recommended one. differs: at most so much from it in planar tension. Laws that fit less well: --format json.\n",
             rubber.rubber

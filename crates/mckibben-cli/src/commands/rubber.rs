@@ -1,16 +1,15 @@
 //! `rubber`: laws from tension tests.
 
 use crate::{
-    Asked, Bar, Failure, Format, check_ending, in_flags, listed, number, pairs, place, save, shown, tabled,
-    understood, value, warn,
+    Args, Format, Problem, Units, check_ending, emit, listed, number, pairs, place, save, tabled, understood,
+    value, warn,
 };
-use mckibben::rubber::MUSCLE_HOOP_STRETCH;
-use mckibben_app::{ConstantRow, RubberFitAnswer, RubberFitRequest, rubber_fit};
+use mckibben::progress::Silent;
+use mckibben_app::{ConstantRow, ProblemKind, RubberFitAnswer, rubber_fit};
 use mckibben_fit::rubber::FittedLaw;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
-use std::path::Path;
 
 /// The constants of all laws, as a table.
 #[derive(Serialize, JsonSchema)]
@@ -18,22 +17,27 @@ struct Constants {
     constants: Vec<ConstantRow>,
 }
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    let target = asked.path("output");
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let target = args.path("output");
     check_ending(target.as_deref(), &["toml"])?;
-    let request: RubberFitRequest = asked.request()?;
-    let mut answer = rubber_fit(&request, &Bar::hidden())?;
-    if target.is_some() {
-        save(target.as_deref(), answer.muscle_file(&request)?.as_bytes())?;
+    let mut answer = rubber_fit(&args.request()?, &Silent)?;
+    let written = target.as_deref().zip(answer.muscle_file.as_deref());
+    written.map_or(Ok(()), |(path, text)| save(Some(path), text.as_bytes()))?;
+    if target.is_some() && written.is_none() {
+        let message =
+            "none of these laws is stable over the stretches of a muscle; no muscle file is written";
+        return Err(Problem::new(ProblemKind::NoAnswer, message, "add `stable`, or take `laws` neo-hookean"));
     }
-    asked.draw(&mut answer.figure)?;
-    if asked.format == Format::Csv {
-        return asked.print(&Constants { constants: answer.constants() }, "constants", String::new);
+    args.draw(&mut answer.figure)?;
+    if args.format == Format::Csv {
+        return args.print(&Constants { constants: answer.constants() }, "constants", |_, _| String::new());
     }
-    asked.print(&answer, "", || {
-        answer.warnings.iter().chain(&answer.failed).for_each(|w| warn(in_flags(w)));
-        as_text(&answer, &request, target.as_deref())
-    })
+    args.print(&answer, "", as_text)?;
+    if let (Some(path), Format::Text) = (&target, args.format) {
+        let path = place(path);
+        emit(format!("Written to {path}: mckibben force --muscle {path} -p 2bar -e 10%\n"), None)?;
+    }
+    Ok(0)
 }
 
 /// The law in words: `mooney-rivlin, held stable`.
@@ -58,8 +62,9 @@ const LAWS: &str = "taken=_ title=law shear_modulus_mpa=μ:3~ r_squared=R²:5 rm
 const RELAXATION: &str = "law=relaxation_of duration_s instantaneous=at_once long_time=after_long rms_mpa=rms:3 elastic_rms_mpa=without_memory:3";
 const SOFTENING: &str = "law=softening_of first_loading r m_mpa=m beta=β standard_errors=standard_errors_of_r,_m,_β largest_energy_mpa first_loading_points first_loading_rms_mpa=their_rms:3 later_points later_rms_mpa=their_rms:3";
 
-fn as_text(answer: &RubberFitAnswer, request: &RubberFitRequest, written: Option<&Path>) -> String {
-    let (u, all) = (shown::units(), value(answer));
+fn as_text(answer: &RubberFitAnswer, u: &Units) -> String {
+    answer.warnings.iter().chain(&answer.failed).for_each(warn);
+    let all = value(answer);
     let best = answer.laws.iter().map(|l| l.quality.aicc).fold(f64::INFINITY, f64::min);
     let laws = answer.laws.iter().map(|law| {
         let mut row = value(law);
@@ -70,15 +75,15 @@ fn as_text(answer: &RubberFitAnswer, request: &RubberFitRequest, written: Option
         row
     });
     let laws: Vec<Value> = laws.collect();
-    let mut out = understood(&answer.understood) + &pairs(&listed(&all, HEAD, &u));
-    out += &format!("\n{}", tabled(&laws, LAWS, &u));
+    let mut out = understood(&answer.understood) + &pairs(&listed(&all, HEAD, u));
+    out += &format!("\n{}", tabled(&laws, LAWS, u));
     if answer.laws.iter().any(|law| law.modes.len() > 1) {
         let keys = "law mode points to_stretch rms_mpa=rms:3~";
-        out += &format!("\n{}", tabled(&of_each(&laws, "modes"), keys, &u));
+        out += &format!("\n{}", tabled(&of_each(&laws, "modes"), keys, u));
     }
     let constants = "law name=constant value:5~ standard_error:2~ unit identifiable";
-    out += &format!("\n{}", tabled(&of_each(&laws, "parameters"), constants, &u));
-    let hoop = number(request.hoop_stretch.unwrap_or(MUSCLE_HOOP_STRETCH), 3);
+    out += &format!("\n{}", tabled(&of_each(&laws, "parameters"), constants, u));
+    let hoop = number(answer.hoop_stretch, 3);
     out += &format!("in a muscle: axial stretch 0.6 to 1.1, hoop stretch 1 to {hoop}\n");
     let mut held_out = of_each(&laws, "held_out");
     for row in held_out.iter_mut().filter(|row| row["mode"].is_null()) {
@@ -87,18 +92,18 @@ fn as_text(answer: &RubberFitAnswer, request: &RubberFitRequest, written: Option
     if !held_out.is_empty() {
         let keys = "law mode=points points=number relative=rms:3%~ stiffer=bias:3%~";
         out += "\nHeld out: rms of the differences over the rms of the measured stresses, and bias, above zero where the law is too stiff\n";
-        out += &tabled(&held_out, keys, &u);
+        out += &tabled(&held_out, keys, u);
     }
     if all["relaxation"].is_object() {
         let branches = all["relaxation"]["branches"].as_array().map_or(&[][..], Vec::as_slice);
         let keys = "share=g:4~ time_constant_s=τ:4~ overstress+overstress_standard_error=g/(1−Σg)";
-        let (about, branches) = (listed(&all["relaxation"], RELAXATION, &u), tabled(branches, keys, &u));
+        let (about, branches) = (listed(&all["relaxation"], RELAXATION, u), tabled(branches, keys, u));
         out += &format!("\n{}\n{branches}g: share of the stress at once (Prony series)\n", pairs(&about));
     }
     if all["softening"].is_object() {
-        out += &format!("\n{}", pairs(&listed(&all["softening"], SOFTENING, &u)));
+        out += &format!("\n{}", pairs(&listed(&all["softening"], SOFTENING, u)));
     }
-    out + "\n" + &closing(answer, written)
+    out + "\n" + &closing(answer)
 }
 
 /// The rows of a list that every law has, with the law's name.
@@ -111,7 +116,7 @@ fn of_each(laws: &[Value], list: &str) -> Vec<Value> {
     laws.iter().flat_map(of_one).collect()
 }
 
-fn closing(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
+fn closing(answer: &RubberFitAnswer) -> String {
     let mut out = String::new();
     for law in &answer.laws {
         let Some(free) = law.quality.free_r_squared else { continue };
@@ -131,10 +136,6 @@ fn closing(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
             out.push_str(&format!("→ {}: {why}.\n", title(law)));
         }
         None => out.push_str("None of these laws is stable over the stretches of a muscle; use --stable.\n"),
-    }
-    if let Some(path) = written {
-        let path = place(path);
-        out.push_str(&format!("Written to {path}: mckibben force --muscle {path} -p 2bar -e 10%\n"));
     }
     out
 }

@@ -1,11 +1,11 @@
 //! `schema`: the JSON Schema of requests, answers and files.
 
-use crate::{Asked, Failure, check_ending, emit, overwrite, save_inside};
+use crate::{Args, Problem, check_ending, emit, overwrite, save_inside};
 use mckibben_app::{COMMANDS, bundle, file_schema, schema};
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    let target = asked.path("output");
-    let one = match (asked.text("file"), asked.text("command")) {
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let target = args.path("output");
+    let one = match (args.text("file"), args.text("command")) {
         (Some(kind), _) => file_schema(&kind)?,
         (None, Some(command)) => schema(&command)?,
         (None, None) => {

@@ -1,81 +1,37 @@
 //! `simulate`: one finite-element test with everything it knows.
 
 use crate::{
-    Asked, Bar, Failure, Format, Units, burst_first, check_ending, listed, output::check, overwrite, pairs,
-    percent, place, save, save_inside, shown, tabled, value,
+    Args, Bar, Format, Problem, Units, burst_first, check_ending, exit_code, listed, output::check, pairs,
+    percent, place, save, save_all, tabled, value,
 };
-use mckibben::model::Response;
-use mckibben_app::{MuscleSummary, Problem, ProblemKind, Shapes, SimulateAnswer, SimulateRequest, Simulated};
-use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};
+use mckibben_app::{SimulateAnswer, Simulated, understood};
 use serde_json::{Value, json};
-use std::path::PathBuf;
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    let deck = asked.path("export_inp");
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let (deck, folder) = (args.path("export_inp"), args.path("folder"));
     check_ending(deck.as_deref(), &["inp"])?;
-    let mut fields = asked.fields()?;
+    let opened = folder.as_ref().map(|folder| folder.join("muscle.pvd"));
+    opened.as_deref().map_or(Ok(()), check)?;
+    let mut fields = args.fields()?;
     fields.entry("test").or_insert_with(|| json!("isometric"));
     fields.insert("deck".into(), deck.is_some().into());
-    let request: SimulateRequest = mckibben_app::understood(&fields.into())?;
-    let extent = if asked.is("whole") { Extent::Whole } else { Extent::Eighth };
-    let mut folder =
-        asked.path("folder").map(|path| Folder { path, series: VtuSeries::new(""), extent, is_begun: false });
-    let shapes = folder.as_mut().map(|f| f as &mut dyn Shapes);
-    let mut answer = mckibben_app::simulate(&request, &Bar::new("points"), shapes)?;
-    let opened = folder.map(|mut f| f.write(&f.series.list())).transpose()?;
+    fields.insert("vtu".into(), folder.is_some().into());
+    fields.insert("eighth".into(), (!args.is("whole")).into());
+    let mut answer = mckibben_app::simulate(&understood(&fields.into())?, &Bar::new("points"))?;
+    let files = std::mem::take(&mut answer.files);
+    folder.map_or(Ok(()), |folder| save_all(&files, &folder))?;
     if let Some(text) = answer.deck.take() {
         save(deck.as_deref(), text.as_bytes())?;
     }
-    asked.draw(&mut answer.figure)?;
-    if let Some(problem) = answer.problem.take_if(|_| asked.format == Format::Text) {
-        return Err(problem.into());
+    args.draw(&mut answer.figure)?;
+    if let Some(problem) = answer.problem.take_if(|_| args.format == Format::Text) {
+        return Err(problem);
     }
-    let text = || {
-        let burst = burst_first(&answer.warnings);
-        let opened = opened.as_ref().map(|path| format!("\nParaView opens {}.\n", place(path)));
-        burst + &as_text(&answer, &shown::units()) + &opened.unwrap_or_default()
-    };
-    asked.show(&answer, "points", text)?;
-    Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
-}
-
-/// A folder of files for ParaView.
-struct Folder {
-    path: PathBuf,
-    series: VtuSeries,
-    extent: Extent,
-    /// Whether its list is written.
-    is_begun: bool,
-}
-
-impl Folder {
-    /// Writes a file. The list, which is written again with each point, is ours from the first one on.
-    fn write(&mut self, file: &VtuFile) -> Result<PathBuf, Problem> {
-        let path = self.path.join(&file.name);
-        let is_list = file.name == self.series.list().name;
-        let ours = is_list && std::mem::replace(&mut self.is_begun, is_list);
-        save_inside(&self.path, [(&file.name, &file.text)], ours || overwrite())
-            .map_err(Failure::into_problem)?;
-        Ok(path)
-    }
-}
-
-impl Shapes for Folder {
-    fn begin(&mut self, muscle: &MuscleSummary) -> Result<(), Problem> {
-        self.series = VtuSeries::new(&muscle.line(&Units::default()));
-        check(&self.path.join(self.series.list().name)).map_err(Failure::into_problem)?;
-        save_inside::<&str, &str>(&self.path, [], false).map_err(Failure::into_problem)
-    }
-
-    fn add(&mut self, shape: Shape, response: &Response) -> Result<(), Problem> {
-        let files = self.series.add(shape, response);
-        let files = files.map_err(|e| Problem::new(ProblemKind::Output, e.to_string(), ""))?;
-        files.iter().try_for_each(|file| self.write(file).map(drop))
-    }
-
-    fn extent(&self) -> Extent {
-        self.extent
-    }
+    args.show(&answer, "points", |answer, u| {
+        let opened = opened.map(|path| format!("\nParaView opens {}.\n", place(&path)));
+        burst_first(&answer.warnings) + &as_text(answer, u) + &opened.unwrap_or_default()
+    })?;
+    Ok(exit_code(answer.problem.as_ref()))
 }
 
 const POINTS: &str = "pressure_mpa=P contraction=ε:4% force_n=F:5 volume_mm3=V bulged_diameter_mm=bulged_D strand_tension_n=strand braid_tension_n=braid stiffness_n_per_mm=stiffness max_stretch=stretch:3 note=_";

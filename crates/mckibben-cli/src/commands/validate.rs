@@ -1,46 +1,47 @@
 //! `validate`: verification and validation, each with its table.
 
 use crate::{
-    Asked, Bar, Failure, NO_ANSWER, files, listed, number, output::width, pairs, plot, said, shown, tabled,
-    value,
+    Args, Bar, NO_ANSWER, Problem, Units, files, listed, number, output::width, pairs, plot, said, shown,
+    tabled, value,
 };
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 use mckibben_app::{
     MeasuredAnswer, MeasuredBranch, MeasuredCase, MeasuredFolder, MeasuredRequest, MeasuredResult,
-    MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, SweepAnswer, SweepRequest, in_one_line,
+    MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, SweepAnswer, SweepRequest,
+    ValidateAnswer, in_one_line,
 };
 use mckibben_fit::validation::case::built_in;
 use serde_json::Value;
 use std::path::Path;
 
-pub fn run(asked: &Asked) -> Result<u8, Failure> {
-    let number = |flag: &str| asked.text(flag).and_then(|text| text.trim().parse::<u64>().ok());
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let number = |flag: &str| args.text(flag).and_then(|text| text.trim().parse::<u64>().ok());
     if let Some(count) = number("sweep") {
         let request = SweepRequest { muscles: count as usize, seed: number("seed").unwrap_or(1) };
         let answer = mckibben_app::sweep(&request, &Bar::new("muscles"))?;
-        asked.show(&answer, "", || sweep_text(&answer))?;
+        args.show(&answer, "", sweep_text)?;
         return Ok(if answer.ok() { 0 } else { NO_ANSWER });
     }
-    if asked.text("measured").is_some() {
-        return run_measured(asked);
+    if args.text("measured").is_some() {
+        return run_measured(args);
     }
-    if asked.path("plot").is_some() {
+    if args.path("plot").is_some() {
         let message = "--plot draws the measured muscles: it requires --measured";
         let hint = "mckibben validate --measured --plot FILE.svg";
-        return Err(Failure::input(ProblemKind::Usage, message, hint));
+        return Err(Problem::new(ProblemKind::Usage, message, hint));
     }
-    let answer = mckibben_app::validate(&asked.request()?, &Bar::new("groups of cases"))?;
-    asked.show(&answer, "cases", || as_text(&answer.cases))?;
+    let answer = mckibben_app::validate(&args.request()?, &Bar::new("groups of cases"))?;
+    args.show(&answer, "cases", as_text)?;
     Ok(if answer.ok() { 0 } else { NO_ANSWER })
 }
 
 /// Times are for people only: JSON and CSV hold nothing that depends on the machine.
-fn sweep_text(a: &SweepAnswer) -> String {
+fn sweep_text(a: &SweepAnswer, u: &Units) -> String {
     let (median, longest) = (1e3 * a.sweep.median_seconds(), 1e3 * a.sweep.longest_seconds());
     let text = "{muscles} random muscles, one point each (seed {seed})\n\n  \
         {required_answered} of {required} answered where the infinitely long muscle pulls and its strands stretch by less than 5 %\n  \
         {others_answered} of {others} answered elsewhere; the others ended with a reason\n  at most {most_factorisations} factorisations; ";
-    said(&value(a), text, &shown::units()) + &format!("median {median:.2} ms, longest {longest:.2} ms\n")
+    said(&value(a), text, u) + &format!("median {median:.2} ms, longest {longest:.2} ms\n")
 }
 
 /// The cases of one kind, and what they are.
@@ -66,20 +67,20 @@ const KINDS: [(&str, CaseKind, Measure, &str); 4] = [
     ),
 ];
 
-fn as_text(cases: &[VerificationRow]) -> String {
+fn as_text(answer: &ValidateAnswer, u: &Units) -> String {
     // Their sources only where the tables are wide enough.
     let source = if width::of_tables() >= 160 { " source" } else { "" };
     let (mut out, mut summary) = (String::new(), "Summary\n".to_owned());
     for (name, kind, measure, title) in KINDS {
         let is_one =
             |c: &&VerificationRow| c.kind == kind && (kind == CaseKind::Verification || c.measure == measure);
-        let list: Vec<&VerificationRow> = cases.iter().filter(is_one).collect();
+        let list: Vec<&VerificationRow> = answer.cases.iter().filter(is_one).collect();
         let keys = "ok name=case reference:9~ ours:9~ error:2~ tolerance=allowed:2~";
-        out += &format!("{title}\n\n{}\n", tabled(&list, &format!("{keys}{source}"), &shown::units()));
+        out += &format!("{title}\n\n{}\n", tabled(&list, &format!("{keys}{source}"), u));
         let held = list.iter().filter(|c| c.ok).count();
         summary += &format!("  {name}: {held} of {} cases hold\n", list.len());
     }
-    let failed = cases.iter().filter(|c| !c.ok).map(|c| format!("  FAILS: {}\n", c.name));
+    let failed = answer.cases.iter().filter(|c| !c.ok).map(|c| format!("  FAILS: {}\n", c.name));
     summary.extend(failed);
     if source.is_empty() {
         summary += "\nSources of the cases: mckibben validate --format csv\n";
@@ -87,24 +88,23 @@ fn as_text(cases: &[VerificationRow]) -> String {
     out + &summary
 }
 
-fn run_measured(asked: &Asked) -> Result<u8, Failure> {
-    plot::check(asked)?;
-    let figure = asked.path("plot").map(|_| shown::units());
-    let folder = asked.path("measured").filter(|path| !path.as_os_str().is_empty());
-    let only: Vec<String> =
-        asked.texts("only").iter().flat_map(|t| t.split(',')).map(str::to_owned).collect();
+fn run_measured(args: &Args) -> Result<u8, Problem> {
+    plot::check(args)?;
+    let figure = args.path("plot").map(|_| shown::units());
+    let folder = args.path("measured").filter(|path| !path.as_os_str().is_empty());
+    let only: Vec<String> = args.texts("only").iter().flat_map(|t| t.split(',')).map(str::to_owned).collect();
     let cases = chosen(folder.map_or_else(|| Ok(built_in()), |folder| folders(&folder))?, &only)?;
-    let request = MeasuredRequest { cases, model: asked.text("model"), figure };
+    let request = MeasuredRequest { cases, model: args.text("model"), figure };
     let mut answer = mckibben_app::measured(&request, &Bar::new("fits"))?;
-    asked.draw(&mut answer.figure)?;
+    args.draw(&mut answer.figure)?;
     let rows = if answer.results.is_empty() { "stresses" } else { "results" };
-    asked.show(&answer, rows, || measured_text(&answer))
+    args.show(&answer, rows, measured_text)
 }
 
 /// The measured muscle or rubber of a folder, or those of the folders in it.
-fn folders(folder: &Path) -> Result<Vec<MeasuredFolder>, Failure> {
+fn folders(folder: &Path) -> Result<Vec<MeasuredFolder>, Problem> {
     let unread =
-        |e: std::io::Error| Failure::input(ProblemKind::File, format!("{}: {e}", folder.display()), "");
+        |e: std::io::Error| Problem::new(ProblemKind::File, format!("{}: {e}", folder.display()), "");
     if folder.join("case.toml").is_file() {
         return Ok(vec![one(folder)?]);
     }
@@ -116,13 +116,13 @@ fn folders(folder: &Path) -> Result<Vec<MeasuredFolder>, Failure> {
     if list.is_empty() {
         let message = format!("{}: no folder in it contains a case.toml", folder.display());
         let hint = "a measured muscle is a folder with case.toml, muscle.toml and points.csv, a measured rubber one without muscle.toml";
-        return Err(Failure::input(ProblemKind::MissingInput, message, hint));
+        return Err(Problem::new(ProblemKind::MissingInput, message, hint));
     }
     Ok(list)
 }
 
 /// The files of a folder. A measured rubber has no muscle, and a folder of no library no identified one.
-fn one(folder: &Path) -> Result<MeasuredFolder, Failure> {
+fn one(folder: &Path) -> Result<MeasuredFolder, Problem> {
     let if_there = |name: &str| match folder.join(name) {
         path if path.is_file() => files::text(&path).map(|file| file.text),
         _ => Ok(String::new()),
@@ -138,23 +138,23 @@ fn one(folder: &Path) -> Result<MeasuredFolder, Failure> {
     })
 }
 
-fn chosen(all: Vec<MeasuredFolder>, only: &[String]) -> Result<Vec<MeasuredFolder>, Failure> {
+fn chosen(all: Vec<MeasuredFolder>, only: &[String]) -> Result<Vec<MeasuredFolder>, Problem> {
     if let Some(name) = only.iter().find(|name| !all.iter().any(|c| c.name == **name)) {
         let known: Vec<&str> = all.iter().map(|c| c.name.as_str()).collect();
         let message =
             format!("there is no measured muscle or rubber \"{name}\"; there are {}", known.join(", "));
-        return Err(Failure::input(ProblemKind::Usage, message, ""));
+        return Err(Problem::new(ProblemKind::Usage, message, ""));
     }
     Ok(all.into_iter().filter(|c| only.is_empty() || only.contains(&c.name)).collect())
 }
 
-fn measured_text(answer: &MeasuredAnswer) -> String {
+fn measured_text(answer: &MeasuredAnswer, u: &Units) -> String {
     let head = format!(
         "Validation: {} against measured muscles. Bias is measured − computed; % is of the blocked force; within ± is the share of the points inside the ±. Errors by contraction: --format json\n",
         answer.model
     );
-    let cases = answer.cases.iter().map(|case| muscle(case, &answer.results));
-    let rubbers = answer.rubbers.iter().map(|case| rubber(case, &answer.stresses));
+    let cases = answer.cases.iter().map(|case| muscle(case, &answer.results, u));
+    let rubbers = answer.rubbers.iter().map(|case| rubber(case, &answer.stresses, u));
     let head = if answer.cases.is_empty() { None } else { Some(head) };
     head.into_iter().chain(cases).chain(rubbers).collect()
 }
@@ -164,7 +164,7 @@ const STRESSES: &str = "rms_mpa=rms:3~ relative=of_the_measured:3%~ bias_mpa=bia
 const RESULTS: &str = "rms_n=rms:3 rms_of_blocked=of_the_blocked_force:3% bias_n=bias:3 largest_n=largest:3 points unanswered held=within_±:3% blind of fitted_to fit";
 const BRANCHES: &str = "branch points rms_n=rms:3 bias_n=bias:3 held=within_±:3% of";
 
-fn rubber(case: &MeasuredRubber, stresses: &[MeasuredStress]) -> String {
+fn rubber(case: &MeasuredRubber, stresses: &[MeasuredStress], u: &Units) -> String {
     let one = |f: &MeasuredRubberFit| {
         let constants = f.parameters.iter().map(|p| format!("{} {} {}", p.name, number(p.value, 3), p.unit));
         let branches = f.prony.iter().map(|(g, t)| format!("g {} at {} s", number(*g, 2), number(*t, 2)));
@@ -173,18 +173,18 @@ fn rubber(case: &MeasuredRubber, stresses: &[MeasuredStress]) -> String {
             constants.chain(branches).map(|t| t.trim().to_owned()).chain(doubt).collect();
         (f.fit.clone(), parts.join(", "))
     };
-    let found: Vec<(String, String)> = case.fits.iter().map(one).collect();
-    let own: Vec<_> = stresses.iter().filter(|s| s.case == case.facts.name).collect();
+    let fitted: Vec<(String, String)> = case.fits.iter().map(one).collect();
+    let errors: Vec<_> = stresses.iter().filter(|s| s.case == case.facts.name).collect();
     let title = format!("{}; % is of the measured stress", case.facts.title);
-    block(&title, &value(case), &found, &tabled(&own, STRESSES, &shown::units()))
+    block(&title, &listed(&value(case), FACTS, u), &fitted, &tabled(&errors, STRESSES, u))
 }
 
-fn muscle(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
+fn muscle(case: &MeasuredCase, results: &[MeasuredResult], u: &Units) -> String {
     let fits = case.fits.iter().filter(|f| !f.parameters.is_empty());
-    let found: Vec<(String, String)> =
+    let fitted: Vec<(String, String)> =
         fits.map(|f| (format!("{} [{}]", f.fit, f.fitted_to), in_one_line(&f.parameters))).collect();
-    let own: Vec<_> = results.iter().filter(|r| r.case == case.facts.name).collect();
-    let branches = own.iter().flat_map(|r| {
+    let of_case: Vec<_> = results.iter().filter(|r| r.case == case.facts.name).collect();
+    let branches = of_case.iter().flat_map(|r| {
         let row = |branch: &MeasuredBranch| {
             let mut row = value(branch);
             row["of"] = format!("{} [{}]", r.fit, r.group.of).into();
@@ -193,16 +193,19 @@ fn muscle(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
         r.group.by_branch.iter().map(row).collect::<Vec<Value>>()
     });
     let branches: Vec<Value> = branches.collect();
-    let u = shown::units();
-    let mut errors = tabled(&own, RESULTS, &u);
+    let mut errors = tabled(&of_case, RESULTS, u);
     if !branches.is_empty() {
-        errors += &format!("\nBranches\n{}", tabled(&branches, BRANCHES, &u));
+        errors += &format!("\nBranches\n{}", tabled(&branches, BRANCHES, u));
     }
-    block(&format!("{}, points that pull", case.facts.title), &value(case), &found, &errors)
+    block(
+        &format!("{}, points that pull", case.facts.title),
+        &listed(&value(case), FACTS, u),
+        &fitted,
+        &errors,
+    )
 }
 
-/// What is known of a case, what was found, and how far it is off.
-fn block(title: &str, case: &Value, found: &[(String, String)], errors: &str) -> String {
-    let facts = pairs(&listed(case, FACTS, &shown::units()));
-    format!("\n{title}\n\n{facts}\nFound, ± 95 %\n{}\n{errors}", pairs(found))
+/// What is known of a case, its fitted constants, and the errors.
+fn block(title: &str, facts: &[(String, String)], fitted: &[(String, String)], errors: &str) -> String {
+    format!("\n{title}\n\n{}\nFound, ± 95 %\n{}\n{errors}", pairs(facts), pairs(fitted))
 }

@@ -12,7 +12,7 @@ pub fn tabled<T: Serialize>(list: &[T], keys: &str, u: &Units) -> String {
         return String::new();
     }
     let rows: Vec<Value> = list.iter().map(value).collect();
-    let keys = keys.split_whitespace().map(|token| Key::of(token, u));
+    let keys = keys.split_whitespace().map(|token| Key::parse(token, u));
     columns(keys.filter_map(|key| column(&key, &rows)))
 }
 

@@ -17,8 +17,9 @@ pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
             LoadError::NotLifted { .. } => "not lifted",
             _ => "none",
         });
-        let found = at.equilibria.iter().map(|e| (value(e), if e.stable { "stable" } else { "unstable" }));
-        let mut all: Vec<(Value, &str)> = found.collect();
+        let equilibria =
+            at.equilibria.iter().map(|e| (value(e), if e.stable { "stable" } else { "unstable" }));
+        let mut all: Vec<(Value, &str)> = equilibria.collect();
         all.extend(nothing.map(|word| (json!({ "pressure_mpa": at.pressure_mpa }), word)));
         all.into_iter().map(|(mut row, word)| {
             row["balance"] = word.into();

@@ -16,7 +16,7 @@ pub use write::{
     save_inside, warn, warn_behind,
 };
 
-use crate::{Failure, Format, clean, quantities::unit_hint};
+use crate::{Format, Problem, clean, quantities::unit_hint};
 use mckibben::warning::is_of_burst;
 use mckibben_app::{ProblemKind, answer_schema};
 use schemars::JsonSchema;
@@ -24,15 +24,15 @@ use serde::Serialize;
 use serde_json::Value;
 use std::path::Path;
 
-pub fn json<T: Serialize>(answer: &T) -> Result<Value, Failure> {
+pub fn json<T: Serialize>(answer: &T) -> Result<Value, Problem> {
     serde_json::to_value(answer)
-        .map_err(|e| Failure::input(ProblemKind::Output, format!("cannot make JSON: {e}"), ""))
+        .map_err(|e| Problem::new(ProblemKind::Output, format!("cannot make JSON: {e}"), ""))
 }
 
 /// The file that a result goes to; else standard output.
 pub type Target<'a> = Option<&'a Path>;
 
-/// Prints an answer in the form that was asked for: as text for people, as JSON, or as a table with a row for each element of
+/// Prints an answer in the requested form: as text for people, as JSON, or as a table with a row for each element of
 /// the list named `rows` (for the answer itself where the name is empty or [`FLAT`]).
 pub fn show<T: Serialize + JsonSchema>(
     answer: &T,
@@ -40,20 +40,20 @@ pub fn show<T: Serialize + JsonSchema>(
     rows: &str,
     text: impl FnOnce() -> String,
     target: Target<'_>,
-) -> Result<(), Failure> {
+) -> Result<(), Problem> {
     let answer = Answer { json: &|| json(answer), schema: answer_schema::<T>, rows };
     answer.show(format, Box::new(text), target)
 }
 
 /// An answer as what can be made of it: the same type for all answers, so that the rest is compiled once.
 struct Answer<'a> {
-    json: &'a dyn Fn() -> Result<Value, Failure>,
+    json: &'a dyn Fn() -> Result<Value, Problem>,
     schema: fn() -> Value,
     rows: &'a str,
 }
 
 impl Answer<'_> {
-    fn table(&self) -> Result<table::Table, Failure> {
+    fn table(&self) -> Result<table::Table, Problem> {
         let mut value = (self.json)()?;
         let rows = self.rows;
         let list = match value.get_mut(rows).map(Value::take) {
@@ -72,7 +72,7 @@ impl Answer<'_> {
         format: Format,
         text: Box<dyn FnOnce() -> String + '_>,
         target: Target<'_>,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), Problem> {
         let form = form(target, format)?;
         let out = match form {
             Format::Text => {
@@ -99,7 +99,7 @@ impl Answer<'_> {
 }
 
 /// The format of a file by its ending; without one, or for standard output, that of `--format`.
-pub fn form(path: Option<&Path>, format: Format) -> Result<Format, Failure> {
+pub fn form(path: Option<&Path>, format: Format) -> Result<Format, Problem> {
     let Some(ending) = path.and_then(ending) else { return Ok(format) };
     let by_ending = match ending.as_str() {
         "txt" | "md" => Format::Text,
@@ -109,12 +109,12 @@ pub fn form(path: Option<&Path>, format: Format) -> Result<Format, Failure> {
         other => {
             let message = format!("--output: .{other} is not a supported file ending");
             let hint = "the endings are .txt, .json, .csv and .parquet";
-            return Err(Failure::input(ProblemKind::Output, message, hint));
+            return Err(Problem::new(ProblemKind::Output, message, hint));
         }
     };
     if format == Format::Text || format == by_ending {
         return Ok(by_ending);
     }
     let hint = "leave out --format: the file ending selects the format";
-    Err(Failure::input(ProblemKind::Output, "--output and --format name two formats", hint))
+    Err(Problem::new(ProblemKind::Output, "--output and --format name two formats", hint))
 }

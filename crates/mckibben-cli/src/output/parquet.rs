@@ -1,14 +1,14 @@
 //! Rows as Parquet.
 
 use super::table::{Kind, Table, text};
-use crate::failure::Failure;
+use crate::Problem;
 use mckibben_app::ProblemKind;
 use mckibben_io::parquet::{Column, Field, Packing, TableError, Text, Writer};
 use serde_json::Value;
 
 /// A table as the bytes of a Parquet file.
-pub fn rows(table: &Table) -> Result<Vec<u8>, Failure> {
-    encoded(table).map_err(|e| Failure::input(ProblemKind::Output, format!("cannot make Parquet: {e}"), ""))
+pub fn rows(table: &Table) -> Result<Vec<u8>, Problem> {
+    encoded(table).map_err(|e| Problem::new(ProblemKind::Output, format!("cannot make Parquet: {e}"), ""))
 }
 
 fn encoded(table: &Table) -> Result<Vec<u8>, TableError> {

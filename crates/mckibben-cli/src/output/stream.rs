@@ -1,8 +1,7 @@
 //! JSON row by row: to standard output what does not fit into memory.
 
 use super::{Target, emit, json};
-use crate::{Failure, progress};
-use mckibben_app::{Problem, ProblemKind};
+use crate::{Problem, progress, unprinted};
 use serde::Serialize;
 use serde_json::Value;
 use std::io::{BufWriter, Error, Write};
@@ -15,30 +14,22 @@ pub fn streamed<R: Serialize, A: Serialize, T>(
     rows: &str,
     target: Target<'_>,
     make: impl FnOnce(TakeRow<'_, R>) -> Result<(A, T), Problem>,
-) -> Result<T, Failure> {
+) -> Result<T, Problem> {
     // A file appears whole: its text is collected.
     let mut file = vec![];
     let mut out: Box<dyn Write> = match target {
         Some(_) => Box::new(&mut file),
         None => Box::new(BufWriter::new(std::io::stdout().lock())),
     };
-    let mut failed: Option<Error> = None;
     let mut count = 0_usize;
     let mut row = |row: &R| {
         // Nothing is printed before the first row: the request may be wrong.
         let before = if count == 0 { format!("{{\n\"{rows}\": [\n") } else { ",\n".to_owned() };
         count += 1;
         let text = serde_json::to_string(row).map_err(Error::from);
-        text.and_then(|text| write!(out, "{before}{text}")).map_err(|error| {
-            failed = Some(error);
-            Problem::new(ProblemKind::Output, "standard output cannot be written", "")
-        })
+        text.and_then(|text| write!(out, "{before}{text}")).map_err(|error| unprinted(&error))
     };
-    let made = make(&mut row);
-    if let Some(error) = failed {
-        return Err(Failure::stdout(&error));
-    }
-    let (answer, more) = made?;
+    let (answer, more) = make(&mut row)?;
     progress::ended()?;
     let mut rest = || -> Result<(), Error> {
         if count == 0 {
@@ -53,7 +44,7 @@ pub fn streamed<R: Serialize, A: Serialize, T>(
         writeln!(out, "\n}}")?;
         out.flush()
     };
-    rest().map_err(|error| Failure::stdout(&error))?;
+    rest().map_err(|error| unprinted(&error))?;
     drop(out);
     if target.is_some() {
         emit(&file, target)?;

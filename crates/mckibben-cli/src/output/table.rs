@@ -1,6 +1,6 @@
 //! The columns of a table: those of the rows' schema, so that they are the same whatever the values.
 
-use crate::failure::Failure;
+use crate::Problem;
 use mckibben_app::ProblemKind;
 use mckibben_io::clean::cell;
 use serde_json::{Map, Value};
@@ -13,13 +13,13 @@ pub enum Kind {
     Text,
 }
 
-/// The name of rows for an answer that is one row, with the values of its objects among its own.
+/// The name of rows for an answer that is one row, with the values of its objects beside the others.
 pub const FLAT: &str = "*";
 
 /// A column: the key of the rows in JSON.
 pub type Column = (String, Kind);
 
-/// The columns of an answer's rows by its schema, which stand in its list or object of lists `rows`, or are the answer itself where the name is empty.
+/// The columns of an answer's rows by its schema: those of its list or object of lists `rows`, or of the answer itself where the name is empty.
 pub fn columns(root: &Value, rows: &str) -> Vec<Column> {
     let mut out = vec![];
     if rows.is_empty() || rows == FLAT {
@@ -95,7 +95,7 @@ fn scalars(root: &Value, node: &Value, are_lists: bool, out: &mut Vec<Column>) {
 
 /// What a value is; `None` where it is a list, an object, or unknown.
 fn kind(root: &Value, node: &Value) -> Option<Kind> {
-    let mut found = None;
+    let mut common = None;
     for node in variants(root, node) {
         let words = node.get("const").is_some() || node.get("enum").is_some();
         let types: Vec<&str> = match node.get("type") {
@@ -112,10 +112,10 @@ fn kind(root: &Value, node: &Value) -> Option<Kind> {
                 "null" => continue,
                 _ => return None,
             };
-            found = Some(if found.is_none_or(|f| f == kind) { kind } else { Kind::Text });
+            common = Some(if common.is_none_or(|f| f == kind) { kind } else { Kind::Text });
         }
     }
-    found
+    common
 }
 
 #[derive(Debug)]
@@ -125,7 +125,7 @@ pub struct Table {
     pub rows: Vec<Value>,
 }
 
-/// An object with the values of its objects among its own.
+/// An object with the values of its objects beside the others.
 pub fn flat(value: Value) -> Value {
     let mut out = Map::new();
     let Value::Object(object) = value else { return value };
@@ -158,9 +158,9 @@ pub fn text(value: Option<&Value>) -> Option<String> {
     }
 }
 
-pub fn csv(table: &Table) -> Result<Vec<u8>, Failure> {
+pub fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
     let broken =
-        |e: &dyn std::fmt::Display| Failure::input(ProblemKind::Output, format!("cannot make CSV: {e}"), "");
+        |e: &dyn std::fmt::Display| Problem::new(ProblemKind::Output, format!("cannot make CSV: {e}"), "");
     let mut writer = ::csv::Writer::from_writer(vec![]);
     writer.write_record(table.columns.iter().map(|c| cell(&c.0).into_owned())).map_err(|e| broken(&e))?;
     for object in table.rows.iter().filter_map(Value::as_object) {

@@ -21,10 +21,10 @@ fn of_reader() -> Option<usize> {
     if IN_FILE.load(Ordering::Relaxed) {
         return None;
     }
-    of(terminal_size_of(std::io::stdout()).map(|(width, _)| width))
+    or_environment(terminal_size_of(std::io::stdout()).map(|(width, _)| width))
 }
 
-fn of(terminal: Option<Width>) -> Option<usize> {
+fn or_environment(terminal: Option<Width>) -> Option<usize> {
     let said = || std::env::var("COLUMNS").ok()?.parse::<usize>().ok();
     Some(terminal.map(|Width(width)| usize::from(width)).or_else(said)?.max(LEAST))
 }
@@ -60,7 +60,7 @@ fn lines(text: &str, width: usize) -> String {
 }
 
 /// A text in lines of at most so many characters, broken at blanks, but not between a number and its unit; a word that is longer has a
-/// line of its own.
+/// separate line.
 pub fn fold(text: &str, width: usize) -> Vec<String> {
     let mut out: Vec<String> = vec![];
     let mut length = 0;

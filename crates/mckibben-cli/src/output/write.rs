@@ -1,7 +1,7 @@
 //! Where results go: standard output, or a file that appears whole or not at all. An existing file is overwritten only with `--overwrite`.
 
 use super::width;
-use crate::{Asked, Failure, clean, in_flags, progress, shown};
+use crate::{Args, Problem, clean, in_flags, progress, shown};
 use anstyle::{AnsiColor, Style};
 use mckibben::{units::short_numbers, warning::is_of_burst};
 use mckibben_app::{BuiltFile, ProblemKind};
@@ -20,26 +20,30 @@ pub fn overwrite() -> bool {
     OVERWRITE.load(Ordering::Relaxed)
 }
 
-/// Refuses a command line that names an existing file for a result, before any work is done for it. A campaign goes on with its own file.
-pub fn check_named(asked: &Asked, command: &str, overwrite: bool) -> Result<(), Failure> {
+/// Refuses a command line that names an existing file for a result, before any work is done for it. A campaign continues its file.
+pub fn check_named(args: &Args, command: &str, overwrite: bool) -> Result<(), Problem> {
     OVERWRITE.store(overwrite, Ordering::Relaxed);
     let written = WRITTEN.iter().filter(|flag| **flag != "output" || command != "campaign");
-    written.filter_map(|flag| asked.path(flag)).try_for_each(|path| check(&path))
+    written.filter_map(|flag| args.path(flag)).try_for_each(|path| check(&path))
 }
 
 /// Refuses to write what is no answer, and to overwrite a file.
-pub fn check(path: &Path) -> Result<(), Failure> {
+pub fn check(path: &Path) -> Result<(), Problem> {
     progress::ended()?;
     check_free(path, overwrite()).map_err(|e| unwritten(path, &e))
 }
 
 /// A result that is not written, for it would overwrite something or because the system refuses.
-fn unwritten(path: &Path, error: &Error) -> Failure {
-    if error.kind() != ErrorKind::AlreadyExists {
-        return Failure::unwritable(path, error);
-    }
-    let message = format!("{} exists and would be overwritten", path.display());
-    Failure::input(ProblemKind::Output, message, "name another file, or replace it with --overwrite")
+fn unwritten(path: &Path, error: &Error) -> Problem {
+    let path = path.display();
+    let (message, hint) = match error.kind() {
+        ErrorKind::AlreadyExists => (
+            format!("{path} exists and would be overwritten"),
+            "name another file, or replace it with --overwrite",
+        ),
+        _ => (format!("cannot write {path}: {error}"), "nothing was written; an existing file is as it was"),
+    };
+    Problem::new(ProblemKind::Output, message, hint)
 }
 
 /// The ending of a name in lower case.
@@ -48,18 +52,18 @@ pub fn ending(path: &Path) -> Option<String> {
 }
 
 /// Refuses a name whose ending promises another format than the one that is written.
-pub fn check_ending(path: Option<&Path>, endings: &[&str]) -> Result<(), Failure> {
+pub fn check_ending(path: Option<&Path>, endings: &[&str]) -> Result<(), Problem> {
     let Some((path, ending)) = path.and_then(|path| Some((path, ending(path)?))) else { return Ok(()) };
     if endings.contains(&ending.as_str()) {
         return Ok(());
     }
     let message = format!("{} ends in .{ending}, which is another format", path.display());
-    Err(Failure::input(ProblemKind::Output, message, format!("end it in .{}", endings.join(" or ."))))
+    Err(Problem::new(ProblemKind::Output, message, format!("end it in .{}", endings.join(" or ."))))
 }
 
 /// Writes all files of an answer into a folder, or none if one of them exists.
-pub fn save_all(files: &[BuiltFile], folder: &Path) -> Result<(), Failure> {
-    // A file that is there already as it would be written is left.
+pub fn save_all(files: &[BuiltFile], folder: &Path) -> Result<(), Problem> {
+    // A file with the same content is not written again.
     let is_there = |file: &&BuiltFile| {
         let limit = file.content.len() as u64;
         mckibben_io::files::read(&folder.join(&file.name), limit).is_ok_and(|there| there == file.content)
@@ -73,18 +77,18 @@ pub fn save_inside<N: AsRef<Path>, B: AsRef<[u8]>>(
     folder: &Path,
     files: impl IntoIterator<Item = (N, B)>,
     overwrite: bool,
-) -> Result<(), Failure> {
+) -> Result<(), Problem> {
     progress::ended()?;
     put_all(folder, files, overwrite).map_err(|(path, e)| unwritten(&path, &e))
 }
 
 /// Writes to `path`, or to standard output.
-pub fn emit(bytes: impl AsRef<[u8]>, path: Option<&Path>) -> Result<(), Failure> {
+pub fn emit(bytes: impl AsRef<[u8]>, path: Option<&Path>) -> Result<(), Problem> {
     if path.is_some() {
         return save(path, bytes.as_ref());
     }
     let mut out = std::io::stdout().lock();
-    out.write_all(bytes.as_ref()).and_then(|()| out.flush()).map_err(|e| Failure::stdout(&e))
+    out.write_all(bytes.as_ref()).and_then(|()| out.flush()).map_err(|e| crate::unprinted(&e))
 }
 
 /// Style of the word before an error, a warning, a hint.
@@ -124,7 +128,7 @@ pub fn burst_first(warnings: &[impl std::fmt::Display]) -> String {
     shown::sentence(&first.join("\n")).into_owned() + "\n\n"
 }
 
-/// What went wrong, in colour where the terminal shows it and nobody asked for none (`NO_COLOR`).
+/// What went wrong, in colour where the terminal shows it and `NO_COLOR` is not set.
 pub fn complain(text: &str) {
     let styled =
         |text: String, word: &str, style: Style| text.replacen(word, &format!("{style}{word}{style:#}"), 1);
@@ -133,7 +137,7 @@ pub fn complain(text: &str) {
 }
 
 /// Writes a file, where one is named.
-pub fn save(path: Option<&Path>, bytes: &[u8]) -> Result<(), Failure> {
+pub fn save(path: Option<&Path>, bytes: &[u8]) -> Result<(), Problem> {
     let Some(path) = path else { return Ok(()) };
     progress::ended()?;
     put(path, bytes, overwrite()).map_err(|e| unwritten(path, &e))

@@ -4,17 +4,17 @@ use crate::common::{assert_close, copy, folder, json, json_in, mckibben, names, 
 use serde_json::Value;
 use std::path::Path;
 
-fn last(found: &Value, key: &str) -> f64 {
-    found["series"][key].as_array().unwrap().last().unwrap().as_f64().unwrap()
+fn last(answer: &Value, key: &str) -> f64 {
+    answer["series"][key].as_array().unwrap().last().unwrap().as_f64().unwrap()
 }
 
 /// An identity: the muscle file of a design answers every command with the digits of the table, ± included.
 #[test]
 fn a_design_is_of_parts_and_its_muscle_file_has_its_digits() {
     let dir = folder();
-    let found = json_in(dir.path(), "design -F 700N -e 15% -p 2.5bar -o winner.toml");
+    let design = json_in(dir.path(), "design -F 700N -e 15% -p 2.5bar -o winner.toml");
     assert_eq!(names(dir.path()), ["winner.toml"], "no temporary files");
-    let best = &found["candidates"][0];
+    let best = &design["candidates"][0];
     let tube = json(&format!("parts show {}", best["tube"].as_str().unwrap()))["tube"].take();
     assert_eq!((&tube["outer_diameter_mm"], &tube["rubber"]), (&best["outer_diameter_mm"], &best["rubber"]));
     let promised = number(&best["points"][0], "force_at_max_pressure_n");
@@ -33,14 +33,14 @@ fn a_design_is_of_parts_and_its_muscle_file_has_its_digits() {
     assert!(number(&answer["uncertainty_parts_n"], "braid") > 0.0);
 }
 
-/// By its own ±: the lower end of the pull meets the requirement, and a larger share asks for more.
+/// The lower end of the pull meets the requirement, and a larger share is wider.
 #[test]
 fn a_guaranteed_design_meets_the_requirement_with_the_lower_end_of_its_uncertainty() {
     let dir = folder();
     for (share, widths) in [("", 1.0), ("=99%", 2.575_829 / 1.959_964)] {
         let line = "design -F 300N -e 12% -p 2.5bar --model universal --verify none --overwrite -o sure.toml";
-        let found = json_in(dir.path(), &format!("{line} --guaranteed{share}"));
-        let set_mpa = number(&found["candidates"][0], "pressure_mpa");
+        let design = json_in(dir.path(), &format!("{line} --guaranteed{share}"));
+        let set_mpa = number(&design["candidates"][0], "pressure_mpa");
         let ask = format!("force sure.toml -p {set_mpa} -e 12% --model universal");
         let answer = json_in(dir.path(), &ask);
         let lower = number(&answer, "force_n") - widths * number(&answer, "uncertainty_n");
@@ -94,10 +94,10 @@ fn a_name_stands_for_its_muscle_file() {
 fn motions_end_where_the_static_answers_have_them() {
     let dir = copy();
     let ask = |line: &str| json_in(dir.path(), &format!("{line} --model universal"));
-    let before = |found: &Value, key: &str, time_s: f64| -> f64 {
-        let times = found["series"]["time_s"].as_array().unwrap();
+    let before = |answer: &Value, key: &str, time_s: f64| -> f64 {
+        let times = answer["series"]["time_s"].as_array().unwrap();
         let i = times.iter().rposition(|t| t.as_f64().unwrap() < time_s).unwrap();
-        found["series"][key][i].as_f64().unwrap()
+        answer["series"][key][i].as_f64().unwrap()
     };
     let muscle = "--muscle examples/prototype.toml --load mass:10kg";
     let held = number(&ask(&format!("contraction -p 3bar {muscle}")), "contraction");
@@ -175,12 +175,12 @@ fn the_muscle_file_of_a_rubber_has_its_constants() {
             ["c10", "c20", "c30"],
         ),
     ] {
-        let found = json_in(dir.path(), &format!("{line} -o m.toml --overwrite"));
+        let identified = json_in(dir.path(), &format!("{line} -o m.toml --overwrite"));
         let shown = json_in(dir.path(), "check m.toml");
         for (i, name) in names.iter().enumerate() {
             let ours = match part {
-                "" => number(&found["parameters"][i], "value"),
-                part => number(found.pointer(part).unwrap(), &format!("{name}_mpa")),
+                "" => number(&identified["parameters"][i], "value"),
+                part => number(identified.pointer(part).unwrap(), &format!("{name}_mpa")),
             };
             assert_eq!(number(&shown["constants_mpa"], name), ours, "{line}");
         }
@@ -200,13 +200,14 @@ fn the_muscle_file_of_a_rubber_has_its_constants() {
 #[test]
 fn the_bench_example_finds_what_made_its_points_and_its_file_has_the_uncertainty_of_the_bench() {
     let dir = copy();
-    let found = json_in(dir.path(), "identify examples/bench.toml --data examples/bench.csv -o found.toml");
-    for (p, truth) in found["parameters"].as_array().unwrap().iter().zip([0.4, 900.0]) {
+    let identified =
+        json_in(dir.path(), "identify examples/bench.toml --data examples/bench.csv -o found.toml");
+    for (p, truth) in identified["parameters"].as_array().unwrap().iter().zip([0.4, 900.0]) {
         assert!(
             p["identifiable"] == true && (number(p, "value") - truth).abs() <= number(p, "half_width_95")
         );
     }
-    assert!((2.0..6.0).contains(&number(&found, "rms_n")));
+    assert!((2.0..6.0).contains(&number(&identified, "rms_n")));
     let force = |more: &str| json_in(dir.path(), &format!("force found.toml -e 8% {more}"));
     assert!((9.0..16.0).contains(&number(&force("-p 3bar"), "uncertainty_n")));
     for elsewhere in ["-p 4bar", "-p 3bar -D 21"] {
@@ -224,12 +225,12 @@ fn every_bench_gives_the_modulus_that_made_its_points() {
     for row in include_str!("../rows/benches.tsv").lines() {
         let cells: Vec<&str> = row.split('\t').collect();
         let line = format!("identify bench/muscle.toml --data bench/{} --free mu {}", cells[0], cells[1]);
-        let found = json_in(dir.path(), &line);
-        let tolerance = 0.006 / (number(&found, "rms_before_n") / (0.4 - 0.25));
-        let mu = number(&found["parameters"][0], "value");
+        let identified = json_in(dir.path(), &line);
+        let tolerance = 0.006 / (number(&identified, "rms_before_n") / (0.4 - 0.25));
+        let mu = number(&identified["parameters"][0], "value");
         assert!(tolerance < 3e-5 && (mu - 0.25).abs() <= tolerance, "{row}: {mu}");
-        assert_eq!(found["understood"][0]["rows"], 12, "{row}");
-        let columns = found["understood"][0]["columns"].as_array().unwrap().iter();
+        assert_eq!(identified["understood"][0]["rows"], 12, "{row}");
+        let columns = identified["understood"][0]["columns"].as_array().unwrap().iter();
         let word = |c: &Value, key: &str| c[key].as_str().unwrap().to_owned();
         let columns: Vec<String> =
             columns.map(|c| format!("{} [{}]", word(c, "quantity"), word(c, "unit"))).collect();

@@ -124,9 +124,9 @@ pub fn copy() -> tempfile::TempDir {
     for name in ["examples", "data", "plans"] {
         copy_tree(&root().join(name), &dir.path().join(name));
     }
-    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
     for (from, to) in [("rows", ""), ("bench", "bench"), ("tension", "tension")] {
-        copy_tree(&own.join(from), &dir.path().join(to));
+        copy_tree(&tests.join(from), &dir.path().join(to));
     }
     dir
 }

@@ -82,7 +82,7 @@ fn a_signal_ends_a_command_within_a_second_with_130() {
         let mut child = command.spawn().unwrap();
         std::thread::sleep(Duration::from_millis(400));
         assert!(child.try_wait().unwrap().is_none(), "{line}: it was to be long");
-        // SAFETY: a signal to a child of one's own.
+        // SAFETY: a signal to a child of this process.
         unsafe { libc::kill(child.id() as i32, libc::SIGINT) };
         let since = Instant::now();
         assert_eq!(child.wait().unwrap().code(), Some(130), "{line}");
@@ -106,7 +106,7 @@ fn a_signal_leaves_no_folder_behind_whatever_the_command_waits_for() {
         command.env("TMPDIR", at("tmp")).env("PATH", &path).args(line.split(' '));
         command.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap()
     };
-    // SAFETY: a signal to a child of one's own.
+    // SAFETY: a signal to a child of this process.
     let signal = |child: &std::process::Child, signal| unsafe { libc::kill(child.id() as i32, signal) };
     // As long as the pipe is full.
     let mut waits = started("schema");
@@ -151,7 +151,7 @@ fn alone(command: &mut Command, user: u32) {
     unsafe { command.pre_exec(become_alone) };
 }
 
-/// Copies the program by a process of its own: a file that this one has open for writing is inherited by what another test starts at that
+/// Copies the program by a separate process: a file that this one has open for writing is inherited by what another test starts at that
 /// instant, and cannot be executed for as long ("text file busy").
 fn place_program(dir: &Path) {
     fs::set_permissions(dir, fs::Permissions::from_mode(0o777)).unwrap();

@@ -161,22 +161,22 @@ fn the_example_muscles_are_muscles() {
 /// B. Tondu (2012), Fig. 3: the ideal model is off by 92–95 N, the thick wall with two fitted constants by about 6 N.
 #[test]
 fn the_thick_wall_meets_the_20_degree_muscle() {
-    let found = json(
+    let identified = json(
         "compare --models ideal,thick-wall --muscle examples/tondu2012.toml \
          --data data/tondu2012/static_force_20deg.csv --fit modulus,end-factor",
     );
-    let (ideal, thick) = (&found["models"][0], &found["models"][1]);
+    let (ideal, thick) = (&identified["models"][0], &identified["models"][1]);
     assert!((number(ideal, "rms_n") - 95.2).abs() < 0.5, "{ideal}");
     assert!((number(thick, "rms_n") - 5.95).abs() < 0.1, "{thick}");
     assert!((number(thick, "fitted_end_factor") - 1.118).abs() < 0.003, "{thick}");
     assert!(ideal.get("fitted_end_factor").is_none(), "the ideal model has no such constant");
     // Its loops' half-widths alone give C 71.5 and β 0.560 (examples/tondu2012.toml).
-    let found = json("identify examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv");
+    let identified = json("identify examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv");
     for (name, alone) in [("friction.coefficient", 71.46), ("friction.exponent", 0.56)] {
-        let p = found["parameters"].as_array().unwrap().iter().find(|p| p["name"] == name).unwrap();
+        let p = identified["parameters"].as_array().unwrap().iter().find(|p| p["name"] == name).unwrap();
         assert!((number(p, "value") - alone).abs() <= number(p, "half_width_95"), "{p}");
     }
-    assert!(found["warnings"].to_string().contains("follow a pattern"), "{found}");
+    assert!(identified["warnings"].to_string().contains("follow a pattern"), "{identified}");
 }
 
 /// A regression: the tables of pages are the answers to the commands above them.

@@ -127,7 +127,7 @@ const WRITERS: [(&str, &str, &str); 36] = [
 ];
 
 #[test]
-fn an_existing_file_is_overwritten_only_where_that_is_asked_for() {
+fn an_existing_file_is_overwritten_only_on_request() {
     let dir = copy();
     let at = |name: &str| dir.path().join(name);
     fs::copy(at("data/campaign/paper.csv"), at("paper.csv")).unwrap();
@@ -179,7 +179,7 @@ fn no_flag_that_names_an_output_is_missing_from_that_test() {
         let flags = flags.filter_map(|l| l.split_once("--")?.1.split(" <").next());
         for flag in flags.filter(|flag| !flag.contains(' ') && !READ.contains(flag)) {
             let typed = if flag == "output" { "-o ".to_owned() } else { format!("--{flag} ") };
-            // Figures are of all commands alike, and a campaign has a test of its own.
+            // Figures are of all commands alike, and a campaign has a separate test.
             let once = flag.starts_with("plot") && flag != "plots" || command == "campaign";
             let has = |w: &(&str, &str, &str)| (once || w.0.starts_with(&command)) && w.1.starts_with(&typed);
             assert!(WRITERS.iter().any(has), "{command} --{flag}");
@@ -189,12 +189,12 @@ fn no_flag_that_names_an_output_is_missing_from_that_test() {
 
 const PLAN: &str = "[test]\ncontractions = 0\npressures = 0.1\nmesh = \"3\"\n";
 #[test]
-fn a_campaign_of_another_plan_is_overwritten_only_where_that_is_asked_for() {
+fn a_campaign_of_another_plan_is_overwritten_only_on_request() {
     let dir = folder();
     fs::write(dir.path().join("plan.toml"), PLAN).unwrap();
     run_in(dir.path(), "campaign plan.toml -o c.parquet").ok();
     let before = fs::read(dir.path().join("c.parquet")).unwrap();
-    // The same plan goes on with its own file.
+    // The same plan continues its file.
     run_in(dir.path(), "campaign plan.toml -o c.parquet").ok();
     fs::write(dir.path().join("plan.toml"), PLAN.replace("0.1", "0.2")).unwrap();
     let result = run_in(dir.path(), "campaign plan.toml -o c.parquet");

@@ -65,9 +65,9 @@ proptest! {
             "klute-hannaford", "rounded-ends", "tondu-lopez", "conical-ends", "festo-hunt-10", "festo-dmsp-10"][..]),
         verb in prop::sample::select(&["force", "contraction"][..]),
     ) {
-        let asked = if verb == "force" { format!("-e {e}") } else { format!("-F {}", 1000.0 * e.abs()) };
+        let given = if verb == "force" { format!("-e {e}") } else { format!("-F {}", 1000.0 * e.abs()) };
         let line = format!(
-            "{verb} -D {} -s {} -L {} --angle {angle} -p {} {asked} --model {model} --end-factor 1.2 \
+            "{verb} -D {} -s {} -L {} --angle {angle} -p {} {given} --model {model} --end-factor 1.2 \
              --cone-factor 0.3 --extrapolate --two-sided --format json",
             10f64.powf(d), 10f64.powf(s), 10f64.powf(l), 10f64.powf(p)
         );

@@ -64,9 +64,9 @@ fn points_without_answer_say_why() {
     assert_close(number(&pressure.error()["nearest"], "pressure_mpa"), 0.25, 1e-9);
 }
 
-/// The user's own input carries no ±.
+/// Input of the user carries no ±.
 #[test]
-fn the_text_of_an_inverse_has_its_uncertainty_at_what_was_asked() {
+fn the_text_of_an_inverse_has_its_uncertainty_at_the_computed_quantity() {
     for (line, with, without) in [
         ("pressure -F 500N -e 10% --units bar", "pressure", ["pull ", "contraction"]),
         ("contraction -F 200N -p 2.5bar", "contraction", ["pull ", "pressure"]),

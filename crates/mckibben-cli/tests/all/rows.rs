@@ -15,10 +15,11 @@ fn flat(text: &str) -> String {
 
 /// Whether a part is not said, or is although it is not to be.
 fn wrong(said: &str, out: &str, part: &str) -> bool {
-    // Moduli have their own unit, and so has a power law of the pressure.
-    let own = |l: &&str| ["modul", "1.2 MPa", "law ", "neo-hookean", "P/MPa"].iter().any(|w| l.contains(w));
+    // Moduli have a fixed unit, and so has a power law of the pressure.
+    let is_fixed =
+        |l: &&str| ["modul", "1.2 MPa", "law ", "neo-hookean", "P/MPa"].iter().any(|w| l.contains(w));
     match (part.strip_prefix('!'), part.strip_prefix('^')) {
-        (Some(part), _) => said.lines().filter(|l| !own(l)).any(|l| l.contains(part)),
+        (Some(part), _) => said.lines().filter(|l| !is_fixed(l)).any(|l| l.contains(part)),
         (_, Some(part)) => !out.starts_with(part),
         // However it is broken into lines.
         _ => !flat(said).contains(&flat(part)),
@@ -81,7 +82,7 @@ fn every_row_is_said() {
     assert!(failed.is_empty(), "{} rows:\n{}", failed.len(), failed.join("\n"));
 }
 
-/// Groups of lines between blank lines. Constants of a rubber's law are columns of their own.
+/// Groups of lines between blank lines. Constants of a rubber's law are separate columns.
 #[test]
 fn tables_have_the_same_columns_whatever_the_values() {
     let dir = copy();
@@ -119,10 +120,10 @@ fn every_flag_of_a_question_counts_or_is_refused() {
             panic!("{flag}")
         };
         let mut base = format!("force my.toml --format json {with}");
-        for (own, usual) in
+        for (given, usual) in
             [("pressure", "-p 2bar"), ("contraction", "-e 5%"), ("model", "--model thick-wall")]
         {
-            if flag != own && !with.contains(usual.split(' ').next().unwrap()) {
+            if flag != given && !with.contains(usual.split(' ').next().unwrap()) {
                 base = format!("{base} {usual}");
             }
         }
@@ -157,7 +158,7 @@ const IN_BAR: [&str; 17] = [
 #[test]
 fn a_pressure_in_bar_is_the_unit_of_all_pressures() {
     let dir = copy();
-    let own = |line: &&str| {
+    let is_fixed = |line: &&str| {
         [
             "odul",
             "law ",
@@ -184,8 +185,8 @@ fn a_pressure_in_bar_is_the_unit_of_all_pressures() {
             said.extend(std::fs::read_to_string(&path).ok().map(|text| text.replace("</text>", "\n")));
             let _ = std::fs::remove_file(path);
         }
-        let lines = said.iter().flat_map(|text| text.lines()).filter(|l| l.contains("MPa") && !own(l));
-        wrong.extend(lines.map(|found| format!("{line}: {found:.200}")));
+        let lines = said.iter().flat_map(|text| text.lines()).filter(|l| l.contains("MPa") && !is_fixed(l));
+        wrong.extend(lines.map(|said| format!("{line}: {said:.200}")));
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

@@ -19,7 +19,7 @@ fn started(folder: &Path, args: &[&str]) -> (Child, String) {
 fn ended(mut child: Child) -> (Option<i32>, Duration) {
     let from = Instant::now();
     #[cfg(unix)]
-    // SAFETY: a signal to a child of one's own.
+    // SAFETY: a signal to a child of this process.
     unsafe {
         libc::kill(child.id() as i32, libc::SIGTERM)
     };

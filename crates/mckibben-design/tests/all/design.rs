@@ -3,14 +3,16 @@
 use mckibben::analysis::Options;
 use mckibben::analysis::{Evaluation, FailureMode};
 use mckibben::liquid::{Liquid, LiquidSupply};
+use mckibben::load::Load;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::measures::{SEATING, WALL, fields};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
 use mckibben::progress::Silent;
 use mckibben::units::Values;
 use mckibben_design::{
-    Below, BraidChoice, Build, Check, Demand, JointDemand, Limit, Limits, Models, Objective, OperatingPoint,
-    Relaxation, Spec, SpecError, Tolerances, TorqueWanted, design, design_joint, spread,
+    Below, BraidChoice, Build, Check, Demand, JointDemand, Lift, Limit, Limits, Models, Objective,
+    OperatingPoint, Relaxation, SAFETY, Spec, SpecError, Tolerances, TorqueWanted, VALIDATED_STRAND_STRAIN,
+    design, design_joint, spread,
 };
 
 fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben::model::ModelError> {
@@ -20,6 +22,7 @@ fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben::model::ModelE
 fn spec(force_n: f64, contraction: f64) -> Spec {
     Spec {
         wanted: vec![OperatingPoint { force_n, contraction }].into(),
+        count: 1,
         max_pressure_mpa: 0.25,
         liquid: None,
         base: Muscle::prototype(),
@@ -117,7 +120,10 @@ fn bounds_bind_and_are_named() {
     let closest = outcome.closest.unwrap();
     let &Check { limit, value: diameter_mm, bound, .. } = closest.rejected.reason.check().unwrap();
     assert_eq!((limit, bound), (Limit::BulgedDiameter, 10.0));
-    assert_eq!(closest.relaxations, [Relaxation::MaxBulgedDiameter { bulged_diameter_mm: diameter_mm }]);
+    let [Relaxation::MaxBulgedDiameter { bulged_diameter_mm }] = closest.relaxations[..] else {
+        panic!("{:?}", closest.relaxations)
+    };
+    assert!((1.0..1.011).contains(&(bulged_diameter_mm / diameter_mm)), "{bulged_diameter_mm}");
     assert!(diameter_mm < 40.0, "{diameter_mm}");
 }
 
@@ -173,7 +179,10 @@ fn the_largest_liquid_volume_binds_at_the_volume_that_is_found() {
     assert_eq!(closest.rejected.reason.limit(), Some(Limit::LiquidVolume));
     let &Check { value: needs, bound: limit_mm3, .. } = closest.rejected.reason.check().unwrap();
     assert!((needs / volume_mm3 - 1.0).abs() < 1e-12 && limit_mm3 < volume_mm3);
-    assert_eq!(closest.relaxations, [Relaxation::MaxLiquidVolume { liquid_volume_mm3: needs }]);
+    let [Relaxation::MaxLiquidVolume { liquid_volume_mm3 }, ..] = closest.relaxations[..] else {
+        panic!("{:?}", closest.relaxations)
+    };
+    assert!((1.0..1.011).contains(&(liquid_volume_mm3 / needs)), "{liquid_volume_mm3}");
     // Without a liquid the limit has no meaning.
     spec.liquid = None;
     assert_eq!(design(&spec, BUILD).unwrap_err(), SpecError::NoLiquid(limit_mm3));
@@ -209,66 +218,72 @@ fn the_objective_air_with_a_liquid_finds_the_least_liquid_of_a_list() {
     assert!((best / least - 1.0).abs() < 1e-9, "{best} {least}");
 }
 
-/// Every relaxation, taken alone, makes the closest muscle fit.
+/// By search, of muscles in lists: each change makes one of them fit, and none fits with 98 % of it.
 #[test]
-fn relaxations_keep_their_word() {
-    let mut spec = spec(1200.0, 0.2);
-    spec.outer_diameter_mm = Values::Interval(5.0, 50.0);
-    let outcome = design(&spec, BUILD).unwrap();
-    let closest = outcome.closest.unwrap();
-    assert!(closest.rejected.reason.limit() == Some(Limit::Force), "{:?}", closest.rejected);
-    let model = ThickWall::new(&closest.muscle);
-    let mut kinds = 0;
-    for relaxation in &closest.relaxations {
-        match relaxation {
-            Relaxation::MaxPressure { pressure_mpa, .. } => {
-                assert!(
-                    (model.force_n(&mut Workspace::new(), *pressure_mpa, 0.2).unwrap() - 1200.0).abs() < 1e-6
-                );
+fn every_change_makes_a_muscle_fit_and_none_is_larger_than_it_has_to_be() {
+    let lists = |spec: Spec| Spec {
+        outer_diameter_mm: Values::List((0..10).map(|i| 8.0 + 4.0 * f64::from(i)).collect()),
+        wall_mm: Values::List(vec![1.0, 2.0, 4.0]),
+        ..spec
+    };
+    let mut narrow = lists(spec(700.0, 0.15));
+    narrow.limits.bulged_diameter_mm = Some(50.0);
+    let mut stiff = lists(spec(100.0, 0.15));
+    stiff.limits.stretch = Some(1.05);
+    let load = Demand::Load { load: Load::Mass { mass_kg: 120.0, level: false }, way: Lift::Stroke(57.0) };
+    let specs = [
+        lists(spec(1200.0, 0.2)),
+        Spec { wanted: load, ..lists(spec(1.0, 0.1)) },
+        Spec { max_pressure_mpa: 2.0, ..lists(spec(12e3, 0.1)) },
+        narrow,
+        stiff,
+    ];
+    let mut kinds = std::collections::BTreeSet::new();
+    for spec in specs {
+        let fit = |spec: &Spec| !design(spec, BUILD).unwrap().candidates.is_empty();
+        let closest = design(&spec, BUILD).unwrap().closest.unwrap();
+        assert!(!closest.relaxations.is_empty(), "{:?}", closest.rejected);
+        for change in &closest.relaxations {
+            let mut changed = spec.clone();
+            change.apply(&mut changed);
+            assert!(fit(&changed), "{change:?}");
+            let towards = |new: f64, old: f64| old + 0.98 * (new - old);
+            match change {
+                Relaxation::MaxPressure { pressure_mpa, .. } => {
+                    changed.max_pressure_mpa = towards(*pressure_mpa, spec.max_pressure_mpa);
+                }
+                Relaxation::Force { share, .. } => changed.wanted = spec.wanted.times(towards(*share, 1.0)),
+                Relaxation::MinBurstMargin { burst_margin } => {
+                    changed.limits.burst_margin = Some(towards(*burst_margin, SAFETY));
+                }
+                Relaxation::MaxStrandStrain { strand_strain } => {
+                    changed.limits.strand_strain = Some(towards(*strand_strain, VALIDATED_STRAND_STRAIN));
+                }
+                Relaxation::MaxBulgedDiameter { bulged_diameter_mm } => {
+                    changed.limits.bulged_diameter_mm = Some(towards(*bulged_diameter_mm, 50.0));
+                }
+                Relaxation::MaxStretch { max_stretch } => {
+                    changed.limits.stretch = Some(towards(*max_stretch, 1.05))
+                }
+                Relaxation::Contraction { share, .. } => {
+                    let nearer = Relaxation::Contraction { share: towards(*share, 1.0), points: vec![] };
+                    changed = spec.clone();
+                    nearer.apply(&mut changed);
+                }
+                // Of the closest muscle alone.
+                Relaxation::OuterDiameter { .. } => continue,
+                // No single one does.
+                Relaxation::Together { .. } => {
+                    assert_eq!(closest.relaxations.len(), 1);
+                    continue;
+                }
+                other => panic!("{other:?}"),
             }
-            Relaxation::Force { points } => {
-                assert!(
-                    (model.force_n(&mut Workspace::new(), 0.25, 0.2).unwrap() - points[0].force_n).abs()
-                        < 1e-9
-                );
-            }
-            Relaxation::Contraction { points } => {
-                assert!(
-                    (model.force_n(&mut Workspace::new(), 0.25, points[0].contraction).unwrap() - 1200.0)
-                        .abs()
-                        < 1e-6
-                );
-            }
-            Relaxation::OuterDiameter { outer_diameter_mm, .. } => {
-                let wider =
-                    closest.muscle.with_section(*outer_diameter_mm, closest.muscle.wall_mm()).unwrap();
-                assert!(ThickWall::new(&wider).force_n(&mut Workspace::new(), 0.25, 0.2).unwrap() >= 1200.0);
-            }
-            other => panic!("{other:?}"),
+            assert!(!fit(&changed), "{change:?}");
+            kinds.insert(format!("{change:?}").split(' ').next().unwrap().to_owned());
         }
-        kinds += 1;
     }
-    assert!(kinds >= 3, "{:?}", closest.relaxations);
-}
-
-/// Where force and bulge bind together, nothing is promised that does not hold alone.
-#[test]
-fn relaxations_of_two_limits_at_once_are_not_promised() {
-    let mut spec = spec(700.0, 0.15);
-    spec.limits.bulged_diameter_mm = Some(50.0);
-    let outcome = design(&spec, BUILD).unwrap();
-    let closest = outcome.closest.unwrap();
-    let model = ThickWall::new(&closest.muscle);
-    for relaxation in &closest.relaxations {
-        if let Relaxation::MaxPressure { pressure_mpa, .. } = relaxation {
-            let bulge = model
-                .response(&mut Workspace::new(), *pressure_mpa, 0.15)
-                .unwrap()
-                .bulged_diameter_mm
-                .unwrap();
-            assert!(bulge <= 50.0, "{bulge}");
-        }
-    }
+    assert!(kinds.len() >= 5, "{kinds:?}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::common;
 use crate::template::{list, lists, number, render};
-use crate::{Artefact, ExportError, ExportedMuscle, File, Target};
+use crate::{Artefact, ExportedMuscle, File, Result, Target};
 
 pub(super) const TARGET: Target = Target {
     name: "c",
@@ -44,7 +44,7 @@ const EXAMPLES: [Source; 4] = [
     ),
 ];
 
-fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
+fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     Ok(Artefact { files: files(muscle, &[&SOURCES[..], &EXAMPLES].concat()), notes: vec![] })
 }
 
@@ -73,8 +73,8 @@ pub(super) fn rendered(template: &str, muscle: &ExportedMuscle) -> String {
         ("wanted", number(0.3 * muscle.blocked_force_n)),
         ("count", f.contractions.len().to_string()),
         ("c_nodes", list(&f.contractions, braces, one)),
-        ("c_a", lists(&f.a, braces, ",\n     ", one)),
-        ("c_b", lists(&f.b, braces, ",\n     ", one)),
+        ("c_a", lists(&f.a, braces, one)),
+        ("c_b", lists(&f.b, braces, one)),
         ("c_v", list(&f.v, braces, one)),
         ("c_friction", list(&f.friction_n, braces, one)),
     ]);

@@ -1,4 +1,4 @@
-//! MuJoCo: a scene in MJCF with native actuators, and the form itself as a plugin around the C target, with a scene of its own.
+//! MuJoCo: a scene in MJCF with native actuators, and the form itself as a plugin around the C target, with its scene.
 //!
 //! MuJoCo has no actuator F(P, L). Two of its actuators on one tendon make one, with x = L/L0 and the pressure P as the control of both:
 //!
@@ -16,7 +16,7 @@ use super::c::{rendered, sources};
 use super::fit;
 use crate::muscle::LIMIT;
 use crate::template::{number, render};
-use crate::{Artefact, ExportError, ExportedMuscle, File, HostError, Target};
+use crate::{Artefact, ExportError, ExportedMuscle, File, HostError, Result, Target};
 
 pub(super) const TARGET: Target = Target {
     name: "mjcf",
@@ -52,15 +52,14 @@ fn stiffness_error(muscle: &ExportedMuscle, k: &[f64; 6]) -> HostError {
             let (q, x) = (p.q, 1.0 - p.contraction);
             let pulls = (k[0] + (k[1] + k[2] * x) * x) * q + k[3] + (k[4] + k[5] * x) * x > 0.0;
             let slope = (k[1] + 2.0 * k[2] * x) * q + k[4] + 2.0 * k[5] * x;
-            let of_form =
-                form.at(q * form.supply_pa, p.contraction).stiffness_n_per_m * form.length_m / blocked_n;
-            pulls.then_some((slope - of_form) * form.contraction_high)
+            let stiffness = form.at(q * form.supply_pa, p.contraction).stiffness_n_per_m;
+            pulls.then_some((slope - stiffness * form.length_m / blocked_n) * form.contraction_high)
         })
         .collect();
-    HostError::of(&errors)
+    HostError::from_errors(&errors)
 }
 
-fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
+fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     let (f, blocked_n) = (&muscle.form, muscle.blocked_force_n);
     let refused = || {
         ExportError::Host("the pull of this muscle is not of the form that MuJoCo's actuators have; the targets c and python have all of it".into())
@@ -68,18 +67,16 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     let (k, error) = fitted(muscle).filter(|(_, error)| error.worst <= LIMIT).ok_or_else(refused)?;
     let (length, per_pa) = (f.length_m, blocked_n / f.supply_pa);
     let span = 2.0 * REACH * length;
-    let of_square = (span / length).powi(2);
+    let per_square = (span / length).powi(2);
     // A parabola that opens upwards lies on the first quarter, one that opens downwards on the third, which begins at 1.
     let (gain_range, gain_ends, gain_square, offset) = if k[2] >= 0.0 {
-        ("0 1", "0 1.6", (0.5 * k[2] * per_pa * of_square).max(f64::MIN_POSITIVE), 0.0)
+        ("0 1", "0 1.6", (0.5 * k[2] * per_pa * per_square).max(f64::MIN_POSITIVE), 0.0)
     } else {
-        let square = -2.0 * k[2] * per_pa * of_square;
+        let square = -2.0 * k[2] * per_pa * per_square;
         ("1 2", "0.5 3", square, square)
     };
     let reach = format!(
-        "Pull of the actuators against the model, from the length at rest to the free contraction: {:.2} % rms, {:.2} % worst, of the blocked force.",
-        100.0 * error.rms,
-        100.0 * error.worst
+        "Pull of the actuators against the model, from the length at rest to the free contraction: {error}, of the blocked force."
     );
     let slope = stiffness_error(muscle, &k);
     let slope = format!(
@@ -97,15 +94,15 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         ("gain_square", number(gain_square)),
         ("gain_range", gain_range.into()),
         ("gain_ends", gain_ends.into()),
-        // MuJoCo asks for more than zero.
-        ("bias_square", number((2.0 * k[5] * blocked_n * of_square).max(f64::MIN_POSITIVE))),
+        // MuJoCo requires more than zero.
+        ("bias_square", number((2.0 * k[5] * blocked_n * per_square).max(f64::MIN_POSITIVE))),
         ("gain_0", number(offset - k[0] * per_pa)),
         ("gain_1", number(-k[1] * per_pa / length)),
         ("bias_0", number(-k[3] * blocked_n)),
         ("bias_1", number(-k[4] * blocked_n / length)),
     ];
     let half = number(0.5 * f.supply_pa);
-    let own = [
+    let places = [
         ("also", String::new()),
         (
             "extension",
@@ -124,7 +121,7 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         "both actuators of a muscle take the same control: its gauge pressure in Pa".into(),
     ];
     let about = "a mass that hangs from the muscle, with native actuators";
-    let mut files = vec![scene((".xml", about), muscle, &facts, &own)];
+    let mut files = vec![File::text(muscle.identifier() + ".xml", about, scene(muscle, &facts, &places))];
     files.extend(plugin(muscle));
     Ok(Artefact { files, notes })
 }
@@ -133,7 +130,7 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
 fn plugin(muscle: &ExportedMuscle) -> Vec<File> {
     let (id, supply) = (muscle.identifier(), number(muscle.form.supply_pa));
     let actuator = include_str!("../../templates/muscle_plugin.xml");
-    let own = [
+    let places = [
         ("also", " and <extension>".to_owned()),
         ("extension", format!("  <extension><plugin plugin=\"mckibben.{id}\"/></extension>")),
         ("limit", String::new()),
@@ -146,19 +143,21 @@ fn plugin(muscle: &ExportedMuscle) -> Vec<File> {
             "the plugin; its first lines have the commands to compile and load it",
             rendered(include_str!("../../templates/muscle_plugin.c"), muscle),
         ),
-        scene(("_plugin.xml", "the same mass by the plugin"), muscle, &muscle.facts(), &own),
+        File::text(
+            id + "_plugin.xml",
+            "the same mass by the plugin",
+            scene(muscle, &muscle.facts(), &places),
+        ),
     ];
     files.extend(sources(muscle));
     files
 }
 
+/// A place in a template, and its text.
+type Place = (&'static str, String);
+
 /// A scene in which a mass hangs from the muscle, with the actuators of a target.
-fn scene(
-    (ending, about): (&str, &'static str),
-    muscle: &ExportedMuscle,
-    facts: &[String],
-    own: &[(&'static str, String)],
-) -> File {
+fn scene(muscle: &ExportedMuscle, facts: &[String], places: &[Place]) -> String {
     let (length, blocked_n) = (muscle.form.length_m, muscle.blocked_force_n);
     let (mass_kg, stiffness) = (0.4 * blocked_n / 9.81, 6.0 * blocked_n / length);
     let common = [
@@ -167,6 +166,5 @@ fn scene(
         ("mass", number(mass_kg)),
         ("damping", number(0.5 * 2.0 * (stiffness * mass_kg).sqrt())),
     ];
-    let text = render(include_str!("../../templates/muscle.xml"), facts, &[&common[..], own].concat());
-    File::text(muscle.identifier() + ending, about, text)
+    render(include_str!("../../templates/muscle.xml"), facts, &[&common[..], places].concat())
 }

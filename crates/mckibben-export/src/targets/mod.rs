@@ -9,7 +9,7 @@ mod zip;
 
 use crate::fit::least_squares;
 use crate::template::number;
-use crate::{Artefact, ExportError, ExportedMuscle, HostError};
+use crate::{Artefact, ExportError, ExportedMuscle, HostError, Result};
 use nalgebra::{DMatrix, DVector};
 
 /// A target of `export`.
@@ -25,7 +25,7 @@ pub struct Target {
     /// What of the muscle it loses.
     pub loses: &'static str,
     #[serde(skip)]
-    make: fn(&ExportedMuscle) -> Result<Artefact, ExportError>,
+    make: fn(&ExportedMuscle) -> Result<Artefact>,
 }
 
 impl Target {
@@ -38,15 +38,15 @@ impl Target {
     }
 
     /// The target of this name.
-    pub fn named(name: &str) -> Result<Self, ExportError> {
-        let found = Self::ALL.into_iter().find(|t| t.name == name.trim());
-        found.ok_or_else(|| ExportError::Target(name.to_owned()))
+    pub fn named(name: &str) -> Result<Self> {
+        let target = Self::ALL.into_iter().find(|t| t.name == name.trim());
+        target.ok_or_else(|| ExportError::Target(name.to_owned()))
     }
 }
 
 impl ExportedMuscle {
     /// The files for a target.
-    pub fn to(&self, target: Target) -> Result<Artefact, ExportError> {
+    pub fn to(&self, target: Target) -> Result<Artefact> {
         (target.make)(self)
     }
 }
@@ -84,8 +84,8 @@ pub(super) fn fit<const N: usize>(
         let matrix =
             DMatrix::from_fn(pulling.len(), N, |r, c| weight[r] * row(pulling[r].0, pulling[r].1)[c]);
         let values = DVector::from_iterator(pulling.len(), pulling.iter().zip(&weight).map(|(p, w)| w * p.2));
-        let found = least_squares(matrix, &values)?;
-        let k: [f64; N] = std::array::from_fn(|i| found[i]);
+        let solution = least_squares(matrix, &values)?;
+        let k: [f64; N] = std::array::from_fn(|i| solution[i]);
         let at = |q: f64, x: f64| row(q, x).iter().zip(&k).map(|(a, b)| a * b).sum::<f64>();
         let errors: Vec<f64> = if slack {
             let all = muscle.held_out.iter().filter(|p| p.contraction >= 0.0);
@@ -93,7 +93,7 @@ pub(super) fn fit<const N: usize>(
         } else {
             pulling.iter().map(|p| at(p.0, p.1) - p.2).collect()
         };
-        let error = HostError::of(&errors);
+        let error = HostError::from_errors(&errors);
         if best.is_none_or(|(_, b)| error.worst < b.worst) {
             best = Some((k, error));
         }

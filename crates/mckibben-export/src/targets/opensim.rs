@@ -10,7 +10,7 @@
 use super::fit;
 use crate::muscle::LIMIT;
 use crate::template::{number, render};
-use crate::{Artefact, ExportError, ExportedMuscle, File, Target};
+use crate::{Artefact, ExportError, ExportedMuscle, File, Result, Target};
 use std::f64::consts::PI;
 
 pub(super) const TARGET: Target = Target {
@@ -21,7 +21,7 @@ pub(super) const TARGET: Target = Target {
     make,
 };
 
-fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
+fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     let (form, blocked_n) = (&muscle.form, muscle.blocked_force_n);
     let refused = || {
         ExportError::Host("the pull of this muscle is not of the form that OpenSim's actuator has; the targets c and python have all of it".into())
@@ -40,17 +40,12 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     let slack =
         muscle.held_out.iter().filter(|p| p.contraction >= 0.0 && p.pull.is_none_or(|pull| pull <= 0.0));
     let pushed = slack.map(|p| -at(p.q, 1.0 - p.contraction)).fold(0.0, f64::max);
-    let percent = |share: f64| format!("{:.2} %", 100.0 * share);
     let reach = format!(
-        "Pull of both forces against the model, from the length at rest to the free contraction: {} rms, {} worst, of the blocked force; of the McKibbenActuator alone, at its best: {} rms, {} worst.",
-        percent(error.rms),
-        percent(error.worst),
-        percent(alone.rms),
-        percent(alone.worst)
+        "Pull of both forces against the model, from the length at rest to the free contraction: {error}, of the blocked force; of the McKibbenActuator alone, at its best: {alone}."
     );
     let push = format!(
-        "Where the muscle is slack both forces can push, there by up to {} of the blocked force.",
-        percent(pushed)
+        "Where the muscle is slack both forces can push, there by up to {:.2} % of the blocked force.",
+        100.0 * pushed
     );
     let mut facts = muscle.facts();
     facts.extend([reach.clone(), push.clone()]);

@@ -2,7 +2,7 @@
 
 use super::common;
 use crate::template::{list, lists, number, render};
-use crate::{Artefact, ExportError, ExportedMuscle, File, Target};
+use crate::{Artefact, ExportedMuscle, File, Result, Target};
 
 pub(super) const TARGET: Target = Target {
     name: "python",
@@ -12,13 +12,13 @@ pub(super) const TARGET: Target = Target {
     make,
 };
 
-fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
+fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     let (f, round) = (&muscle.form, ["(", ")"]);
     let mut values = common(muscle);
     values.extend([
         ("py_nodes", list(&f.contractions, round, number)),
-        ("py_a", lists(&f.a, round, ",\n     ", number)),
-        ("py_b", lists(&f.b, round, ",\n     ", number)),
+        ("py_a", lists(&f.a, round, number)),
+        ("py_b", lists(&f.b, round, number)),
         ("py_v", list(&f.v, round, number)),
         ("py_friction", list(&f.friction_n, round, number)),
     ]);

@@ -71,10 +71,10 @@ fn every_file_names_muscle_version_hash_and_error() {
         assert!(!made.files.is_empty());
         for file in made.files {
             let text = text_of(file.content.bytes());
-            let own = [&PROTOTYPE.hash, "prototype", "exported by mckibben", "% worst", "+-"];
-            let own = if is_shared(&file.name) { &[][..] } else { &own };
+            let facts = [&PROTOTYPE.hash, "prototype", "exported by mckibben", "% worst", "+-"];
+            let facts = if is_shared(&file.name) { &[][..] } else { &facts };
             assert!(text.contains(env!("CARGO_PKG_VERSION")));
-            for word in own {
+            for word in facts {
                 assert!(text.contains(word), "{target:?} {}: {word}", file.name);
             }
             assert!(is_shared(&file.name) || file.name.starts_with("muscle_prototype"), "{}", file.name);
@@ -105,8 +105,8 @@ fn libraries_of_the_fmu_have_the_hashes_recorded_with_those_of_their_sources() {
     for line in std::fs::read_to_string(folder.join("binaries/hashes.txt")).unwrap().lines() {
         let (recorded, name) = line.split_once("  ").unwrap();
         let digest = Sha256::digest(std::fs::read(folder.join(name)).unwrap());
-        let found: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
-        assert_eq!(found, recorded, "{name}: run checks/fmu-binaries.sh");
+        let hash: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+        assert_eq!(hash, recorded, "{name}: run checks/fmu-binaries.sh");
         names.push(name.to_owned());
     }
     let templates =
@@ -286,7 +286,7 @@ fn python_with_numpy_is_the_form_to_1e_12() {
     }
 }
 
-/// An identity: at the pressure of a branch, by C and Python where they run here, the pull with the friction is the one that was asked for; a pull
+/// An identity: at the pressure of a branch, by C and Python where they run here, the pull with the friction is the given one; a pull
 /// that the supply does not give on the branch of shortening has none.
 #[test]
 fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
@@ -297,7 +297,7 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
     for target in ["c", "python"] {
         write(&muscle, target, folder.path());
     }
-    let (mut main, mut script, mut asked) = (String::new(), String::new(), vec![]);
+    let (mut main, mut script, mut given) = (String::new(), String::new(), vec![]);
     for sign in [-1, 0, 1] {
         for (force, e) in [(100.0, 0.0), (400.0, 0.05), (150.0, 0.15)] {
             let length = (1.0 - e) * form.length_m;
@@ -306,7 +306,7 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
                 "p = mckibben_pressure_on(&muscle_prototype, {force:e}, {length:e}, {sign}, &s); printf(\"%.17g %u\\n\", p, s);"
             );
             let _ = writeln!(script, "print(repr(float(m.pressure_on({force:e}, {length:e}, {sign}))))");
-            asked.push((force, e, f64::from(sign)));
+            given.push((force, e, f64::from(sign)));
         }
     }
     let gives = |pressure: &str, (force_n, e, sign): (f64, f64, f64)| {
@@ -324,10 +324,10 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
         );
         std::fs::write(folder.path().join("main.c"), main).unwrap();
         let text = compiled_and_run(folder.path(), &["-O1", "main.c", "mckibben.c", "-lm"]);
-        assert_eq!(text.lines().count(), asked.len());
-        for (line, asked) in text.lines().zip(&asked) {
-            let pressure = line.strip_suffix(" 0").unwrap_or_else(|| panic!("{line}: {asked:?}"));
-            gives(pressure, *asked);
+        assert_eq!(text.lines().count(), given.len());
+        for (line, given) in text.lines().zip(&given) {
+            let pressure = line.strip_suffix(" 0").unwrap_or_else(|| panic!("{line}: {given:?}"));
+            gives(pressure, *given);
         }
     }
     let script = format!(
@@ -339,8 +339,8 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
         let out = Command::new("python3").args(["-c", &script]).current_dir(folder.path()).output().unwrap();
         assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
         let text = String::from_utf8(out.stdout).unwrap();
-        assert_eq!(text.lines().count(), asked.len());
-        text.lines().zip(asked).for_each(|(line, asked)| gives(line, asked));
+        assert_eq!(text.lines().count(), given.len());
+        text.lines().zip(given).for_each(|(line, given)| gives(line, given));
     }
 }
 
@@ -381,7 +381,7 @@ int main(void) {
 "#;
     std::fs::write(folder.path().join("main.c"), main).unwrap();
     let text = compiled_and_run(folder.path(), &["-O1", "main.c", "mckibben.c", "-lm"]);
-    let found: Vec<(f64, u32)> = text
+    let answers: Vec<(f64, u32)> = text
         .lines()
         .map(|line| line.split_once(' ').unwrap())
         .map(|(value, status)| (value.parse().unwrap(), status.parse().unwrap()))
@@ -397,19 +397,26 @@ int main(void) {
         .chain([(f64::NAN, 0), (0.0, 8), (0.0, 8), (supply, 8), (low, 8), (low, 8), (free, 8)])
         .enumerate()
     {
-        assert!(found[k].1 == status && (value.is_nan() || near(found[k].0, value)), "{k}: {:?}", found[k]);
+        assert!(
+            answers[k].1 == status && (value.is_nan() || near(answers[k].0, value)),
+            "{k}: {:?}",
+            answers[k]
+        );
     }
     assert!(
-        in_box(found[5].0, 0.0, supply) && found[12] == (form.contraction(200.0, supply), 2),
-        "{found:?}"
+        in_box(answers[5].0, 0.0, supply) && answers[12] == (form.contraction(200.0, supply), 2),
+        "{answers:?}"
     );
-    assert!(in_box(found[13].0, 0.0, form.contraction_high) && found[13].1 == 0, "{found:?}");
+    assert!(in_box(answers[13].0, 0.0, form.contraction_high) && answers[13].1 == 0, "{answers:?}");
     assert!(
-        found[14].0.is_nan() && found[14].1 == 2 && near(found[15].0, pull.volume_m3) && found[15].1 == 2,
-        "{found:?}"
+        answers[14].0.is_nan()
+            && answers[14].1 == 2
+            && near(answers[15].0, pull.volume_m3)
+            && answers[15].1 == 2,
+        "{answers:?}"
     );
-    assert!(found[16].1 & 4 == 4 && found[17].1 & 2 == 2, "{found:?}");
-    assert_eq!(found[18], (0.0, 1));
+    assert!(answers[16].1 & 4 == 4 && answers[17].1 & 2 == 2, "{answers:?}");
+    assert_eq!(answers[18], (0.0, 1));
 }
 
 /// The same by Python; and derivatives by JAX, where it runs here, by differences of what they are the derivatives of.
@@ -457,7 +464,7 @@ assert abs(jax.grad(m.contraction)(200., 1.5e5) + 4.888e-4) < 1e-5 and abs(jax.g
     }
 }
 
-/// Names that would be code in each of the languages: every file is read by its own, and none of them is there.
+/// Names that would be code in each of the languages: every file is read by its language, and none of them is there.
 #[test]
 fn names_are_code_in_no_language() {
     const NAME: &str =

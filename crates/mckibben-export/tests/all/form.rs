@@ -196,7 +196,7 @@ fn random(index: u64, law: impl Fn(&mut Random) -> Law) -> (Muscle, f64) {
     let outer_mm = r.log(8.0, 60.0);
     let wall_mm = outer_mm * r.between(0.03, 0.11);
     let angle_deg = r.between(18.0, 34.0);
-    let rubber = Rubber::of(law(&mut r));
+    let rubber = Rubber::new(law(&mut r));
     let stiffness = BraidStiffness::NewtonPerMm(outer_mm * r.log(8.0, 60.0));
     let tube = Tube::new(outer_mm, wall_mm, outer_mm * r.between(5.0, 15.0), rubber);
     let braid = Braid { angle_deg, stiffness, ..Braid::paper() };

@@ -8,7 +8,7 @@ mod refused;
 
 use mckibben::model::ForceModel;
 use mckibben::muscle::Muscle;
-use mckibben_export::{ExportError, ExportedMuscle, Wanted};
+use mckibben_export::{BoxRequest, ExportError, ExportedMuscle};
 use mckibben_fem::axisymmetric::MeshSpec;
 use mckibben_fem::elements::section;
 
@@ -20,6 +20,6 @@ pub fn fe(muscle: &Muscle) -> Box<dyn ForceModel> {
 /// A muscle by finite elements, exported over the box that is usual.
 pub fn exported(muscle: &Muscle, supply_mpa: f64) -> Result<ExportedMuscle, ExportError> {
     let model = fe(muscle);
-    let wanted = Wanted { supply_mpa, contraction_low: None, contraction_high: None };
+    let wanted = BoxRequest { supply_mpa, contraction_low: None, contraction_high: None };
     ExportedMuscle::fit(&*model, "prototype", wanted)
 }

@@ -2,7 +2,7 @@
 
 use mckibben::model::{ForceModel, Ideal, ModelError, ModelInfo, Response, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben_export::{ExportError, ExportedMuscle, Wanted};
+use mckibben_export::{BoxRequest, ExportError, ExportedMuscle};
 
 /// The ideal muscle with its answers changed.
 struct Changed(Ideal, fn(&mut Response));
@@ -20,12 +20,12 @@ impl ForceModel for Changed {
 }
 
 /// Why the changed muscle is refused.
-fn refused(change: fn(&mut Response), wanted: Wanted) -> ExportError {
+fn refused(change: fn(&mut Response), wanted: BoxRequest) -> ExportError {
     let model = Changed(Ideal::new(&Muscle::prototype()), change);
     ExportedMuscle::fit(&model, "changed", wanted).unwrap_err()
 }
 
-const WANTED: Wanted = Wanted { supply_mpa: 0.25, contraction_low: None, contraction_high: None };
+const WANTED: BoxRequest = BoxRequest { supply_mpa: 0.25, contraction_low: None, contraction_high: None };
 
 #[test]
 fn a_pull_that_the_form_misses() {
@@ -53,8 +53,10 @@ fn a_box_that_is_none() {
     for (contraction_low, contraction_high) in
         [(0.1, None), (-0.3, None), (0.0, Some(-0.1)), (0.0, Some(0.6))]
     {
-        let error =
-            refused(|_| (), Wanted { contraction_low: Some(contraction_low), contraction_high, ..WANTED });
+        let error = refused(
+            |_| (),
+            BoxRequest { contraction_low: Some(contraction_low), contraction_high, ..WANTED },
+        );
         assert!(matches!(error, ExportError::Box { .. }), "{error}");
         assert!(error.to_string().contains("the lower end lies at or below zero"), "{error}");
     }

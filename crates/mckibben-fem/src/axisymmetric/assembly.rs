@@ -9,7 +9,7 @@ use crate::element::strand::STRAND_POINTS;
 use crate::load::cavity::volume;
 use crate::solver::body::{State, Totals};
 use crate::solver::chain::Chain;
-use crate::solver::newton::Stopped;
+use crate::solver::newton::{Result, Stopped};
 
 /// Below this strain a strand that carries no compression is slack. At rest a strand counts as taut.
 const SLACK: f64 = -1e-9;
@@ -49,11 +49,7 @@ impl Assembled {
 ///
 /// # Errors
 /// [`Stopped`] where an element is turned inside out, a stress is not finite or the tangent is singular.
-pub fn assemble<const TANGENT: bool>(
-    d: &Discretisation,
-    s: &State,
-    w: &mut Assembled,
-) -> Result<Totals, Stopped> {
+pub fn assemble<const TANGENT: bool>(d: &Discretisation, s: &State, w: &mut Assembled) -> Result<Totals> {
     let totals = Totals { smallest_j: f64::INFINITY, ..Totals::default() };
     let mut work = Assembly { d, s, w, totals };
     law::with(&d.problem.law, |law| work.sum::<TANGENT>(law.plane))?;
@@ -69,7 +65,7 @@ struct Assembly<'a> {
 }
 
 impl Assembly<'_> {
-    fn sum<const TANGENT: bool>(&mut self, law: &dyn AnyPlaneLaw) -> Result<(), Stopped> {
+    fn sum<const TANGENT: bool>(&mut self, law: &dyn AnyPlaneLaw) -> Result<()> {
         let d = self.d;
         self.w.residual.fill(0.0);
         self.w.volume.fill(0.0);
@@ -100,7 +96,7 @@ impl Assembly<'_> {
     }
 
     /// Largest residual of what is complete after slab `slab`, forces as a `share` of one N.
-    fn measure(&mut self, slab: usize, share: f64) -> Result<(), Stopped> {
+    fn measure(&mut self, slab: usize, share: f64) -> Result<()> {
         let (d, l, r) = (self.d, self.d.layout, &self.w.residual);
         let (m, start) = (l.station(), slab * l.stride());
         // A sum so that numbers which are none show.
@@ -134,12 +130,7 @@ impl Assembly<'_> {
     }
 
     #[inline(always)]
-    fn solid<const TANGENT: bool>(
-        &mut self,
-        law: &dyn AnyPlaneLaw,
-        slab: usize,
-        i: usize,
-    ) -> Result<(), Stopped> {
+    fn solid<const TANGENT: bool>(&mut self, law: &dyn AnyPlaneLaw, slab: usize, i: usize) -> Result<()> {
         let Self { d, s, ref mut w, ref mut totals } = *self;
         let at = Places::new(d, slab, 2 * i);
         let pressure = d.layout.pressure(slab, i);

@@ -1,6 +1,6 @@
 //! Equilibrium of a body at given pressure and length, at given pressure and pull, or at given length and pull.
 //!
-//! All unknowns but those of the last station are condensed along the chain; what is left is the terminal's own
+//! All unknowns but those of the last station are condensed along the chain; what remains is the terminal's
 //! displacement w with
 //!
 //!   F(w + dw) = S dw − b,
@@ -12,12 +12,12 @@
 use super::assembly::{Assembled, assemble};
 use super::discretisation::{Discretisation, Ends};
 use super::neighbour::Neighbours;
-use crate::FemError;
 use crate::element::q2::{MODES, NODES};
 use crate::element::strand::STRAND_POINTS;
 use crate::solver::body::{Control, State, Totals};
 use crate::solver::dense;
 use crate::solver::newton::{NewtonSystem, Stopped};
+use crate::{FemError, Result};
 use mckibben::model::ThickWall;
 use mckibben::muscle::Crimp;
 use std::sync::Arc;
@@ -143,12 +143,6 @@ impl Body {
         Self { endless: Some(endless), ..Self::new(discretisation) }
     }
 
-    /// Residual of the present state, without a tangent.
-    pub fn evaluate(&mut self) -> Result<Totals, Stopped> {
-        self.totals = assemble::<false>(&self.discretisation, &self.state, &mut self.assembled)?;
-        Ok(self.totals)
-    }
-
     /// Residual and factorised tangent of the present state.
     pub fn factorise(&mut self) -> Result<Totals, Stopped> {
         self.linearised = false;
@@ -160,7 +154,7 @@ impl Body {
     }
 
     /// The same of an equilibrium; nothing is done where the last tangent is that of the present state.
-    pub(super) fn tangent(&mut self) -> Result<(), FemError> {
+    pub(super) fn tangent(&mut self) -> Result<()> {
         if !self.linearised {
             self.factorise().map_err(|reason| FemError::at_force(self.totals.pull, reason))?;
         }
@@ -280,7 +274,7 @@ impl Body {
 
 impl NewtonSystem for Body {
     fn residual(&mut self) -> Result<f64, Stopped> {
-        self.evaluate()?;
+        self.totals = assemble::<false>(&self.discretisation, &self.state, &mut self.assembled)?;
         Ok(self.norm())
     }
 

@@ -1,4 +1,4 @@
-//! What the rubber of a muscle has seen: the largest energy of every integration point, from the muscle's own equilibria.
+//! What the rubber of a muscle has seen: the largest energy of every integration point, from equilibria of the muscle.
 //!
 //! A muscle that was cycled at a pressure between rest length and free contraction has W_m = max(W0 at rest length, W0 at free
 //! contraction) of its first inflation, point by point. Where one of the two states has the larger energy everywhere, the conditioned muscle
@@ -7,13 +7,13 @@
 use super::body::Body;
 use super::discretisation::{Discretisation, Memory};
 use super::results::elements;
-use crate::FemError;
 use crate::element::law;
 use crate::element::plane::AnyPlaneLaw;
 use crate::element::q2::{Geometry, POINTS};
 use crate::element::solid::gradient;
 use crate::solver::body::State;
 use crate::solver::continuation::Continuation;
+use crate::{FemError, Result};
 use mckibben::model::ThickWall;
 use mckibben::muscle::Muscle;
 use mckibben::rubber::over_time::OgdenRoxburgh;
@@ -29,11 +29,7 @@ impl Memory {
     ///
     /// # Errors
     /// [`FemError::Refused`] where the muscle has no such equilibria.
-    pub fn of(
-        muscle: &Muscle,
-        d: &Discretisation,
-        endless: &Arc<ThickWall>,
-    ) -> Result<Option<Self>, FemError> {
+    pub fn cycled(muscle: &Muscle, d: &Discretisation, endless: &Arc<ThickWall>) -> Result<Option<Self>> {
         let Some((softening, pressure_mpa)) = muscle.rubber().conditioned() else { return Ok(None) };
         let failed = |error| match error {
             FemError::Cancelled(_) => error,
@@ -44,14 +40,14 @@ impl Memory {
         let mut memory = Self::new(softening, d);
         let mut c = Continuation::new(Body::of_muscle(Arc::new(d.clone()), endless.clone()));
         c.reach(pressure_mpa, 0.0).map_err(failed)?;
-        memory.see(d, &c.body.state);
+        memory.record(d, &c.body.state);
         c.reach_force(0.0, pressure_mpa).map_err(failed)?;
-        memory.see(d, &c.body.state);
+        memory.record(d, &c.body.state);
         Ok(Some(memory))
     }
 
-    /// Takes in what a state of the body shows.
-    pub fn see(&mut self, d: &Discretisation, state: &State) {
+    /// Records the energies of a state of the body.
+    pub fn record(&mut self, d: &Discretisation, state: &State) {
         let here = law::with(&d.problem.law, |law| energies(law.plane, d, state));
         for (seen, here) in self.seen_mpa.iter_mut().flatten().zip(here.iter().flatten()) {
             *seen = seen.max(*here);
@@ -61,8 +57,8 @@ impl Memory {
 
 /// W0 of every integration point.
 fn energies(law: &dyn AnyPlaneLaw, d: &Discretisation, state: &State) -> Vec<[f64; POINTS]> {
-    let of = |(geometry, (_, u)): (&Geometry, (_, _))| {
+    let one = |(geometry, (_, u)): (&Geometry, (_, _))| {
         std::array::from_fn(|k| law.stress_at(&gradient(&geometry.points[k], &u), 0.0).w)
     };
-    d.elements.iter().zip(elements(d, state)).map(of).collect()
+    d.elements.iter().zip(elements(d, state)).map(one).collect()
 }

@@ -16,10 +16,9 @@
 //! \[davis2006\]; strands are tied to the tube, so that nothing slides on it. Where they are slack pc vanishes, and the friction with it.
 
 use super::Axisymmetric;
-use super::body::Body;
 use super::discretisation::Discretisation;
 use super::results::strand;
-use crate::FemError;
+use crate::Result;
 use crate::element::q2::{GAUSS2, along};
 use crate::simulation::Given;
 use mckibben::model::Workspace;
@@ -37,7 +36,7 @@ pub struct ContactPlace {
     pub pressure_mpa: f64,
     /// dθ/dL in rad per mm of the muscle's length, at constant pressure.
     pub turning_rad_per_mm: f64,
-    /// Surface under the strands now that this place stands for, of the half muscle, in mm².
+    /// Surface under the strands now that belongs to this place, of the half muscle, in mm².
     pub area_mm2: f64,
 }
 
@@ -52,32 +51,23 @@ pub struct Contact {
 
 impl Axisymmetric {
     /// The contact of the strands at a pressure in MPa and a contraction.
-    pub fn contact(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Contact, FemError> {
+    pub fn contact(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Contact> {
         let c = self.led_to(workspace, Given::at(pressure_mpa, contraction))?;
-        c.body.tangent()?;
-        Ok(of(&mut c.body))
+        let body = &mut c.body;
+        body.tangent()?;
+        // What every unknown does as the terminal, and so half of the length, moves by 1 mm.
+        let mut by = vec![0.0; body.state.u.len()];
+        body.solve_linear(&mut by, 1.0);
+        let d = &body.discretisation;
+        let mut places: Vec<ContactPlace> = (0..d.strands.len())
+            .flat_map(|slab| (0..GAUSS2.len()).map(move |g| (slab, g)))
+            .map(|at| place(d, &body.state.u, &by, at))
+            .collect();
+        places.sort_by(|a, b| a.rest_mm.total_cmp(&b.rest_mm));
+        // Both halves turn alike.
+        let work = |p: &ContactPlace| 2.0 * p.pressure_mpa * p.turning_rad_per_mm.abs() * p.area_mm2;
+        Ok(Contact { pivoting_n_per_mm: 2.0 / 3.0 * places.iter().map(work).sum::<f64>(), places })
     }
-}
-
-/// The contact at the body's equilibrium, whose tangent must stand factorised.
-pub(super) fn of(body: &mut Body) -> Contact {
-    // What every unknown does as the terminal, and so half of the length, moves by 1 mm.
-    let mut by = vec![0.0; body.state.u.len()];
-    body.solve_linear(&mut by, 1.0);
-    let d = &body.discretisation;
-    let mut places: Vec<ContactPlace> = (0..d.strands.len())
-        .flat_map(|slab| (0..GAUSS2.len()).map(move |g| (slab, g)))
-        .map(|at| place(d, &body.state.u, &by, at))
-        .collect();
-    places.sort_by(|a, b| a.rest_mm.total_cmp(&b.rest_mm));
-    // Both halves turn alike.
-    let work = |p: &ContactPlace| 2.0 * p.pressure_mpa * p.turning_rad_per_mm.abs() * p.area_mm2;
-    Contact { pivoting_n_per_mm: 2.0 / 3.0 * places.iter().map(work).sum::<f64>(), places }
 }
 
 fn place(d: &Discretisation, u: &[f64], by: &[f64], (slab, g): (usize, usize)) -> ContactPlace {

@@ -3,11 +3,11 @@
 use super::body::Body;
 use super::layout::Layout;
 use super::mesh::Mesh;
-use crate::FemError;
 use crate::element::q2::{Geometry, NODES, POINTS, Point, point};
 use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
 use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
+use crate::{FemError, Result};
 use mckibben::muscle::{Bulk, Crimp, Muscle, Parts, StrandLay};
 use mckibben::rubber::over_time::OgdenRoxburgh;
 use mckibben::rubber::{Law, RubberLaw};
@@ -61,12 +61,12 @@ pub struct Problem {
 
 impl Problem {
     /// Rubber and braid of a muscle between bonded terminals.
-    pub fn of(muscle: &Muscle) -> Self {
-        Self::of_parts(muscle.parts())
+    pub fn from_muscle(muscle: &Muscle) -> Self {
+        Self::from_parts(muscle.parts())
     }
 
     /// The same of its parts.
-    pub fn of_parts(parts: &Parts) -> Self {
+    pub fn from_parts(parts: &Parts) -> Self {
         let Parts { tube, braid, .. } = parts;
         let rubber = tube.rubber_at_temperature();
         let braid = BraidSpec {
@@ -98,7 +98,7 @@ pub struct Memory {
 /// A body divided into elements.
 #[derive(Debug, Clone)]
 pub struct Discretisation {
-    /// Where unknowns stand.
+    /// Places of the unknowns.
     pub layout: Layout,
     /// The nodes at rest: where the tube has them on its plugs.
     pub mesh: Mesh,
@@ -137,7 +137,7 @@ impl Discretisation {
     ///
     /// # Errors
     /// [`FemError::Refused`] where an element is turned inside out.
-    pub fn new(cylinder: Mesh, problem: Problem) -> Result<Self, FemError> {
+    pub fn new(cylinder: Mesh, problem: Problem) -> Result<Self> {
         let mesh = match problem.braid {
             Some(_) if problem.plug_mm2 != 0.0 => on_plugs(&cylinder, &problem)?,
             _ => cylinder.clone(),
@@ -152,7 +152,7 @@ impl Discretisation {
             geometry.points = geometry.points.map(|p| p.prestretched(problem.prestretch));
             Ok(geometry)
         };
-        let elements = (0..mesh.through * mesh.along).map(element).collect::<Result<_, FemError>>()?;
+        let elements = (0..mesh.through * mesh.along).map(element).collect::<Result<_>>()?;
         let outer = 2 * mesh.through;
         let strands = problem.braid.map_or(vec![], |braid| {
             let radius = cylinder.node(outer, 0)[0];
@@ -207,8 +207,8 @@ impl Discretisation {
 }
 
 /// The tube on plugs that are not as wide as its bore, in equilibrium without a braid and as long as before. The wall on a plug keeps its section,
-/// r² = R² + rp² − Ri². What draws the tube back from its plugs is left out: the muscle begins without stress in this shape.
-fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh, FemError> {
+/// r² = R² + rp² − Ri². What draws the tube back from its plugs is omitted: the muscle begins without stress in this shape.
+fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh> {
     let tube = Problem { braid: None, prestretch: 1.0, ..problem.clone() };
     let mut path = Continuation::new(Body::new(Discretisation::new(cylinder.clone(), tube)?));
     let (half, layer) = (path.body.discretisation.half_length(), LAYER * path.body.discretisation.radius);

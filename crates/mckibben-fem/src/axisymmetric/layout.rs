@@ -1,4 +1,4 @@
-//! Where unknowns stand.
+//! Places of the unknowns.
 
 use crate::element::q2::{MODES, NODES};
 use crate::element::solid::Unknowns;

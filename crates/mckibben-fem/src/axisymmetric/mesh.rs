@@ -1,7 +1,7 @@
 //! Meshes of the section (R, Z) of a tube.
 
 use super::layout::Layout;
-use crate::FemError;
+use crate::{FemError, Result};
 
 /// How a tube is divided; what is `None` the program chooses.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -37,8 +37,8 @@ impl MeshSpec {
         Some(Self { through, along: Some(along), grading })
     }
 
-    /// Fills in what is not said, for a tube of outer radius, wall and half length in mm.
-    pub fn resolve(&self, outer: f64, wall: f64, half: f64) -> Result<(usize, usize, f64), FemError> {
+    /// Fills in what is not given, for a tube of outer radius, wall and half length in mm.
+    pub fn resolve(&self, outer: f64, wall: f64, half: f64) -> Result<(usize, usize, f64)> {
         let chosen = default_mesh(outer, wall, half);
         let through = self.through.unwrap_or(chosen.0);
         let along = self.along.unwrap_or(chosen.1);
@@ -88,7 +88,7 @@ impl Mesh {
         Self { through, along, nodes: (0..=2 * along).flat_map(station).map(|(i, j)| at(i, j)).collect() }
     }
 
-    /// A tube between radii `inner` and `outer`, of half length `half` in mm; middle nodes stand in the middle of their
+    /// A tube between radii `inner` and `outer`, of half length `half` in mm; middle nodes are in the middle of their
     /// elements.
     pub fn tube(inner: f64, outer: f64, half: f64, division: (usize, usize, f64)) -> Self {
         let (through, along, grading) = division;
@@ -101,7 +101,7 @@ impl Mesh {
         })
     }
 
-    /// Where its unknowns stand.
+    /// Places of its unknowns.
     pub fn layout(&self, multipliers: bool) -> Layout {
         Layout { through: self.through, along: self.along, multipliers }
     }

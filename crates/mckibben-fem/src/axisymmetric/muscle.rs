@@ -3,7 +3,7 @@
 
 use super::body::Body;
 use super::guess::{self, Outline};
-use crate::FemError;
+use crate::Result;
 use crate::element::strand::STRAND_POINTS;
 use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::continuation::TAUT;
@@ -121,7 +121,7 @@ impl body::Body for Body {
     }
 
     /// Between the contraction −0.05 and above the ideal maximum, by bisection of the infinitely long muscle's pull.
-    fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64, FemError> {
+    fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64> {
         let Some(endless) = &self.endless else { return Ok(0.0) };
         let pull = |e: f64| endless.force_n(&mut Workspace::new(), pressure, e).ok();
         let end = 1.2 * endless.muscle().max_ideal_contraction();
@@ -140,7 +140,7 @@ impl body::Body for Body {
         Ok(0.85 * low)
     }
 
-    fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64, FemError> {
+    fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64> {
         let ideal =
             self.endless.as_ref().map_or(1.0, |e| Ideal::new(e.muscle()).pull(1.0, contraction).max(1.0));
         let start = body::Body::pulling_pressure(self, contraction).unwrap_or(0.0) + force.max(0.0) / ideal;

@@ -2,7 +2,7 @@
 
 use super::discretisation::{Discretisation, Problem};
 use super::mesh::Mesh;
-use crate::FemError;
+use crate::Result;
 use mckibben::differences::STENCIL;
 use mckibben::muscle::Parts;
 use std::collections::BTreeMap;
@@ -22,12 +22,12 @@ pub(super) struct Neighbours(BTreeMap<String, Arc<[Neighbour; STENCIL.len()]>>);
 
 impl Neighbours {
     /// Those of a number, in the order of [`STENCIL`]; `make`: the muscle's parts so many steps away.
-    pub fn of(
+    pub fn differing_in(
         &mut self,
         name: &str,
         (d, here): (&Discretisation, &Parts),
         make: impl Fn(f64) -> Parts,
-    ) -> Result<Arc<[Neighbour; STENCIL.len()]>, FemError> {
+    ) -> Result<Arc<[Neighbour; STENCIL.len()]>> {
         if let Some(known) = self.0.get(name) {
             return Ok(Arc::clone(known));
         }
@@ -39,7 +39,7 @@ impl Neighbours {
 }
 
 /// The body with other measures; the mesh keeps its proportions.
-fn rebuilt(d: &Discretisation, from: &Parts, to: &Parts) -> Result<Neighbour, FemError> {
+fn rebuilt(d: &Discretisation, from: &Parts, to: &Parts) -> Result<Neighbour> {
     let mut mesh: Mesh = d.cylinder.clone();
     let (outer, stretch) = (to.tube.outer_radius_mm(), to.tube.length_mm / from.tube.length_mm);
     let inner = outer - to.tube.wall_mm;
@@ -47,7 +47,7 @@ fn rebuilt(d: &Discretisation, from: &Parts, to: &Parts) -> Result<Neighbour, Fe
         let share = (node[0] - from.tube.inner_radius_mm()) / from.tube.wall_mm;
         *node = [inner + share * (outer - inner), node[1] * stretch];
     }
-    let problem = Problem { ends: d.problem.ends, ..Problem::of_parts(to) };
+    let problem = Problem { ends: d.problem.ends, ..Problem::from_parts(to) };
     let mut out = Discretisation::new(mesh, problem)?;
     // The scale of the multipliers' equations must not change with the law.
     (out.augment, out.augment_strand) = (d.augment, d.augment_strand);

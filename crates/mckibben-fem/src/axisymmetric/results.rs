@@ -2,8 +2,8 @@
 
 use super::body::Body;
 use super::discretisation::{Discretisation, nodes};
-use super::sensitivity;
-use crate::FemError;
+use super::sensitivity::slopes;
+use crate::Result;
 use crate::element::q2::{NODES, Point};
 use crate::element::solid::{Unknowns, gradient};
 use crate::element::strand::{STRAND_POINTS, Stretch};
@@ -14,7 +14,7 @@ use crate::solver::body::State;
 use mckibben::muscle::Muscle;
 
 impl MuscleBody for Body {
-    fn derivatives(&mut self) -> Result<[f64; 3], FemError> {
+    fn derivatives(&mut self) -> Result<[f64; 3]> {
         self.tangent()?;
         let (half_volume_per_pressure, force_per_pressure) = self.by_pressure();
         Ok([self.end.stiffness(), force_per_pressure, 2.0 * half_volume_per_pressure])
@@ -68,15 +68,15 @@ impl MuscleBody for Body {
 
     fn middle_stretch(&self) -> f64 {
         let d = &self.discretisation;
-        let of = |(rest, u): &([[f64; 2]; NODES], Unknowns), xi: f64| {
+        let largest_at = |(rest, u): &([[f64; 2]; NODES], Unknowns), xi: f64| {
             d.point(rest, xi, -1.0).map(|p| largest(&p, u))
         };
         let first = elements(d, &self.state).take(d.layout.through);
-        first.flat_map(|e| [of(&e, -1.0), of(&e, 1.0)]).flatten().fold(1.0, f64::max)
+        first.flat_map(|e| [largest_at(&e, -1.0), largest_at(&e, 1.0)]).flatten().fold(1.0, f64::max)
     }
 
-    fn sensitivities(&mut self, muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
-        if self.discretisation.has_slopes() { sensitivity::of(self, muscle, |_| true) } else { Ok(vec![]) }
+    fn sensitivities(&mut self, muscle: &Muscle) -> Result<Vec<Sensitivity>> {
+        if self.discretisation.has_slopes() { slopes(self, muscle, |_| true) } else { Ok(vec![]) }
     }
 }
 
@@ -125,10 +125,7 @@ pub(super) fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<Str
 }
 
 /// Nodes of every element before it is drawn on plugs, and displacements from there, from the middle to the terminal.
-pub(super) fn elements<'a>(
-    d: &'a Discretisation,
-    s: &'a State,
-) -> impl Iterator<Item = ([[f64; 2]; NODES], Unknowns)> + 'a {
+pub(super) fn elements(d: &Discretisation, s: &State) -> impl Iterator<Item = ([[f64; 2]; NODES], Unknowns)> {
     let through = d.layout.through;
     (0..d.elements.len()).map(move |index| {
         let (slab, element) = (index / through, index % through);

@@ -1,6 +1,6 @@
 //! The deformed section (r, z) node by node, for pictures.
 //!
-//! Stretches are those of the element's own field at its nodes. Cauchy stress σ = P Fᵀ/J is taken at the 2 × 2 points
+//! Stretches are those of the element's displacement field at its nodes. Cauchy stress σ = P Fᵀ/J is taken at the 2 × 2 points
 //! where it is most exact (Barlow 1976 \[barlow1976\]) and carried to the nodes by the bilinear function through them. Where elements
 //! meet, both are averaged.
 
@@ -8,33 +8,19 @@ use super::discretisation::{Discretisation, nodes};
 use super::layout::Layout;
 use super::model::Axisymmetric;
 use super::results::{elements, strands};
-use crate::FemError;
+use crate::Result;
 use crate::element::law;
 use crate::element::plane::{AnyPlaneLaw, Gradient};
 use crate::element::q2::{GAUSS2, GAUSS3, NODES, Point, quadratic};
 use crate::element::softened::soften;
 use crate::element::solid::{Unknowns, gradient};
-use crate::results::StrandState;
+use crate::results::{FieldNode, NodeMeans, StrandState};
 use crate::solver::body::State;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 
-/// A node of the section.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct SectionNode {
-    /// (R, Z) at rest in mm.
-    pub rest_mm: [f64; 2],
-    /// (r, z) now in mm.
-    pub now_mm: [f64; 2],
-    /// λθ = r/R
-    pub hoop_stretch: f64,
-    /// λm: of a line that ran along the muscle at rest.
-    pub meridional_stretch: f64,
-    /// Largest principal stretch.
-    pub max_stretch: f64,
-    /// Cauchy stress (σrr, σθθ, σzz, σrz) in MPa, with the pressure in the rubber.
-    pub stress_mpa: [f64; 4],
-}
+/// A node of the section: (R, Z) at rest, (r, z) now, Cauchy stress (σrr, σθθ, σzz, σrz).
+pub type SectionNode = FieldNode<2, 4>;
 
 /// The half section of a muscle, from the middle (z = 0) to the terminal; the other half is its mirror image.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,21 +52,12 @@ impl Section {
     }
 
     /// A number of the nodes at place `i` through the wall, in slab `slab` at −1 ≤ `eta` ≤ 1.
-    pub(crate) fn between(
-        &self,
-        i: usize,
-        slab: usize,
-        eta: f64,
-        value: impl Fn(&SectionNode) -> f64,
-    ) -> f64 {
-        let (n, _) = quadratic(eta);
-        n.into_iter()
-            .enumerate()
-            .map(|(a, weight)| weight * value(&self.nodes[self.index(i, 2 * slab + a)]))
-            .sum()
+    pub(crate) fn between(&self, i: usize, slab: usize, eta: f64, value: fn(&SectionNode) -> f64) -> f64 {
+        let at = |a: usize| value(&self.nodes[self.index(i, 2 * slab + a)]);
+        quadratic(eta).0.into_iter().enumerate().map(|(a, weight)| weight * at(a)).sum()
     }
 
-    pub(crate) fn of(d: &Discretisation, s: &State, muscle: &Muscle) -> Self {
+    pub(crate) fn from_state(d: &Discretisation, s: &State, muscle: &Muscle) -> Self {
         Self {
             through: d.layout.through,
             along: d.layout.along,
@@ -100,20 +77,19 @@ impl Axisymmetric {
         workspace: &mut Workspace,
         pressure_mpa: f64,
         contraction: f64,
-    ) -> Result<Section, FemError> {
+    ) -> Result<Section> {
         let c = self.continuation(workspace)?;
         if c.kept_at(pressure_mpa, contraction).is_none() {
             c.reach(pressure_mpa, contraction)?;
         }
         let state = c.kept_at(pressure_mpa, contraction).unwrap_or(&c.body.state);
-        Ok(Section::of(&c.body.discretisation, state, self.muscle()))
+        Ok(Section::from_state(&c.body.discretisation, state, self.muscle()))
     }
 }
 
 fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionNode> {
     let l = d.layout;
-    let mut out = vec![SectionNode::default(); d.mesh.nodes.len()];
-    let mut shares = vec![0.0; out.len()];
+    let mut out = NodeMeans::new(d.mesh.nodes.len());
     for (index, (rest, u)) in elements(d, s).enumerate() {
         let (slab, e) = (index / l.through, index % l.through);
         let stress = stresses(law, d, s, slab, e);
@@ -121,25 +97,16 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
             let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
             let Some(p) = d.point(&rest, x, y) else { continue };
             let f = gradient(&p, &u);
-            let k = Layout::numbers(slab)[a / 3] * l.nodes() + 2 * e + a % 3;
-            let node = &mut out[k];
-            shares[k] += 1.0;
-            node.rest_mm = rest[a];
-            node.now_mm = [rest[a][0] + u.r[a], rest[a][1] + u.z[a]];
-            node.hoop_stretch += f.t;
-            node.meridional_stretch += f.b.hypot(f.d);
-            node.max_stretch += f.principal().into_iter().fold(0.0, f64::max);
-            let at = bilinear(&stress, x, y);
-            (0..4).for_each(|c| node.stress_mpa[c] += at[c]);
+            let node = FieldNode {
+                rest_mm: rest[a],
+                now_mm: [rest[a][0] + u.r[a], rest[a][1] + u.z[a]],
+                stretches: [f.t, f.b.hypot(f.d), f.principal().into_iter().fold(0.0, f64::max)],
+                stress_mpa: bilinear(&stress, x, y),
+            };
+            out.add(Layout::numbers(slab)[a / 3] * l.nodes() + 2 * e + a % 3, &node);
         }
     }
-    for (node, share) in out.iter_mut().zip(shares) {
-        let SectionNode { hoop_stretch, meridional_stretch, max_stretch, stress_mpa, .. } = node;
-        for value in [hoop_stretch, meridional_stretch, max_stretch].into_iter().chain(stress_mpa) {
-            *value /= share;
-        }
-    }
-    out
+    out.means()
 }
 
 /// Pressure in the rubber at local coordinates. Its modes are linear in (R, Z), which are biquadratic in the local

@@ -8,9 +8,9 @@
 use super::assembly::{Assembled, assemble};
 use super::body::Body;
 use super::neighbour::Neighbour;
-use crate::FemError;
 use crate::results::Sensitivity;
 use crate::solver::body::State;
+use crate::{FemError, Result};
 use mckibben::differences::STENCIL;
 use mckibben::muscle::measures::{STIFFNESS, of_section};
 use mckibben::muscle::{Muscle, Parts};
@@ -19,15 +19,11 @@ use std::sync::Arc;
 /// Step of the differences, over the value.
 const STEP: f64 = 1e-3;
 
-/// Those sensitivities at the body's equilibrium whose name is wanted; its tangent must stand factorised.
+/// Sensitivities at the body's equilibrium whose name is wanted; its tangent must be factorised.
 ///
 /// # Errors
 /// [`FemError`] where a neighbouring muscle cannot be assembled.
-pub fn of(
-    body: &mut Body,
-    muscle: &Muscle,
-    wanted: impl Fn(&str) -> bool,
-) -> Result<Vec<Sensitivity>, FemError> {
+pub fn slopes(body: &mut Body, muscle: &Muscle, wanted: impl Fn(&str) -> bool) -> Result<Vec<Sensitivity>> {
     let d = Arc::clone(&body.discretisation);
     let mut room = (body.state.clone(), Assembled::new(&d));
     let mut here = muscle.parts().clone();
@@ -42,7 +38,7 @@ pub fn of(
             return Ok(());
         }
         let step = STEP * if value == 0.0 { d.shear } else { value.abs() };
-        let neighbours = body.neighbours.of(&name, (&d, &here), |k| make(k * step))?;
+        let neighbours = body.neighbours.differing_in(&name, (&d, &here), |k| make(k * step))?;
         let mut change = vec![0.0; body.state.u.len()];
         for (neighbour, (_, weight)) in neighbours.iter().zip(STENCIL) {
             let residual = residual(neighbour, &body.state, &mut room)?;
@@ -62,7 +58,7 @@ pub fn of(
         };
         add(name, c.value, c.constant.unit(), &make)?;
     }
-    // Ends that give way are around this body, friction is added to its pull.
+    // Slipping ends are outside of this body, friction is added to its pull.
     let measures = ["tube", "braid"].into_iter().flat_map(of_section).filter(|m| m.identify.is_some());
     for measure in [&STIFFNESS].into_iter().chain(measures) {
         let Some(value) = (measure.get)(&here) else { continue };
@@ -81,7 +77,7 @@ fn residual<'a>(
     Neighbour { discretisation: other, stretch }: &Neighbour,
     at: &State,
     (state, work): &'a mut (State, Assembled),
-) -> Result<&'a [f64], FemError> {
+) -> Result<&'a [f64]> {
     state.u.copy_from_slice(&at.u);
     // At fixed ε the terminal moves with L0. All axial displacements go with it: what is added to free unknowns does
     // not change what arrives at the terminal, and the terminal's move alone would be too rough for differences.

@@ -41,10 +41,10 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// (answered, asked) of the questions that must have an answer, or of all others.
+    /// How many of the questions that must have an answer, or of all others, are answered, and how many there are.
     pub fn answered(&self, required: bool) -> (usize, usize) {
-        let asked = self.rows.iter().filter(|r| r.required == required);
-        (asked.clone().filter(|r| r.answer.is_ok()).count(), asked.count())
+        let rows = self.rows.iter().filter(|r| r.required == required);
+        (rows.clone().filter(|r| r.answer.is_ok()).count(), rows.count())
     }
 
     /// Largest of the factorisations.
@@ -97,7 +97,7 @@ pub fn case(seed: u64, index: usize) -> Option<SweepCase> {
     let length_mm = outer_diameter_mm * r.log(3.0, 25.0);
     let angle_deg = r.log(15.0, 45.0);
     let mu = r.log(0.05, 1.5);
-    let rubber = Rubber::of(law(index % 5, mu, &mut r));
+    let rubber = Rubber::new(law(index % 5, mu, &mut r));
     let stiffness = if r.unit() < 0.2 {
         BraidStiffness::Inextensible
     } else {
@@ -111,14 +111,14 @@ pub fn case(seed: u64, index: usize) -> Option<SweepCase> {
     Some(SweepCase { muscle, pressure_mpa, contraction })
 }
 
-/// Asks random muscle number `index` of a seed one random question: log-uniform D0 5–80 mm, s/D0 0.02–0.20, L0/D0 3–25,
+/// One random question to random muscle number `index` of a seed: log-uniform D0 5–80 mm, s/D0 0.02–0.20, L0/D0 3–25,
 /// θ0 15–45°, shear modulus 0.05–1.5 MPa, each law, braid stiffness 5–100·D0 N/mm or inextensible, pressure up to 0.8 MPa,
 /// contraction up to 95 % of the ideal maximum.
 pub fn question(seed: u64, index: usize) -> Option<SweepRow> {
-    case(seed, index).map(ask)
+    case(seed, index).map(answer)
 }
 
-fn ask(case: SweepCase) -> SweepRow {
+fn answer(case: SweepCase) -> SweepRow {
     let endless = ThickWall::new(&case.muscle)
         .response(&mut Workspace::new(), case.pressure_mpa, case.contraction)
         .ok();
@@ -130,14 +130,14 @@ fn ask(case: SweepCase) -> SweepRow {
     });
     let required = endless.is_some_and(|r| r.force_n > 0.0) && strain.is_some_and(|s| s < 0.05);
     let start = std::time::Instant::now();
-    let asked = || {
+    let solve = || {
         let model = Axisymmetric::new(&case.muscle)?;
         let workspace = &mut Workspace::new();
         let c = model.continuation(workspace)?;
         let answer = c.reach(case.pressure_mpa, case.contraction).map(|()| c.pull());
         Ok((answer, c.effort.factorisations))
     };
-    let (answer, factorisations) = asked().unwrap_or_else(|e: FemError| (Err(e), 0));
+    let (answer, factorisations) = solve().unwrap_or_else(|e: FemError| (Err(e), 0));
     let answer = answer.map_err(|e| e.to_string());
     let seconds = start.elapsed().as_secs_f64();
     SweepRow { required, answer, factorisations, seconds, case }

@@ -1,11 +1,11 @@
-//! Bricks with a pressure of their own: forces, volume defects and exact symmetric tangent.
+//! Bricks with pressure modes: forces, volume defects and exact symmetric tangent.
 //!
 //!   Π_e = ∫ W̄(F) + p (J − 1) dV − p²V/(2K),   p = Σ p_k ψ_k,   ∫ ψ_k ψ_l dV = V δ_kl
 //!   r = ∂Π/∂u,   c_k = ∂Π/∂p_k = ∫ ψ_k (J − 1) dV − p_k V/K,   G_k = ∂c_k/∂u = ∫ ψ_k J g dV
 //!
 //! with gradients g of the shape functions in the present places. One pressure mode on eight nodes is the mean
 //! dilatation of Nagtegaal, Parks & Rice (1974) \[nagtegaal1974\], also called Q1P0; four on twenty-seven nodes are Q2/P−1. The pressure
-//! is condensed with the part γ of the bulk modulus (all of it where K ≤ γ, so that nothing is left over):
+//! is condensed with the part γ of the bulk modulus (all of it where K ≤ γ):
 //!
 //!   K_e = ∂²Π/∂u∂u + (γ/V) Σ G_k G_kᵀ,   r_e = r + (γ/V) Σ c_k G_k
 //!

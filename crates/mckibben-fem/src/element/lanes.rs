@@ -143,7 +143,7 @@ macro_rules! on_lanes {
                 $kernel::<$crate::element::lanes::Four $($(, $g)+)?>($($arg),*)
             }
             match width {
-                // SAFETY: `Width::here` has asked the processor.
+                // SAFETY: `Width::here` gives only lanes that the processor has.
                 #[cfg(target_arch = "x86_64")]
                 $crate::element::lanes::Width::Eight => unsafe { eight $(::<$($g),+>)? ($($arg),*) },
                 #[cfg(target_arch = "x86_64")]
@@ -171,7 +171,7 @@ macro_rules! four_at_a_time {
             }
             #[cfg(target_arch = "x86_64")]
             if $crate::element::lanes::Width::here() >= $crate::element::lanes::Width::Four {
-                // SAFETY: the processor has just been asked for what the function needs.
+                // SAFETY: the processor has what the function needs, as just checked.
                 return unsafe { wide $(::<$($g),+>)? ($($arg),*) };
             }
             $kernel $(::<$($g),+>)? ($($arg),*)
@@ -186,52 +186,45 @@ pub use wide::{Eight, Four};
 #[cfg(target_arch = "x86_64")]
 mod wide {
     use super::Real;
-    use std::arch::x86_64::*;
+    use std::arch::x86_64::{__m256d, __m512d};
     use std::ops::{Add, Mul, Sub};
 
+    macro_rules! operator {
+        ($name:ident, $operator:ident, $function:ident, $instructions:ident) => {
+            impl $operator for $name {
+                type Output = Self;
+                #[inline(always)]
+                fn $function(self, o: Self) -> Self {
+                    unsafe { Self($instructions::$function(self.0, o.0)) }
+                }
+            }
+        };
+    }
+
     macro_rules! lanes {
-        ($name:ident, $inner:ty, $n:expr, $doc:expr, $add:ident, $sub:ident, $mul:ident, $div:ident, $fma:ident, $set:ident, $min:ident,
-         $load:ident, $store:ident, $load_some:ident, $store_some:ident, $some:ident) => {
+        ($name:ident, $inner:ty, $n:expr, $doc:expr, $instructions:ident) => {
             #[doc = $doc]
             #[derive(Debug, Clone, Copy)]
             #[repr(transparent)]
             pub struct $name($inner);
 
-            // SAFETY of every block: kernels with these lanes run only where the processor was asked for them.
-            impl Add for $name {
-                type Output = Self;
-                #[inline(always)]
-                fn add(self, o: Self) -> Self {
-                    unsafe { Self($add(self.0, o.0)) }
-                }
-            }
-            impl Sub for $name {
-                type Output = Self;
-                #[inline(always)]
-                fn sub(self, o: Self) -> Self {
-                    unsafe { Self($sub(self.0, o.0)) }
-                }
-            }
-            impl Mul for $name {
-                type Output = Self;
-                #[inline(always)]
-                fn mul(self, o: Self) -> Self {
-                    unsafe { Self($mul(self.0, o.0)) }
-                }
-            }
+            // SAFETY of every block: kernels with these lanes run only on processors that have them.
+            operator!($name, Add, add, $instructions);
+            operator!($name, Sub, sub, $instructions);
+            operator!($name, Mul, mul, $instructions);
             impl Real for $name {
                 const LANES: usize = $n;
                 #[inline(always)]
                 fn splat(x: f64) -> Self {
-                    unsafe { Self($set(x)) }
+                    unsafe { Self($instructions::set(x)) }
                 }
                 #[inline(always)]
                 fn mul_add(self, a: Self, b: Self) -> Self {
-                    unsafe { Self($fma(self.0, a.0, b.0)) }
+                    unsafe { Self($instructions::fma(self.0, a.0, b.0)) }
                 }
                 #[inline(always)]
                 fn recip(self) -> Self {
-                    unsafe { Self($div($set(1.0), self.0)) }
+                    unsafe { Self($instructions::div($instructions::set(1.0), self.0)) }
                 }
                 #[inline(always)]
                 fn lane(&self, lane: usize) -> f64 {
@@ -247,84 +240,69 @@ mod wide {
                 }
                 #[inline(always)]
                 fn min(self, o: Self) -> Self {
-                    unsafe { Self($min(self.0, o.0)) }
+                    unsafe { Self($instructions::min(self.0, o.0)) }
                 }
                 // SAFETY of both: lanes behind the end of the slice are masked.
                 #[inline(always)]
                 fn load(from: &[f64]) -> Self {
                     let place = from.as_ptr();
                     if from.len() >= $n {
-                        unsafe { Self($load(place)) }
+                        unsafe { Self($instructions::load(place)) }
                     } else {
-                        unsafe { Self($load_some($some(from.len()), place)) }
+                        unsafe { Self($instructions::load_some($instructions::some(from.len()), place)) }
                     }
                 }
                 #[inline(always)]
                 fn store(self, to: &mut [f64]) {
                     let place = to.as_mut_ptr();
                     if to.len() >= $n {
-                        unsafe { $store(place, self.0) }
+                        unsafe { $instructions::store(place, self.0) }
                     } else {
-                        unsafe { $store_some(place, $some(to.len()), self.0) }
+                        unsafe { $instructions::store_some(place, $instructions::some(to.len()), self.0) }
                     }
                 }
             }
         };
     }
 
-    /// The mask of the first of four lanes.
-    #[inline(always)]
-    unsafe fn first_of_four(count: usize) -> __m256i {
-        unsafe { _mm256_cmpgt_epi64(_mm256_set1_epi64x(count.min(4) as i64), _mm256_setr_epi64x(0, 1, 2, 3)) }
+    /// The instructions of four lanes, and the mask of the first ones.
+    mod four {
+        use std::arch::x86_64::*;
+        pub use std::arch::x86_64::{
+            _mm256_add_pd as add, _mm256_div_pd as div, _mm256_fmadd_pd as fma, _mm256_loadu_pd as load,
+            _mm256_maskstore_pd as store_some, _mm256_min_pd as min, _mm256_mul_pd as mul,
+            _mm256_set1_pd as set, _mm256_storeu_pd as store, _mm256_sub_pd as sub,
+        };
+
+        #[inline(always)]
+        pub unsafe fn some(count: usize) -> __m256i {
+            unsafe {
+                _mm256_cmpgt_epi64(_mm256_set1_epi64x(count.min(4) as i64), _mm256_setr_epi64x(0, 1, 2, 3))
+            }
+        }
+
+        #[inline(always)]
+        pub unsafe fn load_some(mask: __m256i, from: *const f64) -> __m256d {
+            unsafe { _mm256_maskload_pd(from, mask) }
+        }
     }
 
-    #[inline(always)]
-    unsafe fn load_first_of_four(mask: __m256i, from: *const f64) -> __m256d {
-        unsafe { _mm256_maskload_pd(from, mask) }
+    /// Those of eight.
+    mod eight {
+        pub use std::arch::x86_64::{
+            _mm512_add_pd as add, _mm512_div_pd as div, _mm512_fmadd_pd as fma, _mm512_loadu_pd as load,
+            _mm512_mask_storeu_pd as store_some, _mm512_maskz_loadu_pd as load_some, _mm512_min_pd as min,
+            _mm512_mul_pd as mul, _mm512_set1_pd as set, _mm512_storeu_pd as store, _mm512_sub_pd as sub,
+        };
+
+        #[inline(always)]
+        pub unsafe fn some(count: usize) -> std::arch::x86_64::__mmask8 {
+            ((1_u32 << count.min(8)) - 1) as std::arch::x86_64::__mmask8
+        }
     }
 
-    /// The mask of the first of eight lanes.
-    #[inline(always)]
-    unsafe fn first_of_eight(count: usize) -> __mmask8 {
-        ((1_u32 << count.min(8)) - 1) as __mmask8
-    }
-
-    lanes!(
-        Four,
-        __m256d,
-        4,
-        "Four lanes.",
-        _mm256_add_pd,
-        _mm256_sub_pd,
-        _mm256_mul_pd,
-        _mm256_div_pd,
-        _mm256_fmadd_pd,
-        _mm256_set1_pd,
-        _mm256_min_pd,
-        _mm256_loadu_pd,
-        _mm256_storeu_pd,
-        load_first_of_four,
-        _mm256_maskstore_pd,
-        first_of_four
-    );
-    lanes!(
-        Eight,
-        __m512d,
-        8,
-        "Eight lanes.",
-        _mm512_add_pd,
-        _mm512_sub_pd,
-        _mm512_mul_pd,
-        _mm512_div_pd,
-        _mm512_fmadd_pd,
-        _mm512_set1_pd,
-        _mm512_min_pd,
-        _mm512_loadu_pd,
-        _mm512_storeu_pd,
-        _mm512_maskz_loadu_pd,
-        _mm512_mask_storeu_pd,
-        first_of_eight
-    );
+    lanes!(Four, __m256d, 4, "Four lanes.", four);
+    lanes!(Eight, __m512d, 8, "Eight lanes.", eight);
 }
 
 #[cfg(test)]

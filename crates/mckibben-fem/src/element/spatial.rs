@@ -14,7 +14,7 @@ use super::lanes::{MOST, Real};
 use super::spatial_stretches::{Stretches, by_stretches};
 use mckibben::rubber::{InvariantDerivatives, InvariantLaw};
 
-/// A law in I1 and I2, asked at several places at once.
+/// A law in I1 and I2, evaluated at several places at once.
 pub trait Invariants: Sync {
     /// w and its derivatives at every (I1, I2).
     fn invariants(&self, at: &[[f64; 2]], out: &mut [InvariantDerivatives]);

@@ -3,7 +3,7 @@
 //!   λf² = cos²θ0 λm² + sin²θ0 λθ²,   λm² = r'² + z'² (per length at rest),  λθ = (r + t/2)/Rs
 //!
 //! i.e. λf = |v| with v = (cosθ0 r', cosθ0 z', sinθ0 λθ), linear in the unknowns; Rs and t as [`StrandLay`] has them (Rs = R, t = 0 of strands on
-//! the surface). Per family and area of the sleeve as made the energy is ½k (λf − 1)² (or that of a [`Crimp`](mckibben::muscle::Crimp)), written with the tension q per width as a variable of its own:
+//! the surface). Per family and area of the sleeve as made the energy is ½k (λf − 1)² (or that of a [`Crimp`](mckibben::muscle::Crimp)), written with the tension q per width as a separate variable:
 //!
 //!   Π_s = Σ_points 2 w [q c − q²/(2k)],   c = λf − 1,  w = 2πRs dZ.
 //!

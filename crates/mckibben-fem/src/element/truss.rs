@@ -2,7 +2,7 @@
 //!
 //!   Π = E A L0 (λ − 1)²/2,   ∂Π/∂x1 = T n,   ∂²Π/∂x1∂x1 = (E A/L0) n⊗n + (T/l)(1 − n⊗n),   n = d/l, d = x1 − x0
 //!
-//! The tension in the second part may be one that is carried along as a variable of its own: with stiff strands
+//! The tension in the second part may be one that is carried along as a separate variable: with stiff strands
 //! Newton's method then does not slow down (Magisano, Leonetti & Garcea 2017 \[magisano2017\]).
 
 use super::tensor::PAIRS;

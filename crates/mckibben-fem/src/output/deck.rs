@@ -4,8 +4,8 @@
 //! truss with engineering strain and k = E A/L. Laws are those of *HYPERELASTIC: W = U(Ī1, Ī2) + (J − 1)²/D1 with
 //! D1 = 2/K; Ogden's are written there as 2 μi/αi². Data of the mesh are in comments `** key = value`.
 
-use crate::FemError;
 use crate::three_dimensional::{Brick, ThreeDimensional};
+use crate::{FemError, Result};
 use mckibben::model::ForceModel;
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, RubberLaw};
@@ -22,7 +22,7 @@ const CONTRACTION: f64 = 0.005;
 type Point = (f64, f64);
 
 /// Every increment of a deck: where it ends.
-pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<Point>, FemError> {
+pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<Point>> {
     let first_mpa = pressures_mpa.first().copied().unwrap_or(0.0);
     let rising = pressures_mpa.windows(2).all(|p| p[1] > p[0]);
     if !(first_mpa > 0.0 && rising && pressures_mpa.iter().all(|p| p.is_finite())) {
@@ -58,7 +58,7 @@ fn steps(increments: &[Point]) -> Vec<(usize, Point)> {
 }
 
 /// The deck of an isometric test: filled up to 0.05 MPa (or the next of the pressures), shortened, filled further.
-pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -> Result<String, FemError> {
+pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -> Result<String> {
     let (mesh, muscle) = (&model.divided.mesh, model.muscle());
     let refused = [
         (mesh.brick != Brick::Linear, "needs eight-node bricks"),
@@ -111,7 +111,7 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     Ok(out)
 }
 
-fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<(), FemError> {
+fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<()> {
     let trusses = &model.divided.discretisation.problem.trusses;
     // One set for each length, in the order in which they appear.
     let mut groups: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
@@ -170,7 +170,7 @@ fn sets(out: &mut String, model: &ThreeDimensional) {
     write("*ELSET, ELSET=EIN", (0..around * along).map(|e| e * through + 1).collect());
 }
 
-fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<(), FemError> {
+fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<()> {
     let k = match bulk {
         Bulk::Modulus(k) => k,
         Bulk::Incompressible => BULK * law.shear_modulus_mpa(),

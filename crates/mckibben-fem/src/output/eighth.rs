@@ -82,9 +82,9 @@ fn grid(copies: &[(&NodeField, [f64; 3])], cells: &[Vec<u32>]) -> Grid {
     let data = vec![
         PointData::vector("displacement", vector(&|n| [0, 1, 2].map(|i| n.now_mm[i] - n.rest_mm[i]))),
         PointData { name: "cauchy_stress_mpa", components: 6, values: tensor.collect() },
-        scalar("hoop_stretch", &|n| n.hoop_stretch),
-        scalar("meridional_stretch", &|n| n.meridional_stretch),
-        scalar("max_stretch", &|n| n.max_stretch),
+        scalar("hoop_stretch", &|n| n.stretches[0]),
+        scalar("meridional_stretch", &|n| n.stretches[1]),
+        scalar("max_stretch", &|n| n.stretches[2]),
         scalar("stress_radial_mpa", &|n| around(n)[0]),
         scalar("stress_hoop_mpa", &|n| around(n)[1]),
         scalar("stress_axial_mpa", &|n| n.stress_mpa[2]),

@@ -9,9 +9,9 @@ pub type Field = (&'static str, fn(&SectionNode) -> f64);
 
 /// The single numbers at a node that do not change their sign with z: stretches, and Cauchy stresses in MPa.
 pub const FIELDS: [Field; 6] = [
-    ("hoop_stretch", |n| n.hoop_stretch),
-    ("meridional_stretch", |n| n.meridional_stretch),
-    ("max_stretch", |n| n.max_stretch),
+    ("hoop_stretch", |n| n.stretches[0]),
+    ("meridional_stretch", |n| n.stretches[1]),
+    ("max_stretch", |n| n.stretches[2]),
     ("stress_radial_mpa", |n| n.stress_mpa[0]),
     ("stress_hoop_mpa", |n| n.stress_mpa[1]),
     ("stress_axial_mpa", |n| n.stress_mpa[2]),
@@ -33,8 +33,8 @@ pub struct Stations {
 }
 
 impl Stations {
-    /// Of a section: between the nodes by the elements' own quadratic functions.
-    pub fn of(section: &Section) -> Self {
+    /// Of a section: between the nodes by the elements' quadratic functions.
+    pub fn from_section(section: &Section) -> Self {
         let places = places_of_half(section);
         let across = 2 * section.through + 1;
         let measures: [Field; 2] = [("r_mm", |n| n.now_mm[0]), ("z_mm", |n| n.now_mm[1])];

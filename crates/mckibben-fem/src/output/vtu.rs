@@ -83,7 +83,7 @@ impl Grid {
         Self { kind: HEXAHEDRON, points, connectivity, offsets, data, field: vec![] }
     }
 
-    /// The file; `about` is said in a comment at its head, `file` is named in errors.
+    /// The file; `about` is a comment at its head, `file` is named in errors.
     pub fn to_xml(&self, about: &str, file: &str) -> Result<String, VtuError> {
         let finite = |name: &'static str, ok: bool| {
             if ok { Ok(()) } else { Err(VtuError { file: file.into(), name }) }
@@ -137,7 +137,7 @@ pub fn collection(about: &str, files: &[(usize, usize, &str, String)]) -> String
 }
 
 fn head(kind: &str, about: &str) -> String {
-    // In a comment two hyphens must not meet, nor stand at its end.
+    // In a comment two hyphens must not meet, nor end it.
     let clean = clean::line(about).replace("--", "- -").replace("--", "- -");
     let version = env!("CARGO_PKG_VERSION");
     format!(

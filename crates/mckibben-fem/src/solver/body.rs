@@ -1,11 +1,11 @@
 //! What an incremental solver must know of a body under pressure and pull.
 
 use super::newton::{NewtonOptions, NewtonSystem};
-use crate::error::FemError;
+use crate::Result;
 use std::f64::consts::PI;
 use std::slice::{from_mut, from_ref};
 
-/// The state of a body: unknowns, variables that are carried along, and the loads under which it stands.
+/// The state of a body: unknowns, variables that are carried along, and the loads on it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct State {
     /// Unknowns as the body numbers them. In the section: displacements in mm, pressures in MPa and the tensions of strands
@@ -117,7 +117,7 @@ pub struct Totals {
     pub pull: f64,
 }
 
-/// How a continuation goes about with a body.
+/// Settings of a continuation for a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
     /// Settings of Newton's method.
@@ -143,7 +143,7 @@ pub struct Settings {
 
 /// A body that a [`super::continuation::Continuation`] leads from equilibrium to equilibrium.
 pub trait Body {
-    /// How to go about with it.
+    /// Settings of its continuation.
     const SETTINGS: Settings;
 
     /// How many times the part that is computed makes up the muscle.
@@ -209,13 +209,13 @@ pub trait Body {
     ///
     /// # Errors
     /// [`FemError`] where nothing carries that pull.
-    fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64, FemError>;
+    fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64>;
 
     /// The pressure in MPa at which a pull in N is expected at a contraction.
     ///
     /// # Errors
     /// [`FemError`] where no pressure gives that pull.
-    fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64, FemError>;
+    fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64>;
 
     /// The pull in N that is expected at a pressure in MPa and a contraction.
     fn expected_pull(&self, pressure: f64, contraction: f64) -> Option<f64>;

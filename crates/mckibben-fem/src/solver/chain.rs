@@ -2,7 +2,7 @@
 //!
 //! A vector is laid out [station 0 | inside 0 | station 1 | inside 1 | … | last station]; the matrix of a slab is ordered
 //! [inside | left station | right station]. Going along the chain each slab loses its inside and its left station, and
-//! hands the Schur complement of its right station to the next. What is left is the last station seen from outside.
+//! hands the Schur complement of its right station to the next. The last station remains.
 
 use super::dense;
 use super::newton::Stopped;
@@ -124,7 +124,7 @@ mod tests {
 
     /// A random symmetric indefinite chain solves what a dense product made.
     #[test]
-    fn a_chain_solves_its_own_product() {
+    fn a_chain_solves_its_product() {
         let (slabs, m, n) = (5, 4, 7);
         let mut chain = Chain::new(slabs, m, n);
         let dimension = slabs * (n + m) + m;

@@ -3,7 +3,7 @@
 //! Steps are as large as Newton's method allows: a step that fails is halved, one that succeeds is followed by one twice as
 //! large; from the second step on the last two states extrapolate the next. Along a curve a polynomial through the last four does.
 //!
-//! Which equilibrium is the answer. A stable one with all strands in tension is the only one of its kind: it is taken wherever it was found
+//! Which equilibrium is the answer. A stable one with all strands in tension is the only one of its kind: it is taken from wherever it is reached
 //! ([`Body::certain`]). Where strands are slack a tube has several, folded ones among them. The answer then is the one that continues the
 //! taut muscle: at the contraction of the question, from the pressure that tightens all strands, the pressure is let down to that of the
 //! question; where no pressure tightens them, the muscle is shortened from rest length at the pressure of the question. On the way every
@@ -16,9 +16,10 @@ use super::body::{Body, Control, State};
 use super::descent::Descent;
 use super::newton::{self, Effort, Interrupted, NewtonOptions, Stopped};
 use super::trail::Trail;
-use crate::error::FemError;
+use crate::{FemError, Result};
 use mckibben::cancel;
 use mckibben::status::Status;
+use std::fmt;
 
 /// Strands are taut at this multiple of the pressure at which the muscle is expected to begin to pull.
 pub(crate) const TAUT: f64 = 1.3;
@@ -36,6 +37,17 @@ pub struct Unstable {
     pub contraction: f64,
     /// Negative eigenvalues of the tangent with the terminal held.
     pub directions: usize,
+}
+
+impl fmt::Display for Unstable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.step {
+            0 => write!(f, "an equilibrium")?,
+            n => write!(f, "step {n} of the walk from rest")?,
+        }
+        let Self { directions, contraction, pressure_mpa: mpa, .. } = self;
+        write!(f, " is not stable ({directions} directions) at contraction {contraction:.4} and {mpa:.4} MPa")
+    }
 }
 
 /// A body that is led from equilibrium to equilibrium, and the equilibria it passed.
@@ -93,7 +105,7 @@ impl<B: Body> Continuation<B> {
     }
 
     /// Notes an equilibrium that is not stable.
-    pub(super) fn note(&mut self) {
+    pub(super) fn note_unstable(&mut self) {
         let directions = self.body.unstable_directions();
         if directions > 0 && self.unstable.is_none() {
             let (step, pressure_mpa) = (self.steps.unwrap_or(0), self.body.state().pressure);
@@ -166,13 +178,13 @@ impl<B: Body> Continuation<B> {
     /// Finds the equilibrium at a pressure in MPa and a contraction.
     ///
     /// First from the nearest one kept, then from the first guesses; where these leave open which equilibrium it is, from the taut muscle.
-    pub fn reach(&mut self, pressure: f64, contraction: f64) -> Result<(), FemError> {
+    pub fn reach(&mut self, pressure: f64, contraction: f64) -> Result<()> {
         self.question(pressure, contraction)?;
         let terminal = -contraction * self.body.half_length();
         // Along a descent that was begun its next stations are near.
         let descending = self.descent.terminal == Some(terminal);
         if !descending && self.near_kept(pressure, terminal) {
-            self.note();
+            self.note_unstable();
             self.keep();
             return Ok(());
         }
@@ -188,11 +200,11 @@ impl<B: Body> Continuation<B> {
             if shortened && c.body.certain() {
                 return Ok(());
             }
-            let found = match led {
+            let reached = match led {
                 Some(led) => led,
                 None if B::SETTINGS.take_unstable => {
-                    let found = c.long_way(pressure, terminal, true);
-                    found.or_else(|end| {
+                    let reached = c.long_way(pressure, terminal, true);
+                    reached.or_else(|end| {
                         // In a straight line of pressure and length.
                         c.body.rest();
                         c.walk(pressure, terminal, B::SETTINGS.first_step).map_err(|_| end)
@@ -200,18 +212,18 @@ impl<B: Body> Continuation<B> {
                 }
                 None => c.lead_down(pressure, terminal),
             };
-            let found = match found {
+            let reached = match reached {
                 Err(end) if c.body.loose() && !end.reason.is_final() => {
                     c.inflate(pressure, terminal).map_err(|_| end)
                 }
-                found => found,
+                reached => reached,
             };
-            found.map_err(|end| (end, other_n))
+            reached.map_err(|end| (end, other_n))
         })
     }
 
     /// The same without a neighbour or a guess: from rest, step by step.
-    pub fn walk_from_rest(&mut self, pressure: f64, contraction: f64) -> Result<(), FemError> {
+    pub fn walk_from_rest(&mut self, pressure: f64, contraction: f64) -> Result<()> {
         self.question(pressure, contraction)?;
         let terminal = -contraction * self.body.half_length();
         self.within(pressure, contraction, |c| {
@@ -219,7 +231,7 @@ impl<B: Body> Continuation<B> {
         })
     }
 
-    fn question(&self, pressure_mpa: f64, contraction: f64) -> Result<(), FemError> {
+    fn question(&self, pressure_mpa: f64, contraction: f64) -> Result<()> {
         let known = -LARGEST_CONTRACTION < contraction && contraction < LARGEST_CONTRACTION;
         let question = FemError::Question { pressure_mpa, contraction };
         (pressure_mpa.is_finite() && known).then_some(()).ok_or(question)
@@ -231,13 +243,13 @@ impl<B: Body> Continuation<B> {
         pressure_mpa: f64,
         contraction: f64,
         seek: impl FnOnce(&mut Self) -> Result<(), (Interrupted, Option<f64>)>,
-    ) -> Result<(), FemError> {
+    ) -> Result<()> {
         let before = self.effort.iterations;
         self.allow(Some(B::SETTINGS.budget));
-        let found = seek(self);
+        let reached = seek(self);
         self.allow(None);
         self.steps = None;
-        found.map_err(|(Interrupted { reason, last }, other_n)| {
+        reached.map_err(|(Interrupted { reason, last }, other_n)| {
             if let Stopped::Cancelled(cancelled) = reason {
                 return FemError::Cancelled(cancelled);
             }
@@ -282,12 +294,12 @@ impl<B: Body> Continuation<B> {
         let mut attempt = 0;
         while let Some(applies) = self.body.guess(attempt, pressure, terminal) {
             attempt += 1;
-            let found = applies && self.solve(Control::Length(terminal)).is_ok();
-            if found && (B::SETTINGS.take_unstable || self.stable() && self.body.certain()) {
-                self.note();
+            let solved = applies && self.solve(Control::Length(terminal)).is_ok();
+            if solved && (B::SETTINGS.take_unstable || self.stable() && self.body.certain()) {
+                self.note_unstable();
                 return Ok(());
             }
-            if found && self.stable() {
+            if solved && self.stable() {
                 return Err(Some(self.pull()));
             }
         }

@@ -1,25 +1,24 @@
-//! Tests of a muscle: isometric, isotonic, isobaric. Every point carries its own status: one that has no equilibrium does not end the
+//! Tests of a muscle: isometric, isotonic, isobaric. Every point carries a status: one that has no equilibrium does not end the
 //! others.
 
 use super::body::{Body, Control};
 use super::continuation::Continuation;
 use super::newton::Effort;
 use super::trail::Along;
-use crate::error::FemError;
 use crate::results::Sensitivity;
-use mckibben::cancel::Cancelled;
+use crate::{FemError, Result};
+use mckibben::cancel::{self, Cancelled};
 use mckibben::model::Response;
-use mckibben::progress::Progress;
 
 /// A point of a curve.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct CurvePoint {
-    /// Pressure in MPa: given, or found.
+    /// Pressure in MPa: given, or solved for.
     pub pressure_mpa: f64,
-    /// Contraction: given, or found (below 0: the pull stretches the muscle).
+    /// Contraction: given, or solved for (below 0: the pull stretches the muscle).
     pub contraction: f64,
-    /// Pull in N: given, or found (below 0: the muscle pushes).
+    /// Pull in N: given, or solved for (below 0: the muscle pushes).
     pub force_n: f64,
     /// Volume of the cavity in mm³.
     pub volume_mm3: f64,
@@ -27,9 +26,9 @@ pub struct CurvePoint {
     pub iterations: usize,
     /// Factorisations it took.
     pub factorisations: usize,
-    /// What every model answers, stiffness and ∂F/∂P among it, where it is asked for.
+    /// What every model answers, stiffness and ∂F/∂P among it, where the detail includes it.
     pub response: Option<Response>,
-    /// ∂F/∂(constants and measures), where they are asked for.
+    /// ∂F/∂(constants and measures), where the detail includes them.
     pub sensitivities: Vec<Sensitivity>,
 }
 
@@ -39,7 +38,7 @@ impl CurvePoint {
         self.force_n < 0.0
     }
 
-    /// The present equilibrium, found with what was spent since `before`.
+    /// The present equilibrium, with what was spent since `before`.
     pub(crate) fn here<B: Body>(c: &Continuation<B>, before: Effort) -> Self {
         let totals = c.body.totals();
         Self {
@@ -56,8 +55,8 @@ impl CurvePoint {
     }
 }
 
-/// Points of a curve in the order they were asked for.
-pub type Curve = Vec<Result<CurvePoint, FemError>>;
+/// Points of a curve in the order of the given values.
+pub type Curve = Vec<Result<CurvePoint>>;
 
 /// What is kept fixed along a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,7 +84,7 @@ impl Test {
         order
     }
 
-    fn afresh<B: Body>(self, c: &mut Continuation<B>, value: f64) -> Result<(), FemError> {
+    fn solve_anew<B: Body>(self, c: &mut Continuation<B>, value: f64) -> Result<()> {
         match self {
             Self::Isometric(contraction) => c.reach(value, contraction),
             Self::Isotonic(force) => c.reach_force(force, value),
@@ -94,7 +93,7 @@ impl Test {
     }
 
     /// From the last points of the path to the next; whether that is the answer there.
-    fn go_on<B: Body>(self, c: &mut Continuation<B>, value: f64) -> bool {
+    fn follow_trail<B: Body>(self, c: &mut Continuation<B>, value: f64) -> bool {
         let half = c.body.half_length();
         let (place, held) = match self {
             Self::Isometric(contraction) => (value, Control::Length(-contraction * half)),
@@ -106,30 +105,28 @@ impl Test {
     }
 }
 
-/// Visits `values` in the order of the test: from what the last points predict where that works, else afresh. `complete` adds to a point.
+/// Visits `values` in the order of the test: from what the last points predict where that works, else anew. `complete` adds to a point.
 pub(crate) fn run<B: Body>(
     c: &mut Continuation<B>,
     values: &[f64],
     test: Test,
-    progress: &dyn Progress,
-    complete: impl Fn(&mut Continuation<B>, &mut CurvePoint) -> Result<(), FemError>,
+    complete: impl Fn(&mut Continuation<B>, &mut CurvePoint) -> Result<()>,
 ) -> Curve {
     let order = test.order(values);
     let mut out: Curve = vec![Err(FemError::Cancelled(Cancelled)); values.len()];
     let mut running = false;
     for (turn, &i) in order.iter().enumerate() {
-        if progress.cancelled() {
+        if cancel::check().is_err() {
             break;
         }
-        progress.report(turn, values.len());
         if turn > 0 && values[i] == values[order[turn - 1]] {
             out[i] = out[order[turn - 1]].clone();
             continue;
         }
         let before = c.effort;
-        let gone_on = running && test.go_on(c, values[i]);
-        let point = if gone_on { Ok(()) } else { test.afresh(c, values[i]) };
-        if gone_on {
+        let followed = running && test.follow_trail(c, values[i]);
+        let point = if followed { Ok(()) } else { test.solve_anew(c, values[i]) };
+        if followed {
             c.trail_here();
         } else {
             // Where strands are slack the next point is none of this path.
@@ -143,9 +140,6 @@ pub(crate) fn run<B: Body>(
             complete(c, &mut here)?;
             Ok(here)
         });
-    }
-    if !progress.cancelled() {
-        progress.report(values.len(), values.len());
     }
     if running {
         c.keep();

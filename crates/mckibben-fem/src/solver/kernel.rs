@@ -64,8 +64,8 @@ impl Kernel {
     }
 
     /// C = [C] − A D Bᵀ.
-    pub fn product(&mut self, c: (&mut [f64], usize), of: Product<'_>) {
-        on_width(self.width, (&mut self.copy, &mut self.strip), c, of);
+    pub fn product(&mut self, c: (&mut [f64], usize), factors: Product<'_>) {
+        on_width(self.width, (&mut self.copy, &mut self.strip), c, factors);
     }
 
     /// X := X T⁻ᵀ of a few columns: x_q = (x_q − Σ_p<q x_p t_qp) s_q.
@@ -83,7 +83,7 @@ pub(super) struct Triangle {
 }
 
 on_lanes! {
-    fn on_width(memory: (&mut Vec<f64>, &mut [f64]), c: (&mut [f64], usize), of: Product<'_>) = product
+    fn on_width(memory: (&mut Vec<f64>, &mut [f64]), c: (&mut [f64], usize), factors: Product<'_>) = product
 }
 
 on_lanes! {
@@ -99,26 +99,26 @@ const fn columns(lanes: usize) -> usize {
 fn product<R: Real>(
     (copy, strip): (&mut Vec<f64>, &mut [f64]),
     (c, stride): (&mut [f64], usize),
-    of: Product<'_>,
+    factors: Product<'_>,
 ) {
-    let Product { a, b, d, .. } = of;
+    let Product { a, b, d, .. } = factors;
     let (tile, most) = (VECTORS * R::LANES, columns(R::LANES));
-    for first in (0..of.depth).step_by(DEPTH) {
-        let depth = DEPTH.min(of.depth - first);
-        let keep = of.keep || first > 0;
-        for top in (0..of.rows).step_by(TILES * tile) {
-            let rows = (TILES * tile).min(of.rows - top);
+    for first in (0..factors.depth).step_by(DEPTH) {
+        let depth = DEPTH.min(factors.depth - first);
+        let keep = factors.keep || first > 0;
+        for top in (0..factors.rows).step_by(TILES * tile) {
+            let rows = (TILES * tile).min(factors.rows - top);
             let block = Matrix { values: &a.values[first * a.stride + top..], stride: a.stride };
-            let copied = of.columns >= COPIED.0 * most && depth >= COPIED.1;
+            let copied = factors.columns >= COPIED.0 * most && depth >= COPIED.1;
             if copied {
                 copy_tiles::<R>(copy, block, rows, depth);
             }
             let mut j = 0;
-            while j < of.columns {
-                let left = of.columns - j;
+            while j < factors.columns {
+                let left = factors.columns - j;
                 let count = left.div_ceil(left.div_ceil(most));
                 // The first tile with rows that are wanted.
-                let begin = if of.lower { j.saturating_sub(top) / tile * tile } else { 0 };
+                let begin = if factors.lower { j.saturating_sub(top) / tile * tile } else { 0 };
                 if begin >= rows {
                     break;
                 }
@@ -258,7 +258,7 @@ fn less<R: Real, const V: usize, const N: usize>(
             }
         }
     }
-    // An array of its own: where the sums themselves are read column by column the compiler keeps them in memory.
+    // A second array: where the sums themselves are read column by column the compiler keeps them in memory.
     let mut less = [[R::splat(0.0); V]; N];
     for j in 0..N {
         for v in 0..V {
@@ -319,8 +319,9 @@ mod tests {
         let mut c = before.clone();
         let matrix = |values, stride| Matrix { values, stride };
         let by = pivots.then_some(matrix(&d, 2));
-        let of = Product { a: matrix(&a, sa), b: matrix(&b, sb), d: by, rows, columns, depth, keep, lower };
-        Kernel::new(width).product((&mut c, sc), of);
+        let factors =
+            Product { a: matrix(&a, sa), b: matrix(&b, sb), d: by, rows, columns, depth, keep, lower };
+        Kernel::new(width).product((&mut c, sc), factors);
         for (at, value) in c.iter().enumerate() {
             let (i, j) = (at % sc, at / sc);
             let one = |k: usize| a[k * sa + i] * b[k * sb + j] * if pivots { d[2 * k] } else { 1.0 };

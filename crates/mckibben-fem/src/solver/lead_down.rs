@@ -49,9 +49,9 @@ impl<B: Body> Continuation<B> {
         self.descent.begin(terminal);
         let lowest = self.body.taut_pressure(-terminal / self.body.half_length());
         let pressures = || std::iter::successors(Some(lowest), |p| Some(TIGHTENING * p)).take(TIGHTENINGS);
-        let found = pressures().any(|taut| self.tight_guess(taut, terminal))
+        let tight = pressures().any(|taut| self.tight_guess(taut, terminal))
             || pressures().step_by(2).any(|taut| self.tighten(taut, terminal).is_ok());
-        if found {
+        if tight {
             self.descent.push(self.body.state(), self.body.totals().pull, 0.0);
         }
     }
@@ -84,10 +84,13 @@ impl<B: Body> Continuation<B> {
 
     /// An equilibrium with all strands in tension, from a guess.
     fn tight_guess(&mut self, pressure: f64, terminal: f64) -> bool {
-        self.body.guess_taut(pressure, terminal)
-            && self.solve(Control::Length(terminal)).is_ok()
-            && self.stable()
-            && self.body.taut()
+        self.stable_guess(pressure, terminal) && self.body.taut()
+    }
+
+    /// A stable equilibrium from a guess with taut strands.
+    pub(super) fn stable_guess(&mut self, pressure: f64, terminal: f64) -> bool {
+        let guessed = self.body.guess_taut(pressure, terminal);
+        guessed && self.solve(Control::Length(terminal)).is_ok() && self.stable()
     }
 
     /// An equilibrium with all strands in tension: from a guess, else from rest.
@@ -105,13 +108,13 @@ impl<B: Body> Continuation<B> {
     /// From rest, continuously: a tube that has not reached its sleeve has no taut muscle that it continues.
     pub(super) fn inflate(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
         self.body.rest();
-        self.go(pressure, 0.0, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;
+        self.walk_in_steps(pressure, 0.0, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;
         self.follow(pressure, terminal)
     }
 
     /// Goes to a pressure in MPa and a displacement of the terminal in mm in continuous steps.
     fn follow(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
-        self.go(pressure, terminal, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;
+        self.walk_in_steps(pressure, terminal, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;
         if self.stable() { Ok(()) } else { Err(self.interrupted(Stopped::Unstable)) }
     }
 

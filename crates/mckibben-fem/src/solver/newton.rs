@@ -1,7 +1,7 @@
 //! Newton's method with a tangent that may serve twice.
 //!
-//! The last correction of a solve is usually so small that the next residual is below the tolerance: it is then looked at
-//! alone, and where a little is left the old tangent corrects once more. Nothing is allocated.
+//! The last correction of a solve is usually so small that the next residual is below the tolerance: it is then computed
+//! alone, and where it is a little above, the old tangent corrects once more. Nothing is allocated.
 
 use mckibben::cancel::Cancelled;
 use thiserror::Error;
@@ -12,17 +12,20 @@ pub trait NewtonSystem {
     ///
     /// # Errors
     /// [`Stopped`] where the iterate is not admissible.
-    fn residual(&mut self) -> Result<f64, Stopped>;
+    fn residual(&mut self) -> Result<f64>;
 
     /// The same, with the tangent factorised.
-    fn linearise(&mut self) -> Result<f64, Stopped>;
+    fn linearise(&mut self) -> Result<f64>;
 
     /// Solves with the last tangent and moves on; gives the relative size of the correction.
-    fn correct(&mut self) -> Result<f64, Stopped>;
+    fn correct(&mut self) -> Result<f64>;
 
     /// Takes back a share of the last correction: `keep` = ½ leaves half of it, and so on from there.
     fn retreat(&mut self, keep: f64);
 }
+
+/// An iterate, or why it is none.
+pub type Result<T, E = Stopped> = std::result::Result<T, E>;
 
 /// Why an iterate is not admissible or the iteration ended without an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -43,7 +46,7 @@ pub enum Stopped {
     #[error("the equilibrium path from the taut muscle ends before this point")]
     Branch,
     /// The equilibrium is not stable.
-    #[error("the equilibrium that was found is unstable")]
+    #[error("the equilibrium is unstable")]
     Unstable,
     /// The work that a question may cost is spent.
     #[error("the iteration for the deformed shape was stopped because it took too long")]
@@ -90,16 +93,10 @@ pub struct NewtonOptions {
     pub tolerance: f64,
     /// Most corrections.
     pub iterations: usize,
-    /// Below this correction the residual is looked at before a new tangent is made.
+    /// Below this correction the residual is computed before a new tangent.
     pub small: f64,
-    /// Above this correction the iteration is given up.
-    pub large: f64,
-    /// Above this sum of corrections too: the answer would not continue where the iteration began.
+    /// Above this sum of corrections the iteration is given up: the answer would not continue where it began.
     pub reach: f64,
-    /// A correction below this is rounding: the residual may then stand at `rounding_residual`.
-    pub rounding: f64,
-    /// See `rounding`.
-    pub rounding_residual: f64,
     /// Most factorisations of one solve.
     pub factorisations: usize,
     /// Whether the last tangent is that of an equilibrium near by: the first correction uses it.
@@ -107,15 +104,12 @@ pub struct NewtonOptions {
 }
 
 impl NewtonOptions {
-    /// What is taken where nothing else is said.
+    /// The defaults.
     pub const DEFAULT: Self = Self {
         tolerance: 1e-10,
         iterations: 20,
         small: 2e-3,
-        large: 50.0,
         reach: f64::INFINITY,
-        rounding: 1e-11,
-        rounding_residual: 1e-8,
         factorisations: usize::MAX,
         neighbour: false,
     };
@@ -135,6 +129,11 @@ pub struct Effort {
 }
 
 const RETREATS: usize = 6;
+/// Above this correction the iteration is given up.
+const LARGE: f64 = 50.0;
+/// A correction below this is rounding: the residual may then be as large as [`ROUNDING_RESIDUAL`].
+const ROUNDING: f64 = 1e-11;
+const ROUNDING_RESIDUAL: f64 = 1e-8;
 
 /// Runs Newton's method until the residual is below the tolerance. Adds its cost to `effort`, also where it fails.
 /// `watch` sees every residual and may end the iteration.
@@ -145,8 +144,8 @@ pub fn solve(
     system: &mut dyn NewtonSystem,
     options: &NewtonOptions,
     effort: &mut Effort,
-    mut watch: impl FnMut(f64) -> Result<(), Stopped>,
-) -> Result<(), Stopped> {
+    mut watch: impl FnMut(f64) -> Result<()>,
+) -> Result<()> {
     let before = effort.factorisations;
     effort.moved = 0.0;
     if options.neighbour {
@@ -168,7 +167,7 @@ pub fn solve(
         effort.iterations += 1;
         let size = system.correct()?;
         effort.moved += size;
-        if size.is_nan() || size >= options.large {
+        if size.is_nan() || size >= LARGE {
             return Err(Stopped::Diverged);
         }
         if effort.moved > options.reach {
@@ -207,7 +206,7 @@ pub fn solve(
             }
         };
         watch(norm)?;
-        if size < options.rounding && norm <= options.rounding_residual {
+        if size < ROUNDING && norm <= ROUNDING_RESIDUAL {
             effort.residual = norm;
             return Ok(());
         }

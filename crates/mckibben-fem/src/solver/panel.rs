@@ -38,12 +38,12 @@ impl Panel<'_> {
     pub fn factorise(&mut self, kernel: &mut Kernel, rows: Range<usize>) -> Result<(), usize> {
         let stride = self.stride;
         for columns in strips(self.count, kernel.strip()) {
-            let (done, own) = self.values.split_at_mut(columns.start * stride);
+            let (done, strip) = self.values.split_at_mut(columns.start * stride);
             let top = rows.start.max(columns.start);
             if columns.start > 0 {
                 let part = |row| Matrix { values: &done[row..], stride };
                 let d = Matrix { values: &*done, stride: stride + 1 };
-                let of = Product {
+                let factors = Product {
                     a: part(top),
                     b: part(columns.start),
                     d: (self.form == Form::Indefinite).then_some(d),
@@ -53,18 +53,18 @@ impl Panel<'_> {
                     keep: true,
                     lower: rows.start == 0,
                 };
-                kernel.product((&mut own[top..], stride), of);
+                kernel.product((&mut strip[top..], stride), factors);
             }
-            let own = &mut own[columns.start..];
+            let strip = &mut strip[columns.start..];
             let mut below = top - columns.start;
             if rows.start == 0 {
-                pivot(self.form, own, stride, columns.len()).map_err(|q| columns.start + q)?;
+                pivot(self.form, strip, stride, columns.len()).map_err(|q| columns.start + q)?;
                 below = columns.len();
             }
-            let by = triangle(self.form, own, stride, columns.len());
+            let by = triangle(self.form, strip, stride, columns.len());
             let left = rows.end - columns.start - below;
             if left > 0 {
-                kernel.divide((&mut own[below..], stride), left, &by);
+                kernel.divide((&mut strip[below..], stride), left, &by);
             }
         }
         Ok(())
@@ -72,10 +72,10 @@ impl Panel<'_> {
 }
 
 /// Factorises a triangle on the diagonal, its columns `stride` apart.
-fn pivot(form: Form, own: &mut [f64], stride: usize, count: usize) -> Result<(), usize> {
+fn pivot(form: Form, strip: &mut [f64], stride: usize, count: usize) -> Result<(), usize> {
     let mut a = [[0.0; STRIP]; STRIP];
     for (q, column) in a.iter_mut().enumerate().take(count) {
-        column[q..count].copy_from_slice(&own[q * stride + q..q * stride + count]);
+        column[q..count].copy_from_slice(&strip[q * stride + q..q * stride + count]);
     }
     for q in 0..count {
         let d = a[q][q];
@@ -101,20 +101,20 @@ fn pivot(form: Form, own: &mut [f64], stride: usize, count: usize) -> Result<(),
         }
     }
     for (q, column) in a.iter().enumerate().take(count) {
-        own[q * stride + q..q * stride + count].copy_from_slice(&column[q..count]);
+        strip[q * stride + q..q * stride + count].copy_from_slice(&column[q..count]);
     }
     Ok(())
 }
 
 /// What rows below a factorised triangle are divided by.
-fn triangle(form: Form, own: &[f64], stride: usize, count: usize) -> Triangle {
+fn triangle(form: Form, strip: &[f64], stride: usize, count: usize) -> Triangle {
     let mut by = Triangle { count, ..Triangle::default() };
     for p in 0..count {
-        let d = own[p * stride + p];
+        let d = strip[p * stride + p];
         by.share[p] = 1.0 / d;
         let d = if form == Form::Positive { 1.0 } else { d };
         for q in p + 1..count {
-            by.below[q][p] = d * own[p * stride + q];
+            by.below[q][p] = d * strip[p * stride + q];
         }
     }
     by

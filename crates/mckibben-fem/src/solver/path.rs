@@ -27,7 +27,7 @@ impl<B: Body> Continuation<B> {
         if self.trail.predict(along, value, self.body.state_mut()) {
             self.body.state_mut().pressure = pressure;
             if self.solve(Control::Length(terminal)).is_ok() {
-                self.note();
+                self.note_unstable();
                 self.trail_here();
                 return Ok(());
             }

@@ -5,7 +5,7 @@
 use super::body::{Body, Control};
 use super::continuation::{Continuation, LARGEST_CONTRACTION};
 use super::newton::{Interrupted, Stopped};
-use crate::error::FemError;
+use crate::{FemError, Result};
 use mckibben::cancel;
 
 /// Single equilibria on the way to a given pull.
@@ -24,7 +24,7 @@ impl<B: Body> Continuation<B> {
     ///
     /// # Errors
     /// [`FemError`]; [`FemError::OutOfReach`] where the muscle cannot carry that pull.
-    pub fn reach_force(&mut self, force: f64, pressure: f64) -> Result<(), FemError> {
+    pub fn reach_force(&mut self, force: f64, pressure: f64) -> Result<()> {
         let mut contraction = self.body.guess_contraction(force, pressure)?;
         let length = 2.0 * self.body.half_length();
         let mut refused = FemError::Force { force_n: force, reason: Stopped::Iterations };
@@ -56,18 +56,13 @@ impl<B: Body> Continuation<B> {
     }
 
     /// Finds the equilibrium with a pull in N at a contraction by Newton's method with both held; its pressure is sought.
-    pub fn reach_pressure(&mut self, force: f64, contraction: f64) -> Result<(), FemError> {
+    pub fn reach_pressure(&mut self, force: f64, contraction: f64) -> Result<()> {
         let guess = self.body.guess_pressure(force, contraction)?;
         self.reach_pressure_from(guess, force, contraction)
     }
 
     /// The same from a pressure in MPa near to it.
-    pub fn reach_pressure_from(
-        &mut self,
-        mut pressure: f64,
-        force: f64,
-        contraction: f64,
-    ) -> Result<(), FemError> {
+    pub fn reach_pressure_from(&mut self, mut pressure: f64, force: f64, contraction: f64) -> Result<()> {
         let terminal = -contraction * self.body.half_length();
         let scale = self.body.smallest_pressure();
         let mut refused = FemError::Force { force_n: force, reason: Stopped::Iterations };
@@ -102,8 +97,8 @@ impl<B: Body> Continuation<B> {
         Err(refused)
     }
 
-    /// Whether the equilibrium that was found with a held pull is the answer at its own pressure and contraction.
-    fn is_that_of(&mut self, force: f64) -> Result<bool, FemError> {
+    /// Whether the equilibrium with a held pull is the answer at its pressure and contraction.
+    fn is_that_of(&mut self, force: f64) -> Result<bool> {
         if B::SETTINGS.take_unstable || self.body.certain() {
             return Ok(true);
         }
@@ -121,8 +116,8 @@ impl<B: Body> Continuation<B> {
     /// The refusal of a pull that lies beyond what the muscle reaches when it is stretched or shortened as far as it goes.
     fn out_of_reach(&mut self, force_n: f64, pressure_mpa: f64) -> Option<FemError> {
         self.reach(pressure_mpa, 0.0).ok()?;
-        let way = if force_n > self.pull() { 1.0 } else { -1.0 };
-        let terminal = way * LARGEST_CONTRACTION * self.body.half_length();
+        let sign = if force_n > self.pull() { 1.0 } else { -1.0 };
+        let terminal = sign * LARGEST_CONTRACTION * self.body.half_length();
         self.allow(Some(BUDGET_TO_THE_END));
         let end = self.walk(pressure_mpa, terminal, SEARCH_CONTRACTION);
         self.allow(None);
@@ -130,7 +125,7 @@ impl<B: Body> Continuation<B> {
             Ok(()) => (self.pull(), self.contraction()),
             Err(Interrupted { last, .. }) => (last.force_n, last.contraction),
         };
-        (way * force_n > way * nearest_force_n).then_some(FemError::OutOfReach {
+        (sign * force_n > sign * nearest_force_n).then_some(FemError::OutOfReach {
             force_n,
             pressure_mpa,
             nearest_force_n,

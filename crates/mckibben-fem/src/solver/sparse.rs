@@ -12,10 +12,10 @@ use super::symbolic::{Form, Symbolic};
 use crate::element::lanes::Width;
 use std::sync::Arc;
 
-/// A pattern and where the entries of its factors stand: made once, shared by all matrices with that pattern.
+/// A pattern and the places of its factors' entries: made once, shared by all matrices with that pattern.
 #[derive(Debug)]
 pub struct Analysis {
-    /// Where entries stand.
+    /// Places of the entries.
     pub pattern: Pattern,
     symbolic: Symbolic,
 }
@@ -38,7 +38,7 @@ pub struct SparseCholesky {
 impl Analysis {
     /// Analyses a pattern, where there is memory for it.
     pub fn new(pattern: Pattern) -> Option<Self> {
-        let symbolic = Symbolic::of(&pattern)?;
+        let symbolic = Symbolic::from_pattern(&pattern)?;
         Some(Self { pattern, symbolic })
     }
 }
@@ -83,6 +83,6 @@ impl SparseCholesky {
 
 /// Negative pivots of L D Lᵀ.
 fn negative(symbolic: &Symbolic, factor: &[f64]) -> usize {
-    let of = |i: usize| factor[symbolic.values(i)].iter().step_by(symbolic.height(i) + 1);
-    (0..symbolic.count()).flat_map(of).filter(|pivot| **pivot < 0.0).count()
+    let diagonal = |i: usize| factor[symbolic.values(i)].iter().step_by(symbolic.height(i) + 1);
+    (0..symbolic.count()).flat_map(diagonal).filter(|pivot| **pivot < 0.0).count()
 }

@@ -67,11 +67,11 @@ fn substitute<R: Real>(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>)
 fn forward<R: Real, const N: usize>(form: Form, (l, height): (&[f64], usize), c: usize, y: &mut [f64]) {
     let mut v = [0.0; N];
     for k in 0..N {
-        let own = &l[k * height + c..][..N];
-        v[k] = if form == Form::Positive { y[c + k] / own[k] } else { y[c + k] };
+        let column = &l[k * height + c..][..N];
+        v[k] = if form == Form::Positive { y[c + k] / column[k] } else { y[c + k] };
         y[c + k] = v[k];
         for q in k + 1..N {
-            y[c + q] -= own[q] * v[k];
+            y[c + q] -= column[q] * v[k];
         }
     }
     let mut r = c + N;
@@ -100,17 +100,17 @@ fn backward<R: Real, const N: usize>(form: Form, (l, height): (&[f64], usize), c
         r = end;
     }
     for k in (0..N).rev() {
-        let own = &l[k * height + c..][..N];
+        let column = &l[k * height + c..][..N];
         let mut total = 0.0;
         for lane in 0..R::LANES {
             total += sum[k].lane(lane);
         }
         for q in k + 1..N {
-            total += own[q] * y[c + q];
+            total += column[q] * y[c + q];
         }
         y[c + k] = match form {
-            Form::Positive => (y[c + k] - total) / own[k],
-            Form::Indefinite => y[c + k] / own[k] - total,
+            Form::Positive => (y[c + k] - total) / column[k],
+            Form::Indefinite => y[c + k] / column[k] - total,
         };
     }
 }

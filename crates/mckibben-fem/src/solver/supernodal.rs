@@ -1,7 +1,7 @@
 //! The numbers of a supernodal Cholesky factorisation, in pieces of bounded work: between two pieces it can be ended.
 //!
 //! Left-looking (Ng & Peyton 1993 \[ng1993\]). A supernode takes its entries of the matrix; then what every earlier supernode with rows in
-//! it takes off; then its own columns are factorised, panel by panel.
+//! it takes off; then its columns are factorised, panel by panel.
 
 use super::kernel::{Kernel, Matrix, Product};
 use super::newton::Stopped;
@@ -33,8 +33,8 @@ pub(super) struct Numeric {
     work: usize,
 }
 
-fn pieces(of: Range<usize>, size: usize) -> impl Iterator<Item = Range<usize>> + Clone {
-    of.clone().step_by(size).map(move |a| a..(a + size).min(of.end))
+fn pieces(all: Range<usize>, size: usize) -> impl Iterator<Item = Range<usize>> + Clone {
+    all.clone().step_by(size).map(move |a| a..(a + size).min(all.end))
 }
 
 impl Numeric {
@@ -63,8 +63,8 @@ impl Numeric {
             all.enumerate().for_each(|(k, row)| self.local[row] = k as u32);
             factor.resize(s.values(i).end, 0.0);
             self.worked(columns.len() * height)?;
-            let (head, own) = factor.split_at_mut(s.values(i).start);
-            for (j, column) in columns.clone().zip(own.chunks_exact_mut(height)) {
+            let (head, block) = factor.split_at_mut(s.values(i).start);
+            for (j, column) in columns.clone().zip(block.chunks_exact_mut(height)) {
                 for k in pattern.columns[j] as usize..pattern.columns[j + 1] as usize {
                     column[self.local[pattern.rows[k] as usize] as usize] += values[k];
                 }
@@ -75,9 +75,9 @@ impl Numeric {
                 let first = rows.partition_point(|r| (*r as usize) < columns.start);
                 let inside = first + rows[first..].partition_point(|r| (*r as usize) < columns.end);
                 let from = (&head[s.values(d)], s.columns(d).len());
-                self.take_off(from, (rows, first..inside), (own, height))?;
+                self.take_off(from, (rows, first..inside), (block, height))?;
             }
-            self.eliminate((own, height, columns.len()))?;
+            self.eliminate((block, height, columns.len()))?;
         }
         Ok(())
     }
@@ -96,7 +96,7 @@ impl Numeric {
         &mut self,
         (from, wide): (&[f64], usize),
         (names, inside): (&[u32], Range<usize>),
-        (own, height): (&mut [f64], usize),
+        (block, height): (&mut [f64], usize),
     ) -> Result<(), Stopped> {
         let stride = wide + names.len();
         let part = |row: usize, column: usize| Matrix { values: &from[column * stride + row..], stride };
@@ -111,14 +111,14 @@ impl Numeric {
                     let d = Matrix { stride: stride + 1, ..part(depth.start, depth.start) };
                     let d = (self.form == Form::Indefinite).then_some(d);
                     let (keep, depth) = (depth.start > 0, depth.len());
-                    let of = Product { a, b, d, rows: size, columns: count, depth, keep, lower };
-                    self.kernel.product((&mut self.product, size), of);
+                    let factors = Product { a, b, d, rows: size, columns: count, depth, keep, lower };
+                    self.kernel.product((&mut self.product, size), factors);
                     self.worked(count * size * depth)?;
                 }
                 self.places.clear();
                 self.places.extend(names[rows.clone()].iter().map(|r| self.local[*r as usize]));
                 for (j, product) in columns.clone().zip(self.product.chunks_exact(size)) {
-                    let column = &mut own[self.local[names[j] as usize] as usize * height..][..height];
+                    let column = &mut block[self.local[names[j] as usize] as usize * height..][..height];
                     let begin = j.saturating_sub(rows.start);
                     for (place, value) in self.places[begin..].iter().zip(&product[begin..]) {
                         column[*place as usize] += value;
@@ -130,11 +130,11 @@ impl Numeric {
     }
 
     /// Factorises the columns of a supernode.
-    fn eliminate(&mut self, (own, height, width): (&mut [f64], usize, usize)) -> Result<(), Stopped> {
+    fn eliminate(&mut self, (block, height, width): (&mut [f64], usize, usize)) -> Result<(), Stopped> {
         let form = self.form;
         for columns in pieces(0..width, COLUMNS) {
             let (first, count) = (columns.start, columns.len());
-            let (done, own) = own.split_at_mut(first * height);
+            let (done, block) = block.split_at_mut(first * height);
             let part =
                 |row: usize, column: usize| Matrix { values: &done[column * height + row..], stride: height };
             for depth in pieces(0..first, DEPTH) {
@@ -143,12 +143,12 @@ impl Numeric {
                     let d = (form == Form::Indefinite).then_some(d);
                     let (a, b) = (part(rows.start, depth.start), part(first, depth.start));
                     let (size, depth, lower) = (rows.len(), depth.len(), rows.start == first);
-                    let of = Product { a, b, d, rows: size, columns: count, depth, keep: true, lower };
-                    self.kernel.product((&mut own[rows.start..], height), of);
+                    let factors = Product { a, b, d, rows: size, columns: count, depth, keep: true, lower };
+                    self.kernel.product((&mut block[rows.start..], height), factors);
                     self.worked(count * size * depth)?;
                 }
             }
-            let mut panel = Panel { form, values: &mut own[first..], stride: height, count };
+            let mut panel = Panel { form, values: &mut block[first..], stride: height, count };
             let top = count.max(CHUNK).min(height - first);
             let rest = pieces(top..height - first, CHUNK);
             for rows in std::iter::once(0..top).chain(rest) {
@@ -198,9 +198,9 @@ mod tests {
     #[test]
     fn systems_are_solved_and_have_the_inertia_of_their_diagonal() {
         for (blocks, last, negative) in [(5, 20, 0), (4, 700, 0), (5, 20, 7), (4, 700, 7)] {
-            let of = matrix(blocks, last, negative);
-            let (pattern, values) = &of;
-            let mut cholesky = factorised(&of).unwrap();
+            let matrix = matrix(blocks, last, negative);
+            let (pattern, values) = &matrix;
+            let mut cholesky = factorised(&matrix).unwrap();
             let n = pattern.dimension();
             let wanted: Vec<f64> = (0..n).map(|i| (i as f64).sin()).collect();
             let mut b = vec![0.0; n];
@@ -225,12 +225,12 @@ mod tests {
     /// Some 10⁸ multiplications look at the flag more than once.
     #[test]
     fn a_factorisation_that_is_cancelled_ends() {
-        let of = matrix(4, 700, 0);
-        assert!(factorised(&of).is_ok());
+        let matrix = matrix(4, 700, 0);
+        assert!(factorised(&matrix).is_ok());
         let cancel = Cancel::default();
         cancel.cancel();
         let _entered = cancel.enter();
-        assert_eq!(factorised(&of).unwrap_err(), Stopped::Cancelled(Cancelled));
+        assert_eq!(factorised(&matrix).unwrap_err(), Stopped::Cancelled(Cancelled));
     }
 
     /// The lower half of a matrix where `meets(i, j)` says so; the diagonal dominates, its sign by row.
@@ -276,12 +276,12 @@ mod tests {
         let signs: [fn(usize) -> f64; 3] =
             [|_| 1.0, |i| if i % 3 == 1 { -1.0 } else { 1.0 }, |i| if i < 20 { 1.0 } else { -1.0 }];
         for ((n, meets), sign) in shapes.into_iter().flat_map(|s| signs.map(|sign| (s, sign))) {
-            let (of, full) = sparse(n, meets, sign);
+            let (matrix, full) = sparse(n, meets, sign);
             let b = DVector::from_fn(n, |i, _| 1.5 + ((i * i) as f64).sin());
             let wanted = full.clone().lu().solve(&b).unwrap();
             let negative = full.symmetric_eigenvalues().iter().filter(|x| **x < 0.0).count();
             each_width(|width| {
-                let mut cholesky = factorised(&of).unwrap();
+                let mut cholesky = factorised(&matrix).unwrap();
                 let mut x = b.as_slice().to_vec();
                 cholesky.solve(&mut x);
                 let off = x.iter().zip(&wanted).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);

@@ -1,4 +1,4 @@
-//! Where the entries of a Cholesky factor stand: columns with the same rows below them, side by side, are one supernode.
+//! Places of the entries of a Cholesky factor: columns with the same rows below them, side by side, are one supernode.
 //!
 //! Unknowns are eliminated in the order in which they are numbered. Column j of L has the rows of A's column and those of its children in
 //! the elimination tree (Liu 1990 \[liu1990\]),
@@ -8,7 +8,7 @@
 //! ```
 //!
 //! so that the tree comes out of the same walk. Column j goes on with the supernode of column j − 1 where it is the parent of that one alone
-//! and brings no row of its own: a fundamental supernode, whose rows are kept once (Davis 2006 \[davis2006b\]). A supernode and the parent right
+//! and brings no other row: a fundamental supernode, whose rows are kept once (Davis 2006 \[davis2006b\]). A supernode and the parent right
 //! behind it are merged where few of the entries that result are zeros (Ashcraft & Grimes 1989 \[ashcraft1989\]): wide supernodes are
 //! quick, and a child's rows lie within the parent's columns and rows.
 
@@ -31,7 +31,7 @@ pub(super) enum Form {
     Indefinite,
 }
 
-/// The lower half of a symmetric matrix by columns: where entries stand.
+/// The lower half of a symmetric matrix by columns: places of its entries.
 #[derive(Debug, Clone)]
 pub struct Pattern {
     /// First entry of each column, and the number of all.
@@ -51,7 +51,7 @@ impl Pattern {
         self.rows.len()
     }
 
-    /// Where entry (`row`, `column`) of the lower half stands.
+    /// Place of entry (`row`, `column`) of the lower half.
     pub fn position(&self, row: u32, column: u32) -> Option<u32> {
         let start = *self.columns.get(column as usize)?;
         let end = *self.columns.get(column as usize + 1)?;
@@ -60,7 +60,7 @@ impl Pattern {
     }
 }
 
-/// The supernodes of a pattern. Each is a matrix by columns: its own rows, then those below.
+/// The supernodes of a pattern. Each is a matrix by columns: the rows of its columns, then those below.
 #[derive(Debug)]
 pub(super) struct Symbolic {
     /// First column of each supernode, and the number of all columns.
@@ -77,7 +77,7 @@ pub(super) struct Symbolic {
 
 impl Symbolic {
     /// The supernodes of a pattern; `None` where there is no memory for them or their numbers.
-    pub fn of(pattern: &Pattern) -> Option<Self> {
+    pub fn from_pattern(pattern: &Pattern) -> Option<Self> {
         let mut all = Self::fundamental(pattern)?;
         all.merge();
         all.place_values()?;
@@ -123,17 +123,17 @@ impl Symbolic {
     fn fundamental(pattern: &Pattern) -> Option<Self> {
         let n = pattern.dimension();
         let (mut begin, mut first_row, mut rows) = (vec![], vec![0], vec![]);
-        // The supernode that a row was last found in; the children of each column: the last one, and the one before each supernode.
-        let (mut found, mut child, mut sibling) = (vec![NONE; n], vec![NONE; n], vec![]);
+        // The last supernode with a row; the children of each column: the last one, and the one before each supernode.
+        let (mut last_in, mut child, mut sibling) = (vec![NONE; n], vec![NONE; n], vec![]);
         // Rows of the supernode that may go on, and how many of them have become its columns.
         let (mut open, mut passed): (Vec<u32>, usize) = (vec![], 0);
         for j in 0..n {
-            let own = &pattern.rows[pattern.columns[j] as usize..pattern.columns[j + 1] as usize];
-            let own = own.iter().copied().filter(|r| *r as usize > j);
+            let below = &pattern.rows[pattern.columns[j] as usize..pattern.columns[j + 1] as usize];
+            let below = below.iter().copied().filter(|r| *r as usize > j);
             if let Some(last) = begin.len().checked_sub(1) {
                 let parent = open.get(passed).copied();
                 let only = parent == Some(j as u32) && child[j] == NONE;
-                if only && own.clone().all(|r| found[r as usize] == last as u32) {
+                if only && below.clone().all(|r| last_in[r as usize] == last as u32) {
                     passed += 1;
                     continue;
                 }
@@ -144,14 +144,14 @@ impl Symbolic {
             }
             let this = begin.len() as u32;
             begin.push(j as u32);
-            (open, passed) = (own.collect(), 0);
-            open.iter().for_each(|r| found[*r as usize] = this);
+            (open, passed) = (below.collect(), 0);
+            open.iter().for_each(|r| last_in[*r as usize] = this);
             let mut next = child[j];
             while next != NONE {
                 let c = next as usize;
                 for &r in &rows[first_row[c] + 1..first_row[c + 1]] {
-                    if found[r as usize] != this {
-                        found[r as usize] = this;
+                    if last_in[r as usize] != this {
+                        last_in[r as usize] = this;
                         open.push(r);
                     }
                 }
@@ -170,7 +170,7 @@ impl Symbolic {
 
     /// Merges supernodes with the parents right behind them.
     fn merge(&mut self) {
-        // Number of those that are left; first column, rows and zeros of the last one.
+        // Number of those that remain; first column, rows and zeros of the last one.
         let (mut kept, mut start, mut zeros) = (0_usize, 0, 0.0);
         for i in 0..self.count() {
             let (columns, rows) = (self.columns(i), self.first_row[i]..self.first_row[i + 1]);
@@ -284,10 +284,10 @@ mod tests {
 
     /// Rows of each column as the supernodes have them.
     fn columns(s: &Symbolic) -> Vec<Vec<u32>> {
-        let of = |i: usize| {
+        let supernode = |i: usize| {
             s.columns(i).map(move |j| (j as u32..s.columns(i).end as u32).chain(s.below(i).iter().copied()))
         };
-        (0..s.count()).flat_map(of).map(Iterator::collect).collect()
+        (0..s.count()).flat_map(supernode).map(Iterator::collect).collect()
     }
 
     #[test]
@@ -309,7 +309,7 @@ mod tests {
     #[test]
     fn merged_supernodes_hold_the_elimination_with_few_zeros_more() {
         for pattern in patterns() {
-            let s = Symbolic::of(&pattern).unwrap();
+            let s = Symbolic::from_pattern(&pattern).unwrap();
             let (wanted, got) = (eliminated(&pattern), columns(&s));
             assert_eq!(got.len(), wanted.len());
             assert!(wanted.iter().zip(&got).all(|(w, g)| w.iter().all(|r| g.contains(r))));
@@ -338,7 +338,7 @@ mod tests {
             })
             .collect();
         let rows = (0..n).flat_map(|j| j..n).collect();
-        let s = Symbolic::of(&Pattern { columns, rows }).unwrap();
+        let s = Symbolic::from_pattern(&Pattern { columns, rows }).unwrap();
         assert_eq!((s.count(), s.columns(0), s.entries()), (1, 0..30, 900));
     }
 }

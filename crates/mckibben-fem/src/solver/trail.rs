@@ -49,7 +49,7 @@ impl Trail {
         self.states.last()
     }
 
-    /// Fills `out` with what Lagrange's polynomial through the equilibria predicts at `value`; `false` where two of them stand at one
+    /// Fills `out` with what Lagrange's polynomial through the equilibria predicts at `value`; `false` where two of them are at one
     /// place.
     pub fn predict(&self, along: Along, value: f64, out: &mut State) -> bool {
         let trail = &self.states;

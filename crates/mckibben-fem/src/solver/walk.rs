@@ -25,12 +25,7 @@ impl<B: Body> Continuation<B> {
     pub(super) fn long_way(&mut self, pressure: f64, terminal: f64, guess: bool) -> Result<(), Interrupted> {
         let pulling = self.body.pulling_pressure(-terminal / self.body.half_length());
         let taut = pulling.map_or(pressure, |p| pressure.max(TAUT * p));
-        let there = guess
-            && taut > pressure
-            && self.body.guess_taut(taut, terminal)
-            && self.solve(Control::Length(terminal)).is_ok()
-            && self.stable();
-        if !there {
+        if !(guess && taut > pressure && self.stable_guess(taut, terminal)) {
             self.restart(taut, terminal)?;
         }
         // Strands go slack one after the other: small steps.
@@ -79,12 +74,12 @@ impl<B: Body> Continuation<B> {
     /// # Errors
     /// [`Interrupted`]; the body then is back at the last equilibrium.
     pub fn walk(&mut self, pressure: f64, terminal: f64, first: f64) -> Result<(), Interrupted> {
-        self.go(pressure, terminal, first, B::SETTINGS.smallest_step, f64::INFINITY)
+        self.walk_in_steps(pressure, terminal, first, B::SETTINGS.smallest_step, f64::INFINITY)
     }
 
     /// The same in steps of at least the share `smallest` of the way, each of which ends within `reach` (share of the radius) of where the
     /// steps before predict it.
-    pub(super) fn go(
+    pub(super) fn walk_in_steps(
         &mut self,
         pressure: f64,
         terminal: f64,
@@ -108,7 +103,7 @@ impl<B: Body> Continuation<B> {
             match self.solve_within(Control::Length(w), reach) {
                 Ok(()) => {
                     self.steps = self.steps.map(|n| n + 1);
-                    self.note();
+                    self.note_unstable();
                     if next >= 1.0 {
                         return Ok(());
                     }

@@ -10,12 +10,12 @@ use crate::element::law::with;
 use crate::element::spatial::{AT, SpatialLaw};
 use crate::load::cavity_faces::{self, FacePoint, skew, volume};
 use crate::solver::body::{State, Totals};
-use crate::solver::newton::Stopped;
+use crate::solver::newton::{Result, Stopped};
 use mckibben::cancel;
 use std::ops::Range;
 use std::sync::LazyLock;
 
-/// Bricks between two looks at the flag that ends work: some tenths of a second at the most. A multiple of all widths of lanes.
+/// Bricks between two checks of the cancel flag: some tenths of a second at the most. A multiple of all widths of lanes.
 const PIECE: usize = 1024;
 
 static POINTS8: LazyLock<Vec<ShapePoint>> = LazyLock::new(|| points(1));
@@ -26,7 +26,7 @@ static FACE9: LazyLock<Vec<FacePoint<9>>> = LazyLock::new(cavity_faces::points);
 /// What an assembly fills.
 #[derive(Debug, Clone)]
 pub struct Assembled {
-    /// Lower half of the tangent, the terminal's column, its own entry, and a number that nobody reads.
+    /// Lower half of the tangent, the terminal's column, its diagonal entry, and a number that is not read.
     pub values: Vec<f64>,
     /// ∂Π/∂u of every displacement, with what is condensed.
     pub force: Vec<f64>,
@@ -56,11 +56,7 @@ impl Assembled {
 }
 
 /// Adds up the elements; the tangent only where `TANGENT`.
-pub fn assemble<const TANGENT: bool>(
-    d: &Discretisation,
-    s: &State,
-    work: &mut Assembled,
-) -> Result<Totals, Stopped> {
+pub fn assemble<const TANGENT: bool>(d: &Discretisation, s: &State, work: &mut Assembled) -> Result<Totals> {
     work.force.fill(0.0);
     work.cavity.fill(0.0);
     if TANGENT {
@@ -89,7 +85,7 @@ pub fn assemble<const TANGENT: bool>(
     for (f, dead) in work.force.chunks_exact_mut(3).zip(&d.problem.dead) {
         (0..3).for_each(|i| f[i] -= s.pressure * dead[i]);
     }
-    // The terminal's own share of the cavity.
+    // The terminal's share of the cavity.
     let cap = d.problem.cap_mm2;
     totals.volume += cap * (d.half + s.terminal) / 3.0;
     let reaction: f64 = d.terminal.iter().map(|&i| work.force[i as usize]).sum();
@@ -110,30 +106,30 @@ struct Piece<'a> {
 }
 
 /// Adds up bricks of one material until one is turned inside out.
-fn add<const TANGENT: bool>(of: Piece<'_>, work: &mut Assembled, totals: &mut Totals) -> Result<(), Stopped> {
-    match of.d.problem.brick {
-        Brick::Linear => wide::<8, 1, TANGENT>(of.d.width, &POINTS8, of, work, totals),
-        Brick::Quadratic => wide::<27, 4, TANGENT>(of.d.width, &POINTS27, of, work, totals),
+fn add<const TANGENT: bool>(piece: Piece<'_>, work: &mut Assembled, totals: &mut Totals) -> Result<()> {
+    match piece.d.problem.brick {
+        Brick::Linear => wide::<8, 1, TANGENT>(piece.d.width, &POINTS8, piece, work, totals),
+        Brick::Quadratic => wide::<27, 4, TANGENT>(piece.d.width, &POINTS27, piece, work, totals),
     }
 }
 
 on_lanes! {
     fn wide[NN: usize, NM: usize, TANGENT: bool](
         points: &[ShapePoint],
-        of: Piece<'_>,
+        piece: Piece<'_>,
         work: &mut Assembled,
         totals: &mut Totals,
-    ) -> Result<(), Stopped> = all
+    ) -> Result<()> = all
 }
 
 #[inline(always)]
 fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint],
-    of: Piece<'_>,
+    piece: Piece<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
-) -> Result<(), Stopped> {
-    let Piece { d, s, m, law, bricks: Range { start, end: count } } = of;
+) -> Result<()> {
+    let Piece { d, s, m, law, bricks: Range { start, end: count } } = piece;
     let o = R::splat(0.0);
     let mut input = Input {
         rest: [[o; 3]; NN],

@@ -1,16 +1,16 @@
 //! A body, its state and its tangent: Newton's method for it.
 //!
 //! Unknowns are displacements u, the terminal's w, and multipliers: pressures of the bricks and tensions of the strands,
-//! carried along as variables of their own so that stiff constraints do not slow Newton's method down (Magisano,
+//! carried along as separate variables so that stiff constraints do not slow Newton's method down (Magisano,
 //! Leonetti & Garcea 2017). `saddle.rs` solves the linear systems.
 
 use super::assembly::{Assembled, assemble};
 use super::discretisation::{Discretisation, share};
 use super::saddle::{Constraints, constraint_residual, dot, gather};
-use crate::FemError;
 use crate::solver::body::{Control, State, Totals};
 use crate::solver::newton::{NewtonSystem, Stopped};
 use crate::solver::sparse::SparseCholesky;
+use crate::{FemError, Result};
 use mckibben::cancel;
 use std::sync::Arc;
 
@@ -61,7 +61,7 @@ impl Body {
     ///
     /// # Errors
     /// [`FemError::Refused`] where there is not enough memory.
-    pub fn new(discretisation: impl Into<Arc<Discretisation>>) -> Result<Self, FemError> {
+    pub fn new(discretisation: impl Into<Arc<Discretisation>>) -> Result<Self> {
         let discretisation = discretisation.into();
         let cholesky = SparseCholesky::new(discretisation.analysis.clone())
             .ok_or_else(|| FemError::too_large(discretisation.free))?;
@@ -78,12 +78,6 @@ impl Body {
             state,
             discretisation,
         })
-    }
-
-    /// Residual of the present state, without a tangent.
-    pub fn evaluate(&mut self) -> Result<Totals, Stopped> {
-        self.totals = assemble::<false>(&self.discretisation, &self.state, &mut self.assembled)?;
-        Ok(self.totals)
     }
 
     /// Residual and tangent of the present state.
@@ -109,7 +103,7 @@ impl Body {
         self.cholesky.negative
     }
 
-    /// The terminal's column of the tangent, and its own entry.
+    /// The terminal's column of the tangent, and its diagonal entry.
     fn terminal_column(&self) -> (&[f64], f64) {
         let (entries, n) = (self.discretisation.pattern().entries(), self.discretisation.free);
         (&self.assembled.values[entries..entries + n], self.assembled.values[entries + n])
@@ -135,7 +129,7 @@ impl Body {
             }
             gather(d, &all, &mut b);
         }
-        let (column, own) = self.terminal_column();
+        let (column, diagonal) = self.terminal_column();
         for (b, k) in b.iter_mut().zip(column) {
             *b -= k * dw;
         }
@@ -151,7 +145,7 @@ impl Body {
         constraints.forces(&dm, &mut forces);
         gather(d, &out.u, &mut b);
         let (column, _) = self.terminal_column();
-        let mut change = own * dw + dot(column, &b);
+        let mut change = diagonal * dw + dot(column, &b);
         change += d.terminal.iter().map(|&i| forces[i as usize]).sum::<f64>();
         if cause == Cause::PRESSURE {
             change -= d.terminal.iter().map(|&i| self.assembled.cavity[i as usize]).sum::<f64>();
@@ -204,17 +198,17 @@ impl Body {
         let scale = self.force_scale();
         let free = d.place.iter().map(|&i| self.assembled.force[i as usize].abs()).fold(0.0, f64::max);
         let held = self.control.missed(&self.state, self.totals.pull, d.radius, scale);
-        // Where the multipliers are iterated, what is left of the constraints counts as well.
+        // Where the multipliers are iterated, the defects of the constraints count as well.
         let rubber = &d.materials[0];
-        let left = if share(rubber.compliance, rubber.augment) > 0.0 { self.totals.defect } else { 0.0 };
+        let defect = if share(rubber.compliance, rubber.augment) > 0.0 { self.totals.defect } else { 0.0 };
         let scale = scale.max(d.rounding_n / ROUNDING);
-        (free / scale).max(held).max(left)
+        (free / scale).max(held).max(defect)
     }
 }
 
 impl NewtonSystem for Body {
     fn residual(&mut self) -> Result<f64, Stopped> {
-        self.evaluate()?;
+        self.totals = assemble::<false>(&self.discretisation, &self.state, &mut self.assembled)?;
         Ok(self.norm())
     }
 

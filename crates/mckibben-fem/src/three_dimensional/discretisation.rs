@@ -2,7 +2,6 @@
 //! change while it deforms.
 
 use super::problem::{Freedom, Problem};
-use crate::FemError;
 use crate::element::brick::{Modes, modes};
 use crate::element::hexahedron::points;
 use crate::element::lanes::Width;
@@ -10,13 +9,14 @@ use crate::element::spatial::PAIRS;
 use crate::element::truss::{Pull, Truss};
 use crate::solver::body::State;
 use crate::solver::sparse::{Analysis, Pattern};
+use crate::{FemError, Result};
 use mckibben::cancel::{self, Cancelled};
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, RubberLaw};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Elements or unknowns between two looks at the flag that ends work.
+/// Elements or unknowns between two checks of the cancel flag.
 const PIECE: usize = 4096;
 /// γ over the shear modulus: the share of the bulk modulus that is condensed; what is above it is iterated.
 const AUGMENT: f64 = 2000.0;
@@ -42,7 +42,7 @@ pub struct Discretisation {
     pub place: Vec<u32>,
     /// Displacements that move with the terminal.
     pub terminal: Vec<u32>,
-    /// Where the entries of the tangent and of its factors stand.
+    /// Places of the entries of the tangent and of its factors.
     pub analysis: Arc<Analysis>,
     /// Where the blocks of bricks go, brick by brick.
     pub brick_map: Vec<u32>,
@@ -100,7 +100,7 @@ impl Material {
     }
 }
 
-/// β = 1 − γ/k; what is left by rounding where γ = k is zero.
+/// β = 1 − γ/k; 0 where γ = k but for rounding.
 pub(super) fn share(compliance: f64, augment: f64) -> f64 {
     let share = 1.0 - augment * compliance;
     if share > 1e-12 { share } else { 0.0 }
@@ -112,7 +112,7 @@ impl Discretisation {
     /// # Errors
     /// [`FemError::Refused`] where an element is turned inside out at rest, [`FemError::Refused`] without enough memory,
     /// [`FemError::Cancelled`] where the work is cancelled.
-    pub fn new(problem: Problem) -> Result<Self, FemError> {
+    pub fn new(problem: Problem) -> Result<Self> {
         let rest = rest_modes(&problem)?;
         let (unknown, place, terminal) = number(&problem);
         let free = place.len();
@@ -175,7 +175,7 @@ impl Discretisation {
         if brick < rubber.bricks.end { rubber } else { &self.materials[1] }
     }
 
-    /// Where the tangent's entries stand.
+    /// Places of the tangent's entries.
     pub fn pattern(&self) -> &Pattern {
         &self.analysis.pattern
     }
@@ -191,7 +191,7 @@ impl Discretisation {
     }
 
     /// Where ∂²Π of two displacements goes: into the lower half, into the terminal's column behind it, or into the last
-    /// number, which nobody reads.
+    /// number, which is not read.
     fn entry(&self, a: u32, b: u32) -> u32 {
         let (n, entries) = (self.free as u32, self.pattern().entries() as u32);
         let (high, low) = (a.max(b), a.min(b));
@@ -209,11 +209,11 @@ impl Discretisation {
     }
 
     fn map(&mut self) -> Result<(), Cancelled> {
-        let nothing = (self.pattern().entries() + self.free + 1) as u32;
+        let unread = (self.pattern().entries() + self.free + 1) as u32;
         let mut map = Vec::with_capacity(self.bricks() * self.per_map());
         let mut twice = Vec::new();
         for (e, nodes) in self.problem.bricks.iter().enumerate() {
-            look(e)?;
+            check_cancel(e)?;
             let start = map.len();
             for (a, b) in pairs(self.per_brick, 0) {
                 let [x, y] = [a, b].map(|a| self.unknown[nodes[a] as usize]);
@@ -224,14 +224,14 @@ impl Discretisation {
                         twice.push((e as u32, (map.len() - start) as u32));
                     }
                     // Of blocks on the diagonal only one half.
-                    map.push(if a == b && i > j { nothing } else { entry });
+                    map.push(if a == b && i > j { unread } else { entry });
                 }
             }
         }
         let truss = |&([a, b], _): &([u32; 2], Truss)| {
-            let [own, other] = [a, b].map(|n| self.block(n, n)).map(|all| PAIRS.map(|(i, j)| all[3 * i + j]));
-            let mut entries = own.into_iter().chain(other).chain(self.block(a, b));
-            std::array::from_fn(|_| entries.next().unwrap_or(nothing))
+            let [at_a, at_b] = [a, b].map(|n| self.block(n, n)).map(|all| PAIRS.map(|(i, j)| all[3 * i + j]));
+            let mut entries = at_a.into_iter().chain(at_b).chain(self.block(a, b));
+            std::array::from_fn(|_| entries.next().unwrap_or(unread))
         };
         let face = |nodes: &Vec<u32>| {
             pairs(nodes.len(), 1).flat_map(|(a, b)| self.block(nodes[a], nodes[b])).collect::<Vec<u32>>()
@@ -248,8 +248,8 @@ fn pairs(count: usize, apart: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..count).flat_map(move |a| (a + apart..count).map(move |b| (a, b)))
 }
 
-/// Looks at the flag now and then.
-fn look(number: usize) -> Result<(), Cancelled> {
+/// Checks the cancel flag once in [`PIECE`] numbers.
+fn check_cancel(number: usize) -> Result<(), Cancelled> {
     if number.is_multiple_of(PIECE) { cancel::check() } else { Ok(()) }
 }
 
@@ -263,10 +263,10 @@ fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
     stiff.iter().map(one).fold(0.0, f64::max)
 }
 
-fn rest_modes(problem: &Problem) -> Result<Vec<Modes>, FemError> {
+fn rest_modes(problem: &Problem) -> Result<Vec<Modes>> {
     let points = points(problem.brick.order());
     let element = |(e, nodes): (usize, &Vec<u32>)| {
-        look(e)?;
+        check_cancel(e)?;
         let places: Vec<[f64; 3]> = nodes.iter().map(|node| problem.rest(e, *node)).collect();
         modes(&points, &places, problem.brick.modes())
             .ok_or_else(|| FemError::Refused(format!("mesh: element {e} is turned inside out at rest")))
@@ -308,7 +308,7 @@ fn pattern(problem: &Problem, unknown: &[[u32; 3]], place: &[u32]) -> Result<Pat
     let free = place.len();
     let mut near: Vec<Vec<u32>> = vec![vec![]; problem.nodes.len()];
     for (e, nodes) in problem.bricks.iter().enumerate() {
-        look(e)?;
+        check_cancel(e)?;
         for &a in nodes {
             near[a as usize].extend(nodes);
         }
@@ -318,13 +318,13 @@ fn pattern(problem: &Problem, unknown: &[[u32; 3]], place: &[u32]) -> Result<Pat
         near[*b as usize].push(*a);
     }
     for (node, around) in near.iter_mut().enumerate() {
-        look(node)?;
+        check_cancel(node)?;
         around.sort_unstable();
         around.dedup();
     }
     let (mut columns, mut rows) = (vec![0], vec![]);
     for (c, &place) in place.iter().enumerate() {
-        look(c)?;
+        check_cancel(c)?;
         let all = near[place as usize / 3].iter().flat_map(|other| unknown[*other as usize]);
         rows.extend(all.filter(|r| (c..free).contains(&(*r as usize))));
         let start = columns[c] as usize;

@@ -5,15 +5,15 @@
 //! degree at 20°.
 
 use super::mesh::{Brick, BrickMesh, BrickSpec, Match, Quarter};
-use crate::FemError;
+use crate::{FemError, Result};
 use mckibben::muscle::Muscle;
 use mckibben::size::MAX_ELEMENTS;
 
 /// By how much the ideal blocked force of the mesh's angle may differ from that of the braid's.
 const MOST_OFF: f64 = 0.1;
 
-/// Whether a mesh whose strands lie at `meshed` stands for a braid at `angle` (radians).
-fn stands_for(meshed: f64, angle: f64) -> bool {
+/// Whether a mesh whose strands lie at `meshed` represents a braid at `angle` (radians).
+fn represents(meshed: f64, angle: f64) -> bool {
     let [meshed, blocked] = [meshed, angle].map(|a| 2.0 / a.tan().powi(2) - 1.0);
     // At 54.7° the blocked force vanishes: there a tenth of π Ro² P.
     (meshed - blocked).abs() <= MOST_OFF * blocked.abs().max(1.0)
@@ -22,14 +22,14 @@ fn stands_for(meshed: f64, angle: f64) -> bool {
 impl BrickMesh {
     /// Refuses divisions of a muscle whose strands would lie at another angle than those of its braid. A mesh that leaves the rows along to
     /// the program, or the length, has the braid's angle.
-    pub fn check_angle(muscle: &Muscle, spec: &BrickSpec) -> Result<(), FemError> {
+    pub fn check_angle(muscle: &Muscle, spec: &BrickSpec) -> Result<()> {
         let Some(along) = spec.along.filter(|_| spec.keep == Match::Length) else { return Ok(()) };
-        let tube = Quarter::of(muscle);
+        let tube = Quarter::from_muscle(muscle);
         let angle = tube.angle_rad;
         let [through, around, ..] = Self::count(&tube, spec)?;
         let natural = |around: usize| spec.rows(&tube, around);
         let meshed = |around: usize, along: usize| (angle.tan() * along as f64 / natural(around)).atan();
-        if stands_for(meshed(around, along), angle) {
+        if represents(meshed(around, along), angle) {
             return Ok(());
         }
         let affordable = |around: usize, along: usize| {
@@ -41,7 +41,7 @@ impl BrickMesh {
         let fewer = (1..=Self::MOST_AROUND).min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(around);
         let rows = natural(around).round() as usize;
         let fits = |&(around, along): &(usize, usize)| {
-            affordable(around, along) && stands_for(meshed(around, along), angle)
+            affordable(around, along) && represents(meshed(around, along), angle)
         };
         let free = if affordable(around, rows) { around } else { fewer };
         let word = if spec.brick == Brick::Quadratic { ":quadratic" } else { "" };

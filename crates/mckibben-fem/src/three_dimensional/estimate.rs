@@ -1,7 +1,7 @@
 //! What a mesh of bricks will need, before it is made.
 
 use super::mesh::{BrickMesh, BrickSpec, Quarter};
-use crate::FemError;
+use crate::Result;
 use mckibben::muscle::Muscle;
 use mckibben::size;
 
@@ -22,8 +22,8 @@ fn dissected([through, around, along]: [f64; 3]) -> f64 {
 ///
 /// # Errors
 /// [`FemError::Large`], or where the numbers give no valid mesh.
-pub(crate) fn admit(spec: &BrickSpec, muscle: &Muscle) -> Result<(), FemError> {
-    let [through, around, along, bonded] = BrickMesh::count(&Quarter::of(muscle), spec)?;
+pub(crate) fn admit(spec: &BrickSpec, muscle: &Muscle) -> Result<()> {
+    let [through, around, along, bonded] = BrickMesh::count(&Quarter::from_muscle(muscle), spec)?;
     let bricks = [through, around, along + bonded].map(|n| n as f64);
     size::elements("mesh", bricks.iter().product())?;
     let nodes = bricks.map(|n| n * spec.brick.order() as f64 + 1.0);

@@ -1,6 +1,6 @@
 //! Places, stretches and Cauchy stress at the nodes of one eighth, for pictures and files.
 //!
-//! Stretches are those of the bricks' own field at the nodes. Cauchy stress σ = τ/J + p 1 is taken where it is most exact
+//! Stretches are those of the bricks' displacement field at the nodes. Cauchy stress σ = τ/J + p 1 is taken where it is most exact
 //! (Barlow 1976 \[barlow1976\]): in the middle of an eight-node brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the
 //! trilinear function carries it to the nodes. Where bricks meet, they are averaged.
 
@@ -11,31 +11,19 @@ use super::mesh::{Brick, BrickMesh};
 use super::model::ThreeDimensional;
 use super::muscle::MuscleInBricks;
 use super::saddle::dot;
-use crate::FemError;
 use crate::element::brick::{ShapePoint, determinant};
 use crate::element::hexahedron::at;
 use crate::element::law::with;
 use crate::element::q2::GAUSS2;
 use crate::element::spatial::SpatialLaw;
+use crate::results::{FieldNode, NodeMeans};
+use crate::solver::newton::NewtonSystem as _;
+use crate::{FemError, Result};
 use mckibben::model::Workspace;
 use std::collections::HashMap;
 
-/// What is known at a node.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct NodeField {
-    /// (x, y, z) at rest in mm.
-    pub rest_mm: [f64; 3],
-    /// (x, y, z) now in mm.
-    pub now_mm: [f64; 3],
-    /// Stretch of a line that ran around the muscle at rest.
-    pub hoop_stretch: f64,
-    /// Stretch of a line that ran along it.
-    pub meridional_stretch: f64,
-    /// Largest principal stretch.
-    pub max_stretch: f64,
-    /// Cauchy stress in MPa: xx, yy, zz, xy, yz, zx.
-    pub stress_mpa: [f64; 6],
-}
+/// A node of the bricks: (x, y, z) at rest and now, Cauchy stress xx, yy, zz, xy, yz, zx.
+pub type NodeField = FieldNode<3, 6>;
 
 /// A piece of a strand between two nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,7 +51,7 @@ pub struct Field {
     pub plug: Option<PlugField>,
 }
 
-/// The terminal as a body; its nodes have numbers of their own.
+/// The terminal as a body; its nodes are numbered separately.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlugField {
     /// Nodes. A rigid terminal has no stress.
@@ -78,12 +66,7 @@ impl ThreeDimensional {
     ///
     /// # Errors
     /// [`FemError`]; [`FemError::Force`] where the state has no stress.
-    pub fn field_at(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Field, FemError> {
+    pub fn field_at(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Field> {
         let c = self.continuation(workspace)?;
         match c.kept_at(pressure_mpa, contraction).cloned() {
             Some(state) => c.body.bricks.state = state,
@@ -93,10 +76,10 @@ impl ThreeDimensional {
     }
 }
 
-fn field(muscle: &mut MuscleInBricks) -> Result<Field, FemError> {
+fn field(muscle: &mut MuscleInBricks) -> Result<Field> {
     let (body, mesh) = (&mut muscle.bricks, &muscle.mesh);
     let force_n = body.totals.pull;
-    body.evaluate().map_err(|reason| FemError::Force { force_n, reason })?;
+    body.residual().map_err(|reason| FemError::Force { force_n, reason })?;
     let body = &*body;
     let mut nodes = averages(body, 0, false);
     nodes.truncate(mesh.grid().iter().product());
@@ -118,7 +101,7 @@ fn pieces(body: &Body) -> Vec<PieceField> {
     (0..d.problem.trusses.len()).map(one).collect()
 }
 
-/// The plug's bricks with a number of their own for every node.
+/// The plug's bricks, their nodes numbered from 0.
 fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
     let grid = mesh.plug.as_ref()?;
     let (rows, [_, nj, nk]) = (grid.first_row, mesh.grid());
@@ -137,9 +120,7 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
     let at = |&n: &usize| NodeField {
         rest_mm: body.discretisation.problem.nodes[n],
         now_mm: now(body, n),
-        hoop_stretch: 1.0,
-        meridional_stretch: 1.0,
-        max_stretch: 1.0,
+        stretches: [1.0; 3],
         stress_mpa: [0.0; 6],
     };
     let mut out = PlugField { nodes: which.iter().map(at).collect(), bricks };
@@ -150,35 +131,12 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
     Some(out)
 }
 
-/// Stretches at F; `at` says where around and along are.
-fn stretches(f: &[[f64; 3]; 3], at: [f64; 3]) -> NodeField {
+/// Stretches at F around, along and the largest; `at` says where around and along are.
+fn stretches(f: &[[f64; 3]; 3], at: [f64; 3]) -> [f64; 3] {
     let radius = at[0].hypot(at[1]).max(f64::MIN_POSITIVE);
     let hoop = [-at[1] / radius, at[0] / radius, 0.0];
     let length = |v: [f64; 3]| f.map(|row| dot(&row, &v)).map(|x| x * x).iter().sum::<f64>().sqrt();
-    NodeField {
-        hoop_stretch: length(hoop),
-        meridional_stretch: length([0.0, 0.0, 1.0]),
-        max_stretch: largest_principal(f),
-        ..NodeField::default()
-    }
-}
-
-impl NodeField {
-    /// Stretches and stress of another are added.
-    fn add(&mut self, other: &Self) {
-        self.hoop_stretch += other.hoop_stretch;
-        self.meridional_stretch += other.meridional_stretch;
-        self.max_stretch += other.max_stretch;
-        (0..6).for_each(|c| self.stress_mpa[c] += other.stress_mpa[c]);
-    }
-
-    /// Stretches and stress are divided.
-    fn divide(&mut self, share: f64) {
-        let Self { hoop_stretch, meridional_stretch, max_stretch, stress_mpa, .. } = self;
-        for value in [hoop_stretch, meridional_stretch, max_stretch].into_iter().chain(stress_mpa) {
-            *value /= share;
-        }
-    }
+    [length(hoop), length([0.0, 0.0, 1.0]), largest_principal(f)]
 }
 
 /// Stretches and stress at the nodes of the bricks of a material, averaged where bricks meet: at the nodes or, of a plug, in the `middle` of
@@ -195,23 +153,23 @@ fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
     let points = if order == 1 || middle { vec![[0.0; 3]] } else { (0..8).map(gauss).collect() };
     let [at_nodes, at_points] =
         [&places, &points].map(|list| list.iter().map(|x| at(order, *x, 1.0)).collect::<Vec<_>>());
-    let mut out = vec![NodeField::default(); problem.nodes.len()];
-    let mut shares = vec![0.0; out.len()];
+    let mut out = NodeMeans::new(problem.nodes.len());
     for e in bricks.clone() {
         let stress: Vec<[f64; 6]> =
             at_points.iter().map(|p| with(law, |law| stress(body, law.space, e, p))).collect();
         for (a, node) in problem.bricks[e].iter().enumerate() {
             let k = *node as usize;
             let Some((f, at)) = gradient(body, e, &at_nodes[a]) else { continue };
-            let field = &mut out[k];
-            shares[k] += 1.0;
-            field.rest_mm = problem.nodes[k];
-            field.now_mm = now(body, k);
-            field.add(&NodeField { stress_mpa: carried(&stress, places[a]), ..stretches(&f, at) });
+            let node = NodeField {
+                rest_mm: problem.nodes[k],
+                now_mm: now(body, k),
+                stretches: stretches(&f, at),
+                stress_mpa: carried(&stress, places[a]),
+            };
+            out.add(k, &node);
         }
     }
-    out.iter_mut().zip(shares).for_each(|(field, share)| field.divide(share));
-    out
+    out.means()
 }
 
 /// Cauchy stress at a point of brick `e`.

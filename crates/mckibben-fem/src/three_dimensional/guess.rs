@@ -1,6 +1,6 @@
 //! First iterates: the axisymmetric equilibrium of the same muscle, carried over to the nodes.
 //!
-//! It only says where Newton's method begins. What comes out is an equilibrium of the three-dimensional body by its own
+//! It only says where Newton's method begins. What comes out is an equilibrium of the three-dimensional body by its
 //! residual; where the guess does not lead to one, [`crate::solver::continuation`] walks from rest.
 
 use super::muscle::MuscleInBricks;

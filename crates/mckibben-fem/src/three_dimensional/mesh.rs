@@ -5,7 +5,7 @@
 //! quads of the outer grid; a diagonal is at θ0 where tanθ0 = chord/Δz.
 
 use super::plug::{Plug, PlugGrid, profile};
-use crate::FemError;
+use crate::{FemError, Result};
 use mckibben::muscle::Muscle;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -195,7 +195,7 @@ pub struct Quarter {
 
 impl Quarter {
     /// That of a muscle.
-    pub fn of(muscle: &Muscle) -> Self {
+    pub fn from_muscle(muscle: &Muscle) -> Self {
         let tube = muscle.tube();
         let (inner_mm, outer_mm) = (tube.inner_radius_mm(), tube.outer_radius_mm());
         let angle_rad = muscle.braid().angle_rad();
@@ -227,8 +227,8 @@ impl BrickMesh {
     /// Most bricks around the quarter.
     pub(super) const MOST_AROUND: usize = MOST[1] as usize;
 
-    /// Whether numbers that are said make a mesh.
-    pub fn check(spec: &BrickSpec) -> Result<(), FemError> {
+    /// Whether given numbers make a mesh.
+    pub fn check(spec: &BrickSpec) -> Result<()> {
         let names = ["through", "around", "along"];
         for ((name, value), high) in names.into_iter().zip([spec.through, spec.around, spec.along]).zip(MOST)
         {
@@ -239,7 +239,7 @@ impl BrickMesh {
     }
 
     /// Bricks through the wall, around and along, and the last over the insertion, of a tube that is divided so.
-    pub fn count(tube: &Quarter, spec: &BrickSpec) -> Result<[usize; 4], FemError> {
+    pub fn count(tube: &Quarter, spec: &BrickSpec) -> Result<[usize; 4]> {
         let order = spec.brick.order();
         Self::check(spec)?;
         let measures = spec.plug.map(|p| p.measures(tube.inner_mm, tube.half_mm)).transpose()?;
@@ -267,7 +267,7 @@ impl BrickMesh {
     }
 
     /// Divides one eighth of a tube.
-    pub fn new(tube: &Quarter, spec: &BrickSpec) -> Result<Self, FemError> {
+    pub fn new(tube: &Quarter, spec: &BrickSpec) -> Result<Self> {
         let order = spec.brick.order();
         let Quarter { inner_mm: inner, outer_mm: outer, half_mm: half, .. } = *tube;
         let [through, around, along, bonded] = Self::count(tube, spec)?;
@@ -289,7 +289,7 @@ impl BrickMesh {
         let elements = [through, around, along + bonded];
         let grid = elements.map(|n| n * order + 1);
         let rows = (0..grid[2]).map(|k| match free.checked_sub(k) {
-            // From the terminal where that is nearer, so that it stands exactly at half the length.
+            // From the terminal where that is nearer, so that it is exactly at half the length.
             Some(left) if left <= order => half - last * left as f64,
             Some(_) => height * k as f64,
             None => half + insertion * (k - free) as f64 / (bonded * order) as f64,
@@ -353,7 +353,7 @@ impl BrickMesh {
         left.chain(right).collect()
     }
 
-    /// Width at rest in mm that one strand of a family in the mesh stands for: π D0 cosθ0/(strands of a family).
+    /// Width at rest in mm that one strand of a family in the mesh represents: π D0 cosθ0/(strands of a family).
     pub fn strand_width_mm(&self, muscle: &Muscle) -> f64 {
         PI * muscle.outer_diameter_mm() * muscle.braid().angle_rad().cos() / (4 * (self.grid()[1] - 1)) as f64
     }

@@ -2,9 +2,9 @@
 
 use super::mesh::{BrickMesh, BrickSpec};
 use super::muscle::MuscleMesh;
-use crate::FemError;
+use crate::Result;
 use crate::simulation::FiniteElements;
-use mckibben::model::{Accuracy, Mesh, ModelEntry, ModelError, Reference, Response, Workspace};
+use mckibben::model::{Accuracy, ModelEntry, Reference};
 use mckibben::muscle::Muscle;
 
 pub(crate) const ENTRY: ModelEntry = ModelEntry {
@@ -25,15 +25,15 @@ impl ThreeDimensional {
     ///
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.
-    pub fn new(muscle: &Muscle) -> Result<Self, FemError> {
+    pub fn new(muscle: &Muscle) -> Result<Self> {
         Self::with_mesh(muscle, &BrickSpec::default())
     }
 
-    /// The model of a muscle with a mesh that is said.
+    /// The model of a muscle with a given mesh.
     ///
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh, or one of another braid.
-    pub fn with_mesh(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
+    pub fn with_mesh(muscle: &Muscle, spec: &BrickSpec) -> Result<Self> {
         BrickMesh::check_angle(muscle, spec)?;
         let divided = MuscleMesh::new(muscle, spec)?;
         // What an insertion adds has no limit to compare with.
@@ -42,7 +42,7 @@ impl ThreeDimensional {
             false => Accuracy::share(0.0, Reference::Equations),
         };
         let notes = notes(&divided, muscle);
-        Ok(Self::of(divided, muscle, accuracy, notes))
+        Ok(Self::from_divided(divided, muscle, accuracy, notes))
     }
 }
 
@@ -76,28 +76,4 @@ fn notes(divided: &MuscleMesh, muscle: &Muscle) -> Vec<String> {
             ));
     }
     out
-}
-
-impl Mesh for ThreeDimensional {
-    fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, ModelError> {
-        self.divided.limit.blocked_scale_n(workspace, pressure_mpa)
-    }
-
-    /// The difference from the axisymmetric limit at the point itself.
-    fn mesh_error_n(&self, workspace: &mut Workspace, here: &Response, blocked_n: f64) -> Option<f64> {
-        let own = self.divided.limit.mesh_error_n(workspace, here, blocked_n)?;
-        Some(own + self.divided.limit.difference_n(workspace, here))
-    }
-
-    fn findings(&self, workspace: &Workspace) -> Vec<String> {
-        let said = self.known(workspace).and_then(|c| c.unstable).map(|u| {
-            let met = match u.step {
-                0 => "an equilibrium".to_owned(),
-                n => format!("step {n} of the walk from rest"),
-            };
-            let (directions, contraction, mpa) = (u.directions, u.contraction, u.pressure_mpa);
-            format!("{met} is not stable ({directions} directions) at contraction {contraction:.4} and {mpa:.4} MPa")
-        });
-        said.into_iter().collect()
-    }
 }

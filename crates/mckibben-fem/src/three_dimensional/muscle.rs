@@ -3,16 +3,16 @@
 use super::body::Body;
 use super::discretisation::Discretisation;
 use super::mesh::{BrickMesh, BrickSpec, Quarter};
-use super::model::{ENTRY, ThreeDimensional};
+use super::model::ENTRY;
 use super::plug::Plug;
 use super::problem::Problem;
-use crate::FemError;
 use crate::axisymmetric::{self, Axisymmetric, Section};
 use crate::simulation::Divided;
 use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{NewtonOptions, NewtonSystem, Stopped};
-use mckibben::model::{Extensions, ForceModel, ModelEntry};
+use crate::{FemError, Result};
+use mckibben::model::{ForceModel, ModelEntry};
 use mckibben::muscle::{BraidStiffness, Muscle};
 use std::sync::Arc;
 
@@ -23,12 +23,12 @@ pub struct MuscleMesh {
     pub mesh: Arc<BrickMesh>,
     /// The unknowns and what they are made of.
     pub discretisation: Arc<Discretisation>,
-    /// Whether nobody stated how far its plug reaches into the tube.
+    /// Whether it is not stated how far its plug reaches into the tube.
     pub insertion_assumed: bool,
     /// The limit of fine meshes and many strands.
     pub limit: Axisymmetric,
     axisymmetric: Option<Axisymmetric>,
-    /// Width that one strand of the mesh stands for, in mm.
+    /// Width that one strand of the mesh represents, in mm.
     width: f64,
 }
 
@@ -37,7 +37,7 @@ impl MuscleMesh {
     ///
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.
-    pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
+    pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self> {
         let (tube, braid) = (muscle.tube(), muscle.braid());
         let missing = [
             ("braid.thickness", braid.thickness_mm > 0.0),
@@ -57,12 +57,12 @@ impl MuscleMesh {
         let insertion_assumed = spec.plug.as_ref().is_some_and(|p| !stated(p));
         let plug = spec.plug.map(|p| Plug { insertion_mm: p.insertion_mm.or(Some(insertion)), ..p });
         let spec = &BrickSpec { plug, ..*spec };
-        let mesh = BrickMesh::new(&Quarter::of(muscle), spec)?;
+        let mesh = BrickMesh::new(&Quarter::from_muscle(muscle), spec)?;
         Ok(Self {
             limit: Axisymmetric::new(muscle)?,
             axisymmetric: same_muscle(muscle, &mesh),
             width: mesh.strand_width_mm(muscle),
-            discretisation: Arc::new(Discretisation::new(Problem::of(muscle, &mesh))?),
+            discretisation: Arc::new(Discretisation::new(Problem::from_muscle(muscle, &mesh))?),
             mesh: Arc::new(mesh),
             insertion_assumed,
         })
@@ -73,7 +73,7 @@ impl Divided for MuscleMesh {
     const ENTRY: ModelEntry = ENTRY;
     type Body = MuscleInBricks;
 
-    fn at_rest(&self) -> Result<MuscleInBricks, FemError> {
+    fn at_rest(&self) -> Result<MuscleInBricks> {
         let section = self.axisymmetric.as_ref().map(|model| {
             let section = model.divided.at_rest().map(Continuation::new);
             section.map(|section| (model.muscle().clone(), section))
@@ -86,9 +86,8 @@ impl Divided for MuscleMesh {
         })
     }
 
-    fn extensions(model: &ThreeDimensional) -> Extensions<'_> {
-        let companion = Some(&model.divided.limit as _);
-        Extensions { mesh: Some(model), companion, ..Extensions::default() }
+    fn limit(&self) -> Option<&Axisymmetric> {
+        Some(&self.limit)
     }
 }
 
@@ -128,7 +127,7 @@ impl MuscleInBricks {
         if c.reach(pressure, contraction).is_err() {
             return false;
         }
-        let section = Section::of(&c.body.discretisation, &c.body.state, muscle);
+        let section = Section::from_state(&c.body.discretisation, &c.body.state, muscle);
         let state = &mut self.bricks.state;
         (state.pressure, state.terminal) = (pressure, terminal);
         self.carry_over(&section);
@@ -202,13 +201,13 @@ impl body::Body for MuscleInBricks {
         body::Body::pulling_pressure(&self.section.as_ref()?.1.body, contraction)
     }
 
-    fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64, FemError> {
+    fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64> {
         let Some((_, section)) = &mut self.section else { return Ok(0.0) };
         section.reach_force(force, pressure)?;
         Ok(section.contraction())
     }
 
-    fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64, FemError> {
+    fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64> {
         let Some((_, section)) = &mut self.section else {
             return Err(FemError::Force { force_n: force, reason: Stopped::Diverged });
         };

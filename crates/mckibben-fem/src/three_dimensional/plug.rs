@@ -7,7 +7,7 @@
 //! The grid carries the tube's on to the axis: columns m from the axis (0) to the inner surface, around as the tube, rows along as the
 //! tube's rows of the insertion. Bricks at the axis are wedges (two edges in one).
 
-use crate::FemError;
+use crate::{FemError, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
@@ -28,7 +28,7 @@ pub enum PlugMaterial {
 pub const ALUMINIUM_MPA: f64 = 70_000.0;
 /// Its Poisson's ratio.
 pub const ALUMINIUM_POISSON: f64 = 0.33;
-/// Radius of the nose over the inner radius, where none is said.
+/// Radius of the nose over the inner radius, where none is given.
 const NOSE: f64 = 0.25;
 /// Shortest insertion of an elastic plug over the inner radius.
 const SHORTEST: f64 = 1e-3;
@@ -60,7 +60,7 @@ pub struct Plug {
     pub nose_mm: Option<f64>,
 }
 
-/// A plug divided into bricks: where its nodes stand among those of the mesh.
+/// A plug divided into bricks: places of its nodes among those of the mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlugGrid {
     /// What it is made of.
@@ -79,7 +79,7 @@ pub struct PlugGrid {
 
 impl Plug {
     /// Insertion and nose in mm for an inner surface of radius `inner` and half length `half`.
-    pub(super) fn measures(&self, inner: f64, half: f64) -> Result<(f64, f64), FemError> {
+    pub(super) fn measures(&self, inner: f64, half: f64) -> Result<(f64, f64)> {
         let insertion = self.insertion_mm.unwrap_or(0.0);
         let least = if self.material == PlugMaterial::Rigid { 0.0 } else { SHORTEST * inner };
         FemError::check_mesh("the terminal's insertion in mm", insertion, least, 100.0 * inner)?;

@@ -116,7 +116,7 @@ impl Problem {
     }
 
     /// One eighth of a muscle between bonded rigid terminals.
-    pub fn of(muscle: &Muscle, mesh: &BrickMesh) -> Self {
+    pub fn from_muscle(muscle: &Muscle, mesh: &BrickMesh) -> Self {
         let ([ni, nj, nk], rubber) = (mesh.grid(), muscle.rubber());
         let mut freedom = vec![[Freedom::Free; 3]; mesh.nodes.len()];
         for (j, k) in (0..nk).flat_map(|k| (0..nj).map(move |j| (j, k))) {

@@ -4,16 +4,16 @@ use super::body::Body;
 use super::kinematics::{gradient, largest_principal, now};
 use super::mesh::{Brick, BrickMesh};
 use super::muscle::MuscleInBricks;
-use crate::FemError;
 use crate::element::brick::{ShapePoint, determinant, jacobian};
 use crate::element::hexahedron::at;
 use crate::results::{MuscleBody, ProfilePoint, StrandState, StretchAt, StretchOf, largest_of_most};
+use crate::{FemError, Result};
 use mckibben::cancel;
 use mckibben::muscle::Muscle;
 use std::f64::consts::{FRAC_PI_4, PI};
 
 impl MuscleBody for MuscleInBricks {
-    fn derivatives(&mut self) -> Result<[f64; 3], FemError> {
+    fn derivatives(&mut self) -> Result<[f64; 3]> {
         let body = &mut self.bricks;
         let force_n = body.totals.pull;
         body.factorise().map_err(|reason| FemError::at_force(force_n, reason))?;
@@ -26,7 +26,7 @@ impl MuscleBody for MuscleInBricks {
 
     fn rest_volume_mm3(&self, _muscle: &Muscle) -> f64 {
         let mesh = &self.mesh;
-        // Less the nose: ∫ (how far it stands out) 2πr dr, a quarter of it.
+        // Less the nose: ∫ (height) 2πr dr, a quarter of it.
         let nose = mesh.plug.as_ref().map_or(0.0, |plug| plug.nose_mm);
         let flat = mesh.tube.inner_mm - nose;
         let solid = FRAC_PI_4 * flat * flat * nose
@@ -87,12 +87,12 @@ impl MuscleBody for MuscleInBricks {
         let along = if self.mesh.brick == Brick::Linear { &LAYERS[1..2] } else { &LAYERS };
         let places: Vec<[f64; 3]> =
             LAYERS.iter().flat_map(|x| along.iter().map(move |z| [*x, 0.0, *z])).collect();
-        largest_of_most(look(&self.bricks, &places))
+        largest_of_most(stretches_at(&self.bricks, &places))
     }
 
     /// On the inner and outer face of the row of bricks at the middle plane.
     fn middle_stretch(&self) -> f64 {
-        let list = look(&self.bricks, &[-1.0, 1.0].map(|x| [x, 0.0, -1.0]));
+        let list = stretches_at(&self.bricks, &[-1.0, 1.0].map(|x| [x, 0.0, -1.0]));
         let near = 1e-6 * self.mesh.tube.half_mm;
         list.iter().filter(|s| s.at.rest_mm[1].abs() < near).map(|s| s.at.value).fold(1.0, f64::max)
     }
@@ -113,7 +113,7 @@ fn ring(body: &Body, mesh: &BrickMesh, i: usize, k: usize) -> (f64, f64) {
 }
 
 /// The stretch at places of every brick of rubber.
-fn look(body: &Body, places: &[[f64; 3]]) -> Vec<StretchOf> {
+fn stretches_at(body: &Body, places: &[[f64; 3]]) -> Vec<StretchOf> {
     let d = &body.discretisation;
     let points: Vec<ShapePoint> = places.iter().map(|x| at(d.problem.brick.order(), *x, 1.0)).collect();
     let mut list = vec![];

@@ -28,7 +28,7 @@ pub struct Constraints<'a> {
 }
 
 impl Constraints<'_> {
-    /// Whether any constraint is left to conjugate gradients.
+    /// Whether any constraint needs conjugate gradients.
     fn iterated(&self) -> bool {
         self.d.materials.iter().any(|m| share(m.compliance, m.augment) > 0.0)
             || self.d.strand.iter().any(|&(c, g)| share(c, g) > 0.0)
@@ -72,8 +72,8 @@ impl Constraints<'_> {
         });
     }
 
-    /// By how much displacements miss what is wanted of the constraints.
-    fn left(&self, du: &[f64], wanted: &[f64]) -> Vec<f64> {
+    /// Defects of displacements beyond those wanted.
+    fn excess_defects(&self, du: &[f64], wanted: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; wanted.len()];
         self.defects(du, &mut out);
         out.iter_mut().zip(wanted).for_each(|(r, d)| *r -= d);
@@ -109,11 +109,11 @@ impl Constraints<'_> {
         self.each(|m, _, _, _, compliance, augment| shares[m] = share(compliance, augment));
         dm.fill(0.0);
         if self.iterated() {
-            let mut r = self.left(du, &wanted);
+            let mut r = self.excess_defects(du, &wanted);
             self.conjugate_gradients(&shares, du, &mut r, dm);
         }
         // Those that were condensed follow.
-        let r = self.left(du, &wanted);
+        let r = self.excess_defects(du, &wanted);
         self.each(|m, _, _, volume, _, augment| {
             if shares[m] == 0.0 {
                 dm[m] = augment / volume * r[m];
@@ -187,7 +187,7 @@ pub(super) fn gather(d: &Discretisation, u: &[f64], x: &mut [f64]) {
     }
 }
 
-/// d = −c: what is left of the constraints.
+/// d = −c: the defects of the constraints.
 pub(super) fn constraint_residual(d: &Discretisation, s: &State, work: &Assembled, out: &mut [f64]) {
     let bricks = d.bricks() * d.modes;
     for (o, c) in out.iter_mut().zip(&work.defect) {

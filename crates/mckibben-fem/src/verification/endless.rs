@@ -38,13 +38,13 @@ fn muscle(length_mm: f64, stiffness: BraidStiffness) -> Option<Muscle> {
 pub fn endless_braid(rows: &mut Rows) {
     let (inner, outer, angle, pressure) = SECTION;
     for (stretch, force, contact, a, b) in ROWS {
-        let found = slice(None).and_then(|c| inflated(c, pressure, stretch)).map(|w| {
+        let ours = slice(None).and_then(|c| inflated(c, pressure, stretch)).map(|w| {
             let q = w.state.u[w.discretisation.layout.tension(0)];
             let contact = 2.0 * q * angle.to_radians().sin().powi(2) / (outer * stretch);
             [w.totals.pull, contact, radius(&w, 0, 0), radius(&w, 2 * THROUGH, 0)]
         });
         let exact = [("F (N)", force), ("contact pressure (MPa)", contact), ("a (mm)", a), ("b (mm)", b)];
-        rows.each(&format!("infinitely long muscle, λz {stretch}: "), exact, found, 1e-7);
+        rows.each(&format!("infinitely long muscle, λz {stretch}: "), exact, ours, 1e-7);
     }
     rows.source = "F: infinitely long muscle with strands that stretch (thick-wall energy)";
     for (k, e) in [(200.0, 0.0), (200.0, 0.1), (200.0, 0.2), (1e5, 0.1)] {
@@ -59,7 +59,7 @@ pub fn endless_braid(rows: &mut Rows) {
     rows.add("slack strands, ε 0.1, P 0: F (N)", exact, ours, 1e-9);
 }
 
-/// Bonded muscles: what the ends cost falls like 1/L0, and without it the infinitely long muscle is left.
+/// Bonded muscles: what the ends cost falls like 1/L0, and the limit is the infinitely long muscle.
 pub fn long_muscles(rows: &mut Rows) {
     let (pressure, source) = (SECTION.3, rows.source);
     let mesh = MeshSpec { through: Some(2), along: Some(48), grading: Some(3.0) };

@@ -55,9 +55,9 @@ pub fn homogeneous(rows: &mut Rows) {
     ] {
         let solved =
             body(distorted(), rubber(), None, Ends::Sliding).and_then(|c| stretched(c, 0.0, stretch));
-        let found = solved.map(|b| [factor * b.totals.pull / (3.0 * PI), distance(&b, stretch)]);
+        let ours = solved.map(|b| [factor * b.totals.pull / (3.0 * PI), distance(&b, stretch)]);
         let exact = [("nominal stress (MPa)", nominal), ("distance from the linear field (mm)", 0.0)];
-        rows.each(&format!("{name}, λ = 2, distorted patch: "), exact, found, 1e-11);
+        rows.each(&format!("{name}, λ = 2, distorted patch: "), exact, ours, 1e-11);
     }
     let rest = Gradient { a: 1.0, b: 0.0, c: 0.0, d: 1.0, t: 1.0 };
     let planar = cauchy(&rubber(), Gradient { a: 2.0, d: 0.5, ..rest });

@@ -5,7 +5,7 @@
 //!   rigid strands, rubber without stiffness:   F = π P r (2 rb cot²θ − r),   cosθ = λ cosθ0,   rb = Rs sinθ/sinθ0
 //!
 //! (work of the pressure, −P dV/dL). A stiff wide sleeve is first touched at the pressure at which the bare tube, an incompressible
-//! neo-Hookean one of radii Ri, Ro at an axial stretch λ, has inflated to the radius ro at which the strands have their own length:
+//! neo-Hookean one of radii Ri, Ro at an axial stretch λ, has inflated to the radius ro at which the strands have their length at rest:
 //!
 //!   P = μ { ln(Ro ri/(Ri ro))/λ + (Ri² − λ ri²)/(2λ²) (1/ro² − 1/ri²) }
 
@@ -25,7 +25,7 @@ fn lay(radius_mm: f64, thickness_mm: f64) -> StrandLay {
     StrandLay::new(ANGLE_DEG.to_radians(), 2.0 * radius_mm, thickness_mm)
 }
 
-/// The outer radius at which strands have their own length at an axial stretch.
+/// The outer radius at which strands have their length at rest, at an axial stretch.
 fn taut(lay: &StrandLay, stretch: f64) -> f64 {
     let (sin, cos) = lay.angle_rad.sin_cos();
     lay.outer_radius_mm((1.0 - (stretch * cos).powi(2)).sqrt() / sin)
@@ -53,7 +53,7 @@ pub fn strand_lay(rows: &mut Rows) {
         let name = format!("braid {thickness} mm thick, λz {stretch}: F (N)");
         rows.add(name, exact, thick(thickness, stretch), 1e-6);
     }
-    // Of a tube of 14 mm at 20°, to the digits that stand in the reference.
+    // Of a tube of 14 mm at 20°, to the digits of the reference.
     let gain = (|| Some(100.0 * (thick(0.3, 1.0)? / thick(0.0, 1.0)? - 1.0)))();
     rows.add("blocked force that 0.3 mm of braid add (%)", 2.3, gain, 0.01);
     rows.source = "K: inflation of the bare thick tube";

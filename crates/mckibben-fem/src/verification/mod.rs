@@ -1,7 +1,7 @@
 //! Cases with exact values: are the equations solved right?
 //!
 //! Each case is a row of the table that `mckibben validate` prints. The letters of the sources are
-//! those of `docs/verification.md`, which says for each problem what is loaded and held. Where nothing else is said the rubber is Mooney–Rivlin with C1 = 0.10, C2 = 0.02 MPa, incompressible; mm, MPa, N.
+//! those of `docs/verification.md`, which says for each problem what is loaded and held. Unless stated otherwise the rubber is Mooney–Rivlin with C1 = 0.10, C2 = 0.02 MPa, incompressible; mm, MPa, N.
 
 pub mod bricks;
 mod endless;
@@ -149,7 +149,7 @@ const THROUGH: usize = 8;
 
 /// A muscle of radii `inner` and `outer` in mm.
 fn muscle([inner, outer]: [f64; 2], length_mm: f64, law: Law, braid: Braid) -> Option<Muscle> {
-    let tube = Tube::new(2.0 * outer, outer - inner, length_mm, Rubber::of(law));
+    let tube = Tube::new(2.0 * outer, outer - inner, length_mm, Rubber::new(law));
     Muscle::new(tube, braid, Terminals::default(), None).ok()
 }
 

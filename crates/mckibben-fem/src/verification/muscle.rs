@@ -21,12 +21,12 @@ pub fn identities(rows: &mut Rows) {
     for (d0, s, p, e) in
         [(30.0, 3.0, 0.2, 0.0), (30.0, 3.0, 0.2, 0.1), (50.0, 1.0, 0.15, 0.15), (40.0, 5.0, 0.25, 0.05)]
     {
-        let found = maxwell(d0, s, p, e);
-        let by_volume = found.map_or(f64::INFINITY, |f| f.1);
+        let slopes = maxwell(d0, s, p, e);
+        let by_volume = slopes.map_or(f64::INFINITY, |f| f.1);
         let what = "against −∂V/∂L (mm²)";
         let begins = format!("D0 {d0}, s {s}, P {p}, ε {e}: ∂F/∂P ");
-        rows.add(format!("{begins}by differences {what}"), by_volume, found.map(|f| f.0), 1e-7);
-        rows.add(format!("{begins}of the tangent {what}"), by_volume, found.map(|f| f.2), 1e-7);
+        rows.add(format!("{begins}by differences {what}"), by_volume, slopes.map(|f| f.0), 1e-7);
+        rows.add(format!("{begins}of the tangent {what}"), by_volume, slopes.map(|f| f.2), 1e-7);
     }
     rows.source = "I: outer-diameter limit of strands that do not stretch";
     let stiff = BraidStiffness::NewtonPerMm(1e6);
@@ -55,7 +55,7 @@ fn maxwell(d0: f64, s: f64, p: f64, e: f64) -> Option<(f64, f64, f64)> {
 /// An independent axisymmetric code, and the limit of bricks and trusses in FElupe 11.3.
 pub fn prototype(rows: &mut Rows) {
     let muscle = changed(|tube, braid| {
-        tube.rubber = Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.03 }));
+        tube.rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.03 }));
         tube.length_mm = 287.83;
         braid.strands = Some(Strands { count: 48, section: Some((0.3, 2500.0)), strength_n: None });
         braid.stiffness = BraidStiffness::OfStrands;

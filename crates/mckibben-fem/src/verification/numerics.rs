@@ -7,7 +7,7 @@ use crate::axisymmetric::{Axisymmetric, Body, Ends, Mesh, Problem};
 use crate::simulation::{Given, Simulation};
 use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
-use crate::solver::newton::NewtonOptions;
+use crate::solver::newton::{NewtonOptions, NewtonSystem as _};
 use mckibben::differences::{STENCIL, slope};
 use mckibben::model::Workspace;
 use mckibben::muscle::measures::{STIFFNESS as STIFFNESS_OF_FAMILY, of_section};
@@ -22,7 +22,7 @@ fn bonded(law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Continuatio
     let muscle = changed(|tube, braid| {
         (tube.rubber.law, tube.rubber.bulk, braid.stiffness) = (law, bulk, stiffness);
     })?;
-    at_rest(Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)), Problem::of(&muscle))
+    at_rest(Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)), Problem::from_muscle(&muscle))
 }
 
 /// The rows of J.
@@ -87,7 +87,7 @@ pub fn tangent_error(body: &mut Body) -> Option<f64> {
         for ((x, x0), v) in body.state.u.iter_mut().zip(&state.u).zip(&v) {
             *x = x0 + k * h * v;
         }
-        body.evaluate().ok()?;
+        body.residual().ok()?;
         for (c, r) in change.iter_mut().zip(&body.assembled.residual) {
             *c += weight * r / h;
         }
@@ -119,9 +119,9 @@ pub fn sensitivities(rows: &mut Rows) {
         tube.rubber.law = law.with_constants(|i, old| if i == index { value } else { old });
         muscle.with_tube(tube).ok()
     };
-    let found = solved.map_or(vec![], |s| s.sensitivities);
-    rows.add("constants and measures with a ∂F", 7.0, found.len() as f64, 0.0);
-    for s in found {
+    let slopes = solved.map_or(vec![], |s| s.sensitivities);
+    rows.add("constants and measures with a ∂F", 7.0, slopes.len() as f64, 0.0);
+    for s in slopes {
         let pull = |h: f64| pull(&beside(&s.name, s.value + h)?, p, e);
         let by = slope(4e-3 * s.value, |h| pull(h).ok_or(())).ok();
         rows.add(format!("∂F/∂({})", s.name), by, s.force_n_per_unit, 1e-6);

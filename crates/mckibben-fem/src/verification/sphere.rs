@@ -30,7 +30,7 @@ pub fn thick_sphere(rows: &mut Rows) {
 const MU: f64 = 0.24;
 const THIN: f64 = 1e-3;
 
-/// A thin neo-Hookean balloon, p = 2μ (t/A)(1/λ − 1/λ⁷): the largest pressure is at λ = 7^(1/6). Found as the limit
+/// A thin neo-Hookean balloon, p = 2μ (t/A)(1/λ − 1/λ⁷): the largest pressure is at λ = 7^(1/6). The limit
 /// between pressures with and without an equilibrium.
 fn balloon(exact: f64) -> Option<f64> {
     let mesh = half_sphere(1, 12, |x| 1.0 + THIN * (x - 0.5));

@@ -29,12 +29,12 @@ fn slice(inner: f64, outer: f64, through: usize) -> Mesh {
 pub fn thick_tube(rows: &mut Rows) {
     for (inner, outer, stretch, swell, pressure, outside, axial) in ROWS {
         let through = if outer / inner > 1.5 { 24 } else { 8 };
-        let found = body(slice(inner, outer, through), rubber(), None, Ends::Sliding)
+        let ours = body(slice(inner, outer, through), rubber(), None, Ends::Sliding)
             .and_then(|c| stretched(c, pressure, stretch))
             .map(|b| [radius(&b, 0, 0) / inner, radius(&b, 2 * through, 0), b.totals.pull]);
         let exact = [("a/A", swell), ("b (mm)", outside), ("N − πa²p (N)", axial)];
         let begins = format!("thick tube {inner}/{outer}, λz {stretch}, p {pressure}: ");
-        rows.each(&begins, exact, found, 1e-7);
+        rows.each(&begins, exact, ours, 1e-7);
     }
     // The difference that a finite bulk modulus makes goes like 1/K.
     let ratio = (|| {

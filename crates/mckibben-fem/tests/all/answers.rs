@@ -146,8 +146,8 @@ fn blocked_forces_of_very_soft_strands_are_those_of_bricks() {
 #[test]
 fn no_inverse_that_exists_is_denied_by_elements() {
     let questions = std::env::var("MCKIBBEN_QUESTIONS").ok().and_then(|n| n.parse().ok()).unwrap_or(40);
-    let (mut r, mut asked) = (Random(27), 0);
-    while asked < questions {
+    let (mut r, mut count) = (Random(27), 0);
+    while count < questions {
         let d0 = r.between(10.0, 50.0);
         let tube = Tube {
             outer_diameter_mm: d0,
@@ -164,14 +164,14 @@ fn no_inverse_that_exists_is_denied_by_elements() {
         if force < 0.0 {
             continue;
         }
-        asked += 1;
+        count += 1;
         let scale = 1e-6 * model.force_n(w, p, 0.0).map_or(1.0, f64::abs).max(1.0);
         let w = &mut Workspace::new();
-        let found = Evaluation::new(&model, w, Options::default()).pressure_at(force, e);
-        let found = found.unwrap_or_else(|error| panic!("{muscle:?} {p} {e} {force}: {error}"));
-        assert!((model.force_n(w, found, e).unwrap() - force).abs() <= scale, "{muscle:?} {p} {e}: {found}");
-        let found = Evaluation::new(&model, w, Options::default()).contraction_or_stretch_at(force, p);
-        let found = found.unwrap_or_else(|error| panic!("{muscle:?} {p} {e} {force}: {error}"));
-        assert!((model.force_n(w, p, found).unwrap() - force).abs() <= scale, "{muscle:?} {p} {e}: {found}");
+        let at = Evaluation::new(&model, w, Options::default()).pressure_at(force, e);
+        let at = at.unwrap_or_else(|error| panic!("{muscle:?} {p} {e} {force}: {error}"));
+        assert!((model.force_n(w, at, e).unwrap() - force).abs() <= scale, "{muscle:?} {p} {e}: {at}");
+        let at = Evaluation::new(&model, w, Options::default()).contraction_or_stretch_at(force, p);
+        let at = at.unwrap_or_else(|error| panic!("{muscle:?} {p} {e} {force}: {error}"));
+        assert!((model.force_n(w, p, at).unwrap() - force).abs() <= scale, "{muscle:?} {p} {e}: {at}");
     }
 }

@@ -3,7 +3,6 @@
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::read_muscle;
-use mckibben::progress::Silent;
 use mckibben::random::rounds;
 use mckibben::status::Status;
 use mckibben_fem::FemError;
@@ -31,7 +30,7 @@ fn ended(point: Result<f64, FemError>) -> Ended {
 }
 
 fn isometric(model: &Axisymmetric, workspace: &mut Workspace, e: f64, pressures: &[f64]) -> Vec<Ended> {
-    let curve = model.run(workspace, Test::Isometric(e), pressures, Detail::Point, &Silent);
+    let curve = model.run(workspace, Test::Isometric(e), pressures, Detail::Point);
     curve.into_iter().map(|point| ended(point.map(|p| p.force_n))).collect()
 }
 
@@ -65,7 +64,7 @@ fn differences(muscle: &Muscle) -> Vec<String> {
         }
     }
     let p = PRESSURES[1];
-    let isobaric = model.run(&mut Workspace::new(), Test::Isobaric(p), &contractions, Detail::Point, &Silent);
+    let isobaric = model.run(&mut Workspace::new(), Test::Isobaric(p), &contractions, Detail::Point);
     for (k, point) in isobaric.into_iter().enumerate() {
         let (scale, what) =
             (p * PI * muscle.tube().outer_radius_mm().powi(2), format!("isobaric, ε {:.4}", contractions[k]));
@@ -78,15 +77,15 @@ fn differences(muscle: &Muscle) -> Vec<String> {
 fn random_muscles_have_the_same_answers_on_two_grids_in_two_orders_and_two_tests() {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let muscles = rounds(MUSCLES);
-    let of = |thread: usize| {
+    let of_thread = |thread: usize| {
         let mine = (0..muscles).filter(|i| i % threads == thread).filter_map(|i| sweep::case(7, i));
         mine.flat_map(|case| differences(&case.muscle)).collect::<Vec<_>>()
     };
-    let found: Vec<String> = std::thread::scope(|scope| {
-        let handles: Vec<_> = (0..threads).map(|thread| scope.spawn(move || of(thread))).collect();
+    let differences: Vec<String> = std::thread::scope(|scope| {
+        let handles: Vec<_> = (0..threads).map(|thread| scope.spawn(move || of_thread(thread))).collect();
         handles.into_iter().flat_map(|handle| handle.join().unwrap()).collect()
     });
-    assert!(found.is_empty(), "{} differences: {found:#?}", found.len());
+    assert!(differences.is_empty(), "{} differences: {differences:#?}", differences.len());
 }
 
 fn hard(name: &str) -> Muscle {

@@ -20,7 +20,7 @@ fn yeoh() -> Law {
 
 fn muscle(law: Law, conditioned_mpa: Option<f64>) -> Muscle {
     let conditioned = conditioned_mpa.map(Conditioned::Pressure);
-    let rubber = Rubber { softening: Some(SOFTENING), conditioned, ..Rubber::of(law) };
+    let rubber = Rubber { softening: Some(SOFTENING), conditioned, ..Rubber::new(law) };
     Muscle::prototype().with_tube(Tube { rubber, ..Tube::prototype() }).unwrap()
 }
 
@@ -34,7 +34,7 @@ fn at(model: &Axisymmetric, p: f64, e: f64) -> Response {
 
 #[test]
 fn a_first_inflation_has_the_digits_of_rubber_without_softening() {
-    let tube = Tube { rubber: Rubber::of(yeoh()), ..Tube::prototype() };
+    let tube = Tube { rubber: Rubber::new(yeoh()), ..Tube::prototype() };
     let plain = Axisymmetric::new(&Muscle::prototype().with_tube(tube).unwrap()).unwrap();
     let first = fe(None);
     for (p, e) in [(0.25, 0.0), (0.25, 0.2), (0.05, 0.1), (0.02, 0.2)] {
@@ -70,7 +70,7 @@ fn at_the_state_that_was_seen_the_muscle_is_that_of_the_first_inflation() {
         let mut virgin = Continuation::new(body());
         virgin.reach(p, e).unwrap();
         let mut memory = Memory::new(SOFTENING, d);
-        memory.see(d, &virgin.body.state);
+        memory.record(d, &virgin.body.state);
         let mut soft = d.clone();
         soft.memory = Some(memory);
         let mut soft = Continuation::new(Body::of_muscle(Arc::new(soft), endless.clone()));
@@ -126,14 +126,14 @@ fn free_contraction_at_the_pressure_of_the_cycles_comes_back() {
 #[test]
 fn rubber_conditioned_far_beyond_the_muscle_is_a_softer_law() {
     let softening = OgdenRoxburgh { r: 1.5, m_mpa: 0.05, beta: 0.0 };
-    let of = |law: Law, strain: Option<f64>| {
+    let model = |law: Law, strain: Option<f64>| {
         let conditioned = strain.map(|strain| Conditioned::Strain { strain });
-        let rubber = Rubber { softening: Some(softening), conditioned, ..Rubber::of(law) };
+        let rubber = Rubber { softening: Some(softening), conditioned, ..Rubber::new(law) };
         Axisymmetric::new(&Muscle::prototype().with_tube(Tube { rubber, ..Tube::prototype() }).unwrap())
             .unwrap()
     };
-    let (far, softer) = (of(yeoh(), Some(9.0)), of(yeoh().scaled(1.0 - 1.0 / 1.5), None));
-    let (little, first) = (of(yeoh(), Some(1e-4)), of(yeoh(), None));
+    let (far, softer) = (model(yeoh(), Some(9.0)), model(yeoh().scaled(1.0 - 1.0 / 1.5), None));
+    let (little, first) = (model(yeoh(), Some(1e-4)), model(yeoh(), None));
     for (p, e) in [(0.25, 0.0), (0.25, 0.2), (0.1, 0.1)] {
         let (a, b) = (at(&far, p, e).force_n, at(&softer, p, e).force_n);
         assert!((a - b).abs() < 1e-8 * b.abs(), "{a} {b}");

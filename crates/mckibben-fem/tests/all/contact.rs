@@ -7,7 +7,7 @@ use mckibben_fem::axisymmetric::Axisymmetric;
 use std::f64::consts::PI;
 
 fn muscle(length_mm: f64, mu_mpa: f64, stiffness: BraidStiffness) -> Muscle {
-    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa }));
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
     let tube = Tube::new(14.0, 0.5, length_mm, rubber);
     let braid = Braid { angle_deg: 20.0, stiffness, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
@@ -33,8 +33,8 @@ fn of_long_muscles_g_tends_to_the_closed_form_like_1_over_l0() {
             let m = muscle(length_mm, 0.5, stiffness);
             let w = &mut Workspace::new();
             let exact = pivoting_n_per_mm(&ThickWall::new(&m), w, 0.3, 0.15).unwrap();
-            let found = pivoting_n_per_mm(&Axisymmetric::new(&m).unwrap(), w, 0.3, 0.15).unwrap();
-            found / exact - 1.0
+            let ours = pivoting_n_per_mm(&Axisymmetric::new(&m).unwrap(), w, 0.3, 0.15).unwrap();
+            ours / exact - 1.0
         };
         let (short, long) = (off(600.0), off(1200.0));
         assert!((short / long - 2.0).abs() < 0.05 && long.abs() < 0.02, "{short} {long}");

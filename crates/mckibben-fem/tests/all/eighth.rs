@@ -75,7 +75,7 @@ fn terminals_are_seen_and_have_their_volume() {
         let spec = BrickSpec { plug, ..BrickSpec::parse(mesh).unwrap() };
         let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).unwrap();
         let field = model.field_at(&mut Workspace::new(), 0.2, 0.1).unwrap();
-        assert!(field.nodes.iter().all(|n| n.max_stretch > 0.999 && n.now_mm[0].is_finite()));
+        assert!(field.nodes.iter().all(|n| n.stretches[2] > 0.999 && n.now_mm[0].is_finite()));
         let volume = |extent| {
             let shape = Shape::of_field(&field, extent);
             let grid = shape.plug.clone().unwrap();

@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 fn muscle(angle_deg: f64, length_mm: f64) -> Muscle {
     let stiffness = BraidStiffness::NewtonPerMm(300.0);
     let braid = Braid { angle_deg, stiffness, ..Braid::paper() };
-    let tube = Tube::new(20.0, 2.0, length_mm, Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 })));
+    let tube = Tube::new(20.0, 2.0, length_mm, Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 })));
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
 
@@ -31,9 +31,9 @@ fn a_slice_of_a_long_muscle_is_the_thick_wall() {
             Evaluation::new(&model, &mut Workspace::new(), Options::default()).contraction_at(at, p).unwrap()
                 * m.length_mm()
         };
-        let own = (shortened(&longer) - shortened(&long)) / 100.0;
+        let limit = (shortened(&longer) - shortened(&long)) / 100.0;
         // The stations of the mesh are set by the length: what that changes is some 1e-6 of the slice.
-        assert!((own - e).abs() < 5e-6, "{angle} {e}: {own}");
+        assert!((limit - e).abs() < 5e-6, "{angle} {e}: {limit}");
     }
 }
 
@@ -55,7 +55,7 @@ fn bricks_agree() {
     }
 }
 
-/// Inverses give back what was asked, and an unloaded muscle extends.
+/// Inverses give back the given point, and an unloaded muscle extends.
 #[test]
 fn inverses_come_back_and_free_muscles_are_longer_than_at_rest() {
     for angle in [57.0, 60.0, 70.0] {
@@ -85,7 +85,7 @@ fn inverses_come_back_and_free_muscles_are_longer_than_at_rest() {
 #[test]
 fn partly_slack_strands_of_a_stretched_muscle_have_an_answer() {
     let stiffness = BraidStiffness::NewtonPerMm(426.0);
-    let tube = Tube::new(38.09, 10.0, 120.0, Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.18 })));
+    let tube = Tube::new(38.09, 10.0, 120.0, Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.18 })));
     let braid = Braid { angle_deg: 72.0, stiffness, ..Braid::paper() };
     let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
     let (fe, w) = (Axisymmetric::new(&m).unwrap(), &mut Workspace::new());
@@ -106,7 +106,7 @@ fn stretched_muscles_always_have_an_answer() {
         let outer = random.between(8.0, 45.0);
         let law = Law::NeoHookean(NeoHookean { mu_mpa: random.between(0.05, 0.6) });
         let length_mm = outer * random.between(3.0, 12.0);
-        let tube = Tube::new(outer, outer * random.between(0.12, 0.3), length_mm, Rubber::of(law.clone()));
+        let tube = Tube::new(outer, outer * random.between(0.12, 0.3), length_mm, Rubber::new(law.clone()));
         let stiffness = BraidStiffness::NewtonPerMm(random.between(200.0, 2000.0));
         let braid = Braid { angle_deg: random.between(56.0, 75.0), stiffness, ..Braid::paper() };
         let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();

@@ -12,7 +12,7 @@ use mckibben_fem::three_dimensional::ThreeDimensional;
 
 fn muscle(stiffness: BraidStiffness) -> Muscle {
     let braid = Braid { angle_deg: 25.0, stiffness, ..Braid::paper() };
-    let tube = Tube::new(19.0, 1.5, 120.0, Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.4 })));
+    let tube = Tube::new(19.0, 1.5, 120.0, Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.4 })));
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
 
@@ -34,7 +34,7 @@ fn a_plug_of_the_bore_changes_no_digit() {
 #[test]
 fn a_braid_laid_over_wide_plugs_pulls_as_in_independent_finite_elements_and_nothing_without_pressure() {
     let braid = Braid { angle_deg: 22.0, stiffness: BraidStiffness::NewtonPerMm(800.0), ..Braid::paper() };
-    let tube = Tube::new(20.0, 2.0, 100.0, Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.4 })));
+    let tube = Tube::new(20.0, 2.0, 100.0, Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.4 })));
     let plain = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
     for (plug_mm, pull_n) in [(16.0, 738.7), (20.8, 798.8), (25.6, 768.3)] {
         let muscle = plain.with(&PLUG_DIAMETER, plug_mm).unwrap();
@@ -50,7 +50,7 @@ fn tubes_are_drawn_on_plugs_of_all_sizes_and_pull_nothing_without_pressure() {
         [(30.0, 1.5, 200.0), (20.0, 3.0, 80.0), (8.0, 0.4, 60.0), (40.0, 9.0, 300.0)]
     {
         let tube =
-            Tube::new(outer_mm, wall_mm, length_mm, Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 })));
+            Tube::new(outer_mm, wall_mm, length_mm, Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 })));
         let braid =
             Braid { angle_deg: 25.0, stiffness: BraidStiffness::NewtonPerMm(600.0), ..Braid::paper() };
         let plain = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
@@ -74,7 +74,7 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
 #[test]
 fn plugs_that_a_braid_or_bricks_do_not_have_are_refused() {
     let braid = Braid { angle_deg: 60.0, ..Braid::paper() };
-    let tube = Tube::new(19.0, 1.5, 120.0, Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.4 })));
+    let tube = Tube::new(19.0, 1.5, 120.0, Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.4 })));
     let steep = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
     let message = steep.with(&PLUG_DIAMETER, 22.0).unwrap_err().to_string();
     assert!(message.contains("60 degrees does not widen"), "{message}");
@@ -108,8 +108,8 @@ fn universal_leaves_out_the_plugs_of_finite_elements() {
         for _ in 0..3 {
             let e = r.unit() * muscle.max_ideal_contraction();
             let Some(force) = fe.force_n(w, p, e).ok().filter(|f| *f > 0.0) else { continue };
-            let own = universal.force_n(&mut Workspace::new(), p, e).unwrap();
-            ratios.push((own - force).abs() / blocked / share);
+            let ours = universal.force_n(&mut Workspace::new(), p, e).unwrap();
+            ratios.push((ours - force).abs() / blocked / share);
         }
     }
     ratios.sort_by(f64::total_cmp);

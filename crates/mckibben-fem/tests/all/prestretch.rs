@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 
 fn muscle(law: Law, prestretch: f64) -> Muscle {
     let braid = Braid { angle_deg: 25.0, stiffness: BraidStiffness::NewtonPerMm(300.0), ..Braid::paper() };
-    let tube = Tube::new(19.0, 1.5, 120.0, Rubber::of(law));
+    let tube = Tube::new(19.0, 1.5, 120.0, Rubber::new(law));
     let plain = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
     plain.with(&PRESTRETCH, prestretch).unwrap()
 }
@@ -45,7 +45,7 @@ fn a_slice_of_a_long_muscle_is_the_thick_wall() {
     for law in [ogden(), Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: 0.004, c30_mpa: 0.0 })] {
         for stretch in [0.85, 1.2] {
             let m = muscle(law.clone(), stretch);
-            let problem = Problem { ends: Ends::Sliding, ..Problem::of(&m) };
+            let problem = Problem { ends: Ends::Sliding, ..Problem::from_muscle(&m) };
             let d = Discretisation::new(Mesh::tube(8.0, 9.5, 6.0, (3, 2, 1.0)), problem).unwrap();
             let mut slice = Continuation::new(Body::new(d));
             for (p, e) in [(0.2, 0.0), (0.3, 0.1), (0.1, -0.01)] {
@@ -81,8 +81,7 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
     slopes_are_those_of_differences(&m, (p, e));
     let model = Axisymmetric::new(&m).unwrap();
     let names = ["tube.prestretch".to_owned(), "tube.length".to_owned()];
-    let slope =
-        model.extensions().slopes.unwrap().force_by(&mut Workspace::new(), p, e, &names).unwrap().unwrap()[0];
+    let slope = model.force_by(&mut Workspace::new(), p, e, &names).unwrap().unwrap()[0];
     let beside = |v: f64| {
         let model = Axisymmetric::new(&m.with(&PRESTRETCH, v).unwrap()).unwrap();
         model.force_n(&mut Workspace::new(), p, e).unwrap()

@@ -2,7 +2,6 @@
 
 use mckibben::model::{Response, Workspace};
 use mckibben::muscle::{Muscle, Terminals};
-use mckibben::progress::Silent;
 use mckibben_fem::elements::Elements;
 use mckibben_fem::simulation::{Detail, Given, Simulation, free_contraction};
 use mckibben_fem::solver::curve::Test;
@@ -36,9 +35,9 @@ fn searches_and_curves_meet(model: &dyn Simulation, (p, e): (f64, f64), point: &
     close(model.solve(w, pull(p, force_n)).unwrap().response.contraction, e);
     close(model.reach(w, blocked(e, force_n)).unwrap().pressure_mpa, p);
     let curves = [
-        model.run(w, Test::Isometric(e), &[0.1, p], Detail::Point, &Silent),
-        model.run(w, Test::Isobaric(p), &[0.05, e], Detail::Point, &Silent),
-        model.run(w, Test::Isotonic(force_n), &[0.1, p], Detail::Point, &Silent),
+        model.run(w, Test::Isometric(e), &[0.1, p], Detail::Point),
+        model.run(w, Test::Isobaric(p), &[0.05, e], Detail::Point),
+        model.run(w, Test::Isotonic(force_n), &[0.1, p], Detail::Point),
     ];
     for curve in curves {
         let at = curve[1].as_ref().unwrap();
@@ -57,17 +56,17 @@ fn every_test_of_a_seated_muscle_is_that_of_the_muscle_between_its_ends() {
     let here = held.solve(w, Given::at(p, 0.1)).unwrap().response;
     assert_eq!(none.solve(w, Given::at(p, 0.1)).unwrap().response, here);
     let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-8, "{a} {b}");
-    let found = gives.solve(w, Given::at(p, 0.1 - shift)).unwrap().response;
-    close(found.force_n, here.force_n);
-    close(found.contraction, 0.1 - shift);
+    let response = gives.solve(w, Given::at(p, 0.1 - shift)).unwrap().response;
+    close(response.force_n, here.force_n);
+    close(response.contraction, 0.1 - shift);
     close(gives.reach(w, pull(p, here.force_n)).unwrap().contraction, 0.1 - shift);
     close(gives.reach(w, blocked(0.1 - shift, here.force_n)).unwrap().pressure_mpa, p);
     close(gives.solve(w, pull(p, here.force_n)).unwrap().response.contraction, 0.1 - shift);
     close(free_contraction(&*gives, w, p).unwrap(), free_contraction(&*held, w, p).unwrap() - shift);
     let (pressures, contractions) = ([0.1, p], [0.05 - shift, 0.1 - shift]);
-    let isometric = gives.run(w, Test::Isometric(0.1 - shift), &pressures, Detail::Point, &Silent);
-    let isobaric = gives.run(w, Test::Isobaric(p), &contractions, Detail::Point, &Silent);
-    let isotonic = gives.run(w, Test::Isotonic(here.force_n), &pressures, Detail::Point, &Silent);
+    let isometric = gives.run(w, Test::Isometric(0.1 - shift), &pressures, Detail::Point);
+    let isobaric = gives.run(w, Test::Isobaric(p), &contractions, Detail::Point);
+    let isotonic = gives.run(w, Test::Isotonic(here.force_n), &pressures, Detail::Point);
     close(isometric[1].as_ref().unwrap().force_n, here.force_n);
     assert_eq!(isometric[1].as_ref().unwrap().contraction, 0.1 - shift);
     close(isobaric[1].as_ref().unwrap().force_n, here.force_n);
@@ -92,10 +91,10 @@ fn the_slope_by_length_is_that_of_differences() {
     };
     let difference = (at(286.0, w) - at(284.0, w)) / 2.0;
     let names = ["terminals.seating".to_owned(), "tube.length".into()];
-    let found = base.extensions().slopes.unwrap().force_by(w, 0.2, 0.1, &names).unwrap().unwrap();
-    assert!((found[1] - difference).abs() < 1e-3 * difference.abs(), "{found:?} {difference}");
+    let slopes = base.force_by(w, 0.2, 0.1, &names).unwrap().unwrap();
+    assert!((slopes[1] - difference).abs() < 1e-3 * difference.abs(), "{slopes:?} {difference}");
     let stiffness = base.response(w, 0.2, 0.1).unwrap().stiffness_n_per_mm.unwrap();
-    assert!((found[0] + stiffness).abs() < 1e-9 * stiffness);
+    assert!((slopes[0] + stiffness).abs() < 1e-9 * stiffness);
 }
 
 fn slipping() -> Box<dyn Simulation> {
@@ -116,16 +115,16 @@ fn ends_that_slip_are_a_spring_beside_the_muscle() {
     let inner = fe(&whole.muscle().between_ends());
     let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-8, "{a} {b}");
     let (p, e) = (0.2, 0.08);
-    let found = whole.solve(w, Given::at(p, e)).unwrap().response;
-    let load = found.force_n + p * std::f64::consts::PI * 144.0;
+    let response = whole.solve(w, Given::at(p, e)).unwrap().response;
+    let load = response.force_n + p * std::f64::consts::PI * 144.0;
     let x = (e * 285.0 + 1.5 + 4e-3 * load) / 275.0;
-    close(found.force_n, inner.solve(&mut Workspace::new(), Given::at(p, x)).unwrap().response.force_n);
-    close(whole.response(w, p, e).unwrap().force_n, found.force_n);
-    close(whole.solve(w, blocked(e, found.force_n)).unwrap().response.pressure_mpa, p);
-    searches_and_curves_meet(&*whole, (p, e), &found, 1e-8);
-    let slopes = whole.run(w, Test::Isometric(e), &[p], Detail::Tangent, &Silent);
+    close(response.force_n, inner.solve(&mut Workspace::new(), Given::at(p, x)).unwrap().response.force_n);
+    close(whole.response(w, p, e).unwrap().force_n, response.force_n);
+    close(whole.solve(w, blocked(e, response.force_n)).unwrap().response.pressure_mpa, p);
+    searches_and_curves_meet(&*whole, (p, e), &response, 1e-8);
+    let slopes = whole.run(w, Test::Isometric(e), &[p], Detail::Tangent);
     let tangent = slopes[0].as_ref().unwrap().response.unwrap();
-    close(tangent.stiffness_n_per_mm.unwrap(), found.stiffness_n_per_mm.unwrap());
+    close(tangent.stiffness_n_per_mm.unwrap(), response.stiffness_n_per_mm.unwrap());
 }
 
 /// ∂F/∂c, ∂F/∂h, ∂F/∂L0 and ∂F/∂s of ends that slip against central differences.
@@ -147,11 +146,10 @@ fn slopes_of_slipping_ends_are_those_of_differences() {
         base.muscle().with_terminals(ends).unwrap().with_tube(tube).unwrap()
     };
     let names = ["terminals.slip", "terminals.grip", "tube.length", "tube.wall_thickness"];
-    let found =
-        base.extensions().slopes.unwrap().force_by(w, 0.2, 0.08, &names.map(str::to_owned)).unwrap().unwrap();
-    for ((name, found), h) in names.into_iter().zip(found).zip([1e-4, 0.2, 0.5, 0.02]) {
+    let slopes = base.force_by(w, 0.2, 0.08, &names.map(str::to_owned)).unwrap().unwrap();
+    for ((name, slope), h) in names.into_iter().zip(slopes).zip([1e-4, 0.2, 0.5, 0.02]) {
         let difference = (pull(&changed(name, h)) - pull(&changed(name, -h))) / (2.0 * h);
-        assert!((found - difference).abs() < 2e-3 * difference.abs(), "{name} {found} {difference}");
+        assert!((slope - difference).abs() < 2e-3 * difference.abs(), "{name} {slope} {difference}");
     }
 }
 

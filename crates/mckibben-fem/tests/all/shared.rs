@@ -1,4 +1,4 @@
-//! One model shared by two threads, each with a workspace of its own, answers as one thread does, bit by bit.
+//! One model shared by two threads, each with its workspace, answers as one thread does, bit by bit.
 
 use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::muscle::{Braid, EndFactor, MeasuredStrand, Muscle, Terminals};

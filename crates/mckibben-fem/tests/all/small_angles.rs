@@ -1,11 +1,10 @@
-//! Braid angles from 7° to 18°: such tubes become several times as wide. Every question at which the muscle pulls is answered, asked alone as
+//! Braid angles from 7° to 18°: such tubes become several times as wide. Every question at which the muscle pulls is answered, alone as
 //! along a curve.
 //!
 //! `MCKIBBEN_TIMES=20` asks 1000 of them.
 
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::progress::Silent;
 use mckibben::random::{Random, rounds};
 use mckibben::rubber::{Law, NeoHookean};
 use mckibben_fem::axisymmetric::Axisymmetric;
@@ -22,7 +21,7 @@ fn muscle(
     [outer_diameter_mm, wall_mm, length_mm, angle_deg, mu_mpa]: [f64; 5],
     stiffness: BraidStiffness,
 ) -> Option<Muscle> {
-    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa }));
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
     let tube = Tube::new(outer_diameter_mm, wall_mm, length_mm, rubber);
     Muscle::new(tube, Braid { angle_deg, stiffness, ..Braid::paper() }, Terminals::default(), None).ok()
 }
@@ -58,10 +57,7 @@ fn single_questions_at_small_angles_are_answered_as_along_a_curve() {
         let workspace = &mut Workspace::new();
         let alone = model.force_n(workspace, p, e);
         let steps: Vec<f64> = (0..=20).map(|i| e * f64::from(i) / 20.0).collect();
-        let curve = model
-            .run(&mut Workspace::new(), Test::Isobaric(p), &steps, Detail::Point, &Silent)
-            .pop()
-            .unwrap();
+        let curve = model.run(&mut Workspace::new(), Test::Isobaric(p), &steps, Detail::Point).pop().unwrap();
         let scale = p * PI * muscle.tube().outer_radius_mm().powi(2);
         let cost = model.known(workspace).unwrap().effort.factorisations;
         match (alone, curve) {

@@ -2,7 +2,6 @@
 
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben::progress::Silent;
 use mckibben_fem::FemError;
 use mckibben_fem::simulation::{Detail, Given, Simulation};
 use mckibben_fem::solver::curve::Test;
@@ -16,14 +15,14 @@ fn coarse() -> ThreeDimensional {
 fn curves_agree_with_single_answers_and_cost_less() {
     let (model, w) = (coarse(), &mut Workspace::new());
     let pressures: Vec<f64> = (5..=25).map(|i| 0.01 * f64::from(i)).collect();
-    let curve = model.run(w, Test::Isometric(0.1), &pressures, Detail::Point, &Silent);
+    let curve = model.run(w, Test::Isometric(0.1), &pressures, Detail::Point);
     let effort = model.known(w).unwrap().effort;
     assert!(effort.factorisations < 2 * pressures.len(), "{effort:?}");
     for point in curve.iter().map(|p| p.as_ref().unwrap()).step_by(4) {
         let single = model.force_n(&mut Workspace::new(), point.pressure_mpa, 0.1).unwrap();
         assert!((point.force_n - single).abs() < 1e-6, "{point:?} {single}");
     }
-    for point in model.run(w, Test::Isotonic(80.0), &[0.1, 0.2], Detail::Point, &Silent) {
+    for point in model.run(w, Test::Isotonic(80.0), &[0.1, 0.2], Detail::Point) {
         let point = point.unwrap();
         let single = model.force_n(&mut Workspace::new(), point.pressure_mpa, point.contraction).unwrap();
         assert!((single - 80.0).abs() < 1e-5, "{point:?} {single}");
@@ -75,8 +74,8 @@ fn a_mesh_of_another_braid_is_refused_with_divisions_that_fit() {
         let listed = listed.split(',').next().unwrap();
         let all: Vec<&str> = listed.split(" or ").collect();
         for fitting in all {
-            let found = divided(fitting).unwrap();
-            assert!((found - 28.0).abs() < 1.2, "{fitting}: {found}");
+            let angle_deg = divided(fitting).unwrap();
+            assert!((angle_deg - 28.0).abs() < 1.2, "{fitting}: {angle_deg}");
         }
     }
     for text in ["2x12x39", "1x4x13", "2x24x78", "2x12", "3x6:quadratic"] {

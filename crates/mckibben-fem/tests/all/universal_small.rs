@@ -14,7 +14,7 @@ pub(super) fn random(r: &mut Random) -> Option<(Muscle, f64, f64)> {
     let mu_mpa = r.log(0.05, 1.0);
     let p = mu_mpa * r.log(0.05, 5.0);
     let k = p * d0 / (4.0 * angle_deg.to_radians().sin().powi(2) * r.log(0.001, 0.06));
-    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa }));
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
     let tube = Tube::new(d0, wall_mm, length_mm, rubber);
     let braid = Braid { angle_deg, stiffness: BraidStiffness::NewtonPerMm(k), ..Braid::paper() };
     Some((Muscle::new(tube, braid, Terminals::default(), None).ok()?, p, p / mu_mpa))
@@ -37,8 +37,8 @@ fn errors(count: usize, seed: u64) -> Vec<Point> {
         for share_of_ideal in shares {
             let e = share_of_ideal * muscle.max_ideal_contraction();
             let Some(force) = fe.force_n(w, p, e).ok().filter(|f| *f > 0.0) else { continue };
-            let own = small.force_n(&mut Workspace::new(), p, e).unwrap();
-            out.push((muscle.clone(), by_mu, (own - force).abs() / (share * blocked)));
+            let ours = small.force_n(&mut Workspace::new(), p, e).unwrap();
+            out.push((muscle.clone(), by_mu, (ours - force).abs() / (share * blocked)));
         }
     }
     out

@@ -118,8 +118,8 @@ fn elements_at_rest_fill_the_tube_but_for_the_polygon() {
         let polygon = (TAU / AROUND).sin() / (TAU / AROUND);
         let exact = muscle.build_sheet().rubber_volume_mm3;
         let plain = exact * muscle.length_mm() / muscle.build_sheet().tube_cut_mm;
-        let found = volume(&tube, &points(&tube, "Points"));
-        assert!((found / (plain * polygon) - 1.0).abs() < 1e-12, "{found} {plain}");
+        let of_file = volume(&tube, &points(&tube, "Points"));
+        assert!((of_file / (plain * polygon) - 1.0).abs() < 1e-12, "{of_file} {plain}");
     }
 }
 
@@ -138,7 +138,7 @@ fn elements_keep_their_volume_and_displacements_lead_back_to_rest() {
     }
     assert!((volume(&tube, &now) / at_rest - 1.0).abs() < 2e-3);
     let bulge = now.iter().map(|p| p[0].hypot(p[1])).fold(0.0, f64::max);
-    // The elements' own surface may rise between their nodes.
+    // The elements' surface may rise between their nodes.
     let short = 1.0 - 2.0 * bulge / response.bulged_diameter_mm.unwrap();
     assert!((-1e-13..2e-4).contains(&short), "{short}");
 }

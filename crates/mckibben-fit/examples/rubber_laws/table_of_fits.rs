@@ -1,7 +1,7 @@
 //! The curve of a rubber of which a table of fits is all that is known.
 //!
 //! `data/silicones/uniaxial_fits.csv` has for each silicone the Mooney–Rivlin constants of its tension test up to 50, 100 and 200 % strain, the
-//! number of their points, and the stress at 100 %. One such fit follows the curve of its own range within a few per cent, though as a law of
+//! number of their points, and the stress at 100 %. One such fit follows the curve of its range within a few per cent, though as a law of
 //! rubber it is none: its C01 is negative. So the curve is taken from the fits, range by range, and those that end at or begin from 100 % are
 //! brought to the stress there, all at 100 % and nothing at their other end. Of the silicones with a measured curve as well, what this
 //! gives is off by at most 1.2 % up to 50 %, 2.2 % up to 100 %, 1.0 % up to 150 % and 4.3 % up to 200 % (RTV615, which breaks at 193 %: 1.2, 4.6,
@@ -70,7 +70,8 @@ fn ranges(table: impl Read, name: &str) -> Option<[Range; 3]> {
             at_100_mpa: number(at_100)? / 1000.0,
         })
     };
-    let own = |r: &csv::StringRecord| r.get(0).is_some_and(|title| plain(title) == name);
-    let all: Option<Vec<Range>> = reader.records().filter_map(Result::ok).filter(own).map(row).collect();
+    let is_of_rubber = |r: &csv::StringRecord| r.get(0).is_some_and(|title| plain(title) == name);
+    let all: Option<Vec<Range>> =
+        reader.records().filter_map(Result::ok).filter(is_of_rubber).map(row).collect();
     all?.try_into().ok()
 }

@@ -19,7 +19,7 @@ pub fn windows_of(points: &[TensionPoint]) -> Result<Vec<Window>, TensionFitErro
             continue;
         }
         let fit = fit_tension(points, &FitSettings { up_to_stretch: end, ..FitSettings::default() })?;
-        let window = of_fit(&fit, end);
+        let window = window_of(&fit, end);
         if windows.last().is_none_or(|w| w.points < window.points) {
             windows.push(window);
         }
@@ -27,7 +27,7 @@ pub fn windows_of(points: &[TensionPoint]) -> Result<Vec<Window>, TensionFitErro
     Ok(windows)
 }
 
-fn of_fit(fit: &TensionFit, up_to_stretch: Option<f64>) -> Window {
+fn window_of(fit: &TensionFit, up_to_stretch: Option<f64>) -> Window {
     let equal = fit.of_equal_standing();
     let best = fit.recommended.map_or(0.0, |i| fit.laws[i].quality.aicc);
     let mut laws: Vec<WindowLaw> = vec![];

@@ -2,37 +2,57 @@
 
 pub use crate::measured::{MeasuredPoint, mean_of_branches, read_measured};
 
-use crate::identify::{Spread, spread};
+use crate::identify::spread;
 use crate::measured::DataPoint;
 use mckibben::analysis::Evaluation;
 use mckibben::cancel;
 use mckibben::model::ModelError;
 use serde::Serialize;
 
-/// How far a model is from measured points.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+/// Errors of a model, model − reference.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Comparison {
-    /// The model's name.
+    /// Its name.
     pub model: String,
-    /// Root mean square of F_model − F_measured over the answered points, in N.
-    pub rms_n: f64,
-    /// Largest |F_model − F_measured|, in N.
-    pub max_n: f64,
-    /// Mean of F_model − F_measured in N: above zero where the model promises too much.
-    pub mean_n: f64,
-    /// How many points were answered.
-    pub points: usize,
-    /// How many points the model refused or failed on, and the first reason.
+    /// Root mean square, N; none where the model could not be compared.
+    pub rms_n: Option<f64>,
+    /// The largest, N.
+    pub max_n: Option<f64>,
+    /// The mean, N: above zero if the model predicts too much pull.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub unanswered: Option<(usize, String)>,
+    pub mean_n: Option<f64>,
+    /// Measured volumes of the cavity that it answered; 0 without.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub volume_points: usize,
+    /// Root mean square of its volumes less the measured ones, mm³.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rms_volume_mm3: Option<f64>,
+    /// The mean, mm³: above zero if the model holds too much air.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean_volume_mm3: Option<f64>,
+    /// Points that it answered.
+    pub points: usize,
+    /// Points that it did not answer.
+    pub unanswered: usize,
+    /// Why not, or why the model could not be compared.
+    pub cause: Option<String>,
 }
 
-/// Compares a model with measured points. Where the model is slack it counts as 0 N.
-pub fn compare(evaluation: &mut Evaluation<'_>, points: &[MeasuredPoint]) -> Result<Comparison, ModelError> {
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
+fn is_zero(count: &usize) -> bool {
+    *count == 0
+}
+
+/// Compares a model with measured pulls and with measured volumes of the cavity. Where the model is slack it counts as 0 N.
+pub fn compare(
+    evaluation: &mut Evaluation<'_>,
+    pulls: &[MeasuredPoint],
+    volumes: &[DataPoint],
+) -> Result<Comparison, ModelError> {
     let info = evaluation.model.info();
     let mut differences = vec![];
-    let mut failed: Option<(usize, ModelError)> = None;
-    for point in points {
+    let (mut unanswered, mut first) = (0, None);
+    for point in pulls {
         cancel::check()?;
         let MeasuredPoint { pressure_mpa, contraction, .. } = *point;
         let checked = if evaluation.options.extrapolate {
@@ -42,45 +62,35 @@ pub fn compare(evaluation: &mut Evaluation<'_>, points: &[MeasuredPoint]) -> Res
         };
         match checked.and_then(|()| evaluation.borne_force_n(pressure_mpa, contraction)) {
             Ok(force) => differences.push(force.max(0.0) - point.force_n),
-            Err(error) => failed = Some(failed.map_or((1, error), |(n, first)| (n + 1, first))),
+            Err(error) => {
+                unanswered += 1;
+                first.get_or_insert(error);
+            }
         }
     }
     if differences.is_empty()
-        && let Some((_, error)) = failed
+        && let Some(error) = first
     {
         return Err(error);
     }
-    let Spread { points, rms_n, max_n, mean_n, .. } = spread("", &differences);
+    let mut volume_differences = vec![];
+    for point in volumes {
+        cancel::check()?;
+        let response = evaluation.response(point.at.pressure_mpa, point.at.contraction).ok();
+        volume_differences.extend(response.and_then(|r| Some(r.volume_mm3? - point.volume_mm3?)));
+    }
+    let errors = |differences: &[f64]| Some(spread("", differences)).filter(|s| s.points > 0);
+    let (pulls, volumes) = (errors(&differences), errors(&volume_differences));
     Ok(Comparison {
         model: info.name.to_string(),
-        rms_n,
-        max_n,
-        mean_n,
-        points,
-        unanswered: failed.map(|(n, error)| (n, error.to_string())),
+        rms_n: pulls.as_ref().map(|s| s.rms_n),
+        max_n: pulls.as_ref().map(|s| s.max_n),
+        mean_n: pulls.as_ref().map(|s| s.mean_n),
+        volume_points: volume_differences.len(),
+        rms_volume_mm3: volumes.as_ref().map(|s| s.rms_n),
+        mean_volume_mm3: volumes.as_ref().map(|s| s.mean_n),
+        points: differences.len(),
+        unanswered,
+        cause: first.map(|error| error.to_string()),
     })
-}
-
-/// How far the volumes of a model are from measured ones.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct VolumeComparison {
-    /// How many volumes were compared.
-    pub points: usize,
-    /// Root mean square of V_model − V_measured in mm³.
-    pub rms_mm3: f64,
-    /// Mean of V_model − V_measured in mm³: above zero if the model holds too much air.
-    pub mean_mm3: f64,
-}
-
-/// Compares the cavity of a model with measured volumes; `None` of a model without one, and without volumes.
-pub fn compare_volumes(evaluation: &mut Evaluation<'_>, points: &[DataPoint]) -> Option<VolumeComparison> {
-    let mut differences = vec![];
-    for point in points {
-        cancel::check().ok()?;
-        let (p, e) = (point.at.pressure_mpa, point.at.contraction);
-        let here = evaluation.response(p, e).ok();
-        differences.extend(here.and_then(|r| Some(r.volume_mm3? - point.volume_mm3?)));
-    }
-    let Spread { points, rms_n: rms_mm3, mean_n: mean_mm3, .. } = spread("", &differences);
-    (points > 0).then_some(VolumeComparison { points, rms_mm3, mean_mm3 })
 }

@@ -25,10 +25,11 @@ pub(super) fn lines(list: &[u64]) -> String {
 /// A number with three digits.
 fn show(v: f64) -> String {
     let decimals = if v == 0.0 { 0 } else { (2 - v.abs().log10().floor() as i32).clamp(0, 8) as usize };
-    format!("{v:.decimals$}")
+    // Adding zero takes the sign from −0.
+    format!("{:.decimals$}", v + 0.0)
 }
 
-/// What is odd of points to which a model is compared: signs and units.
+/// Doubts about points that a model is compared with: signs and units.
 ///
 /// # Errors
 /// [`IdentifyError::Flipped`] where most of them have the wrong sign.
@@ -51,46 +52,34 @@ fn no_branch(points: &[DataPoint]) -> Option<String> {
     ))
 }
 
-/// What can be said before anything is computed.
-pub(super) fn before(
-    muscle: &Muscle,
-    free: &[Target],
-    points: &[DataPoint],
-    history: bool,
-) -> Result<Vec<String>> {
-    let mut notes = vec![];
+/// Sentences about the points before anything is computed.
+pub(super) fn before(request: &Request<'_>, points: &[DataPoint]) -> Result<Vec<String>> {
+    let (mut notes, muscle, history) = (vec![], request.muscle, request.history);
+    let free: Vec<Target> = request.free.iter().map(|p| p.target).collect();
     if let Some(sentence) = units(muscle, points) {
         if !free.iter().any(|t| t.is_geometry()) {
             return Err(IdentifyError::Implausible(sentence));
         }
         notes.push(sentence);
     }
-    notes.extend(too_short(muscle, free, points));
+    notes.extend(too_short(muscle, &free, points));
     cancel::check()?;
     notes.extend(no_branch(points).filter(|_| !history));
     // Minor loops pass one place with several pulls.
     notes.extend(contradictions(points).filter(|_| !history));
     if distinct(points.iter().map(|p| p.at.pressure_mpa)).len() == 1 {
-        notes.push(
-            "all points have the same pressure: rubber, braid and offset can hardly be distinguished; measure at two more pressures"
-                .into(),
-        );
+        notes.push("all points have the same pressure: rubber, braid and offset can hardly be distinguished; measure at two more pressures".into());
     } else if distinct(points.iter().map(|p| p.at.contraction)).len() == 1 {
-        notes.push(
-            "all points have the same contraction: measure at others too; the decrease of the pull with contraction identifies the rubber".into(),
-        );
+        notes.push("all points have the same contraction: measure at others too; the decrease of the pull with contraction identifies the rubber".into());
     }
     let lengths = points.iter().map(|p| p.section.length_mm.unwrap_or(muscle.length_mm()));
     let ends = [&SEATING, &SLIP, &GRIP].into_iter().map(Target::Measure).find(|t| free.contains(t));
     if let Some(end) = ends.filter(|_| distinct(lengths).len() == 1) {
-        let look = if end == Target::Measure(&SEATING) {
-            "the zero of the length"
-        } else {
-            "length, angle or modulus"
-        };
+        let seats = end == Target::Measure(&SEATING);
+        let look = if seats { "the zero of the length" } else { "length, angle or modulus" };
+        let end = end.name(muscle);
         notes.push(format!(
-            "all points are from muscles of one length: {} can hardly be distinguished from an error in {look}; measure muscles of other lengths",
-            end.name(muscle)
+            "all points are from muscles of one length: {end} can hardly be distinguished from an error in {look}; measure muscles of other lengths"
         ));
     }
     Ok(notes)
@@ -115,7 +104,7 @@ pub(super) fn compare_curves(a: &DataPoint, b: &DataPoint) -> Ordering {
     key(a).zip(key(b)).map(|(x, y)| x.total_cmp(&y)).find(|o| o.is_ne()).unwrap_or(Ordering::Equal)
 }
 
-/// Forces against those of the ideal muscle, which no rubber exceeds by much and no sensible one eats up.
+/// Forces against those of the ideal muscle, which no rubber exceeds by much and no usual one cancels.
 fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     let ratio = |p: &DataPoint| Some(p.at.force_n / ideal_pull(muscle, p)?);
     let mut ratios: Vec<f64> = points.iter().filter_map(ratio).collect();
@@ -125,11 +114,11 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     ratios.sort_by(f64::total_cmp);
     let (middle, high) = (ratios[ratios.len() / 2], ratios[9 * ratios.len() / 10]);
     let highest = points.iter().map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
+    let pressure = show(highest);
     let (ratio, why) = if middle > 2.5 {
         let why = if highest < 0.06 {
             format!(
-                "the highest pressure is {} MPa; if the column holds bar or MPa under another name, rename it (pressure_bar, pressure_mpa)",
-                show(highest)
+                "the highest pressure is {pressure} MPa; if the column holds bar or MPa under another name, rename it (pressure_bar, pressure_mpa)"
             )
         } else if middle > 100.0 {
             "is force_n in mN or g?".into()
@@ -141,9 +130,9 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
         (middle, why)
     } else if high < 0.12 {
         let why = if highest > 30.0 {
-            format!("pressures reach {} MPa; if they are kPa, name the column pressure_kpa", show(highest))
+            format!("pressures reach {pressure} MPa; if they are kPa, name the column pressure_kpa")
         } else if highest > 1.5 {
-            format!("pressures reach {} MPa; if they are bar, name the column pressure_bar", show(highest))
+            format!("pressures reach {pressure} MPa; if they are bar, name the column pressure_bar")
         } else if high < 0.003 {
             "is force_n in kN?".into()
         } else {
@@ -154,9 +143,9 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     } else {
         return None;
     };
+    let ratio = show(ratio);
     Some(format!(
-        "the forces are about {} times those of an ideal muscle of these measures, which no rubber explains: {why}",
-        show(ratio)
+        "the forces are about {ratio} times those of an ideal muscle of these measures, which no rubber explains: {why}"
     ))
 }
 
@@ -193,22 +182,18 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
         let apart = (a.at.force_n - b.at.force_n).abs();
         same && apart > 0.15 * a.at.force_n.abs().max(b.at.force_n.abs()) && apart > 0.03 * largest
     };
-    let found: Vec<&[&DataPoint]> = order.windows(2).filter(clash).collect();
-    let first = found.first()?;
-    let (a, b) = (first[0], first[1]);
+    let pairs: Vec<&[&DataPoint]> = order.windows(2).filter(clash).collect();
+    let &&[a, b] = pairs.first()? else { return None };
     let branch = if a.at.direction().is_mean() {
         "; if they are the two branches of the hysteresis loop, say so in a column `branch`"
     } else {
         "; one of them is wrong, or the muscle changed in between (the first inflation is stiffer than later ones)"
     };
+    let (which, f, g) = (lines(&[a.line, b.line]), show(a.at.force_n), show(b.at.force_n));
+    let (p, e) = (show(a.at.pressure_mpa), show(a.at.contraction));
+    let more = if pairs.len() > 1 { format!(", and {} more pairs", pairs.len() - 1) } else { String::new() };
     Some(format!(
-        "{} contradict each other: {} and {} N at the same {} MPa and contraction {}{}{branch}",
-        lines(&[a.line, b.line]),
-        show(a.at.force_n),
-        show(b.at.force_n),
-        show(a.at.pressure_mpa),
-        show(a.at.contraction),
-        if found.len() > 1 { format!(", and {} more pairs", found.len() - 1) } else { String::new() }
+        "{which} contradict each other: {f} and {g} N at the same {p} MPa and contraction {e}{more}{branch}"
     ))
 }
 
@@ -223,106 +208,91 @@ pub(super) fn outliers(residuals: &[f64], weights: &[f64]) -> Vec<bool> {
     scaled.iter().zip(residuals).map(|(s, r)| judged && *s > limit && r.abs() > 1e-6).collect()
 }
 
-/// What can be said of the result.
-pub(super) fn after(found: &Identification, request: &Request<'_>) -> Vec<String> {
+/// Sentences about the result.
+pub(super) fn after(result: &Identification, request: &Request<'_>) -> Vec<String> {
     let mut notes = vec![];
-    notes.extend(unidentifiable(found));
-    notes.extend(no_rubber(found));
-    notes.extend(correlated(found));
+    notes.extend(unidentifiable(result));
+    notes.extend(no_rubber(result));
+    notes.extend(correlated(result));
     if request.loss == Loss::Largest {
         notes.push("the largest residual was made small, not the sum of squares: standard errors are a rough guide only".into());
     }
-    let far: Vec<u64> = found.points.iter().filter(|p| p.outlier).map(|p| p.point.line).collect();
+    let far: Vec<u64> = result.points.iter().filter(|p| p.outlier).map(|p| p.point.line).collect();
     if !far.is_empty() {
         let robust = if request.loss == Loss::Squares { "; check them, or use a robust loss" } else { "" };
+        let (which, s) = (lines(&far), if far.len() == 1 { "s" } else { "" });
+        notes.push(format!("{which} lie{s} more than {FAR} robust deviations from the model{robust}"));
+    }
+    let (points, parameters, freedom) = (result.points.len(), result.parameters.len(), result.freedom);
+    if freedom < 2 * parameters {
         notes.push(format!(
-            "{} lie{} more than {FAR} robust deviations from the model{robust}",
-            lines(&far),
-            if far.len() == 1 { "s" } else { "" }
+            "{points} points for {parameters} parameters: the error bars have only {freedom} degrees of freedom and are therefore wide; measure more points"
         ));
     }
-    if found.freedom < 2 * found.parameters.len() {
-        notes.push(format!(
-            "{} points for {} parameters: the error bars have only {} degrees of freedom and are therefore wide; measure more points",
-            found.points.len(),
-            found.parameters.len(),
-            found.freedom
-        ));
-    }
-    notes.extend(misfit(found));
-    notes.extend(pattern(&found.points));
-    notes.extend(slack(found, request.build));
+    notes.extend(misfit(result));
+    notes.extend(pattern(&result.points));
+    notes.extend(slack(result, request.build));
     let not_in_a_file = [
         (Target::ContractionOffset, "contraction_offset: add it to your contractions"),
         (Target::DeadVolume, "dead_volume: subtract it from your volumes"),
         (Target::StiffnessExponent, "braid.stiffness_exponent: it states k at its own diameter"),
     ];
-    let found_too = not_in_a_file.iter().filter(|(target, _)| found.parameter(*target).is_some());
-    notes.extend(found_too.map(|(_, what)| format!("a muscle file cannot hold {what}")));
+    let identified = not_in_a_file.iter().filter(|(target, _)| result.parameter(*target).is_some());
+    notes.extend(identified.map(|(_, what)| format!("a muscle file cannot hold {what}")));
     notes
 }
 
 /// The law whose limit a constant is, where that lies far beyond the stretches of a muscle.
-fn never_locks(found: &Identification, target: Target) -> Option<&'static str> {
-    let law = &found.muscle.tube().rubber.law;
+fn never_locks(result: &Identification, target: Target) -> Option<&'static str> {
+    let law = &result.muscle.tube().rubber.law;
     let limit = matches!(target, Target::Law(i) if sets_limit(law, i));
     (limit && law.locks_at()? > 0.1 * NO_LOCK).then(|| law.name())
 }
 
-fn unidentifiable(found: &Identification) -> Vec<String> {
+fn unidentifiable(result: &Identification) -> Vec<String> {
     let one = |p: &super::Identified| {
+        let (name, unit, value) = (&p.name, p.unit, show(p.value));
         if p.implausible {
             format!(
-                "{} {} {} gives an end displacement of more than 0.3 of the outer diameter, more than that of any known muscle: it is not determined; an error in another constant (length, angle, modulus) is more likely",
-                p.name,
-                show(p.value),
-                p.unit
+                "{name} {value} {unit} gives an end displacement of more than 0.3 of the outer diameter, more than that of any known muscle: it is not determined; an error in another constant (length, angle, modulus) is more likely"
             )
-        } else if let Some(law) = never_locks(found, p.target) {
+        } else if let Some(law) = never_locks(result, p.target) {
             format!(
-                "{} is not identifiable: no chains lock within these points, and with {} the {law} law has no limit in a muscle; a law without one fits as well: law = \"neo-hookean\"",
-                p.name,
-                show(p.value)
+                "{name} is not identifiable: no chains lock within these points, and with {value} the {law} law has no limit in a muscle; a law without one fits as well: law = \"neo-hookean\""
             )
         } else if !p.matters {
-            format!("{}: it has no effect on any point with this model: fix it", p.name)
+            format!("{name}: it has no effect on any point with this model: hold it constant (`fix`)")
         } else if p.at_bound {
-            let at = format!("{} {}", if p.value == 0.0 { "0".into() } else { show(p.value) }, p.unit);
+            let at = format!("{value} {unit}");
+            let at = at.trim();
             format!(
-                "{} is at its bound, {}: the best fit lies beyond it; widen the bound, or fix the parameter",
-                p.name,
-                at.trim()
+                "{name} is at its bound, {at}: the best fit lies beyond it; widen the bound, or fix the parameter"
             )
         } else if p.target == Target::Stiffness && p.value > 30.0 * p.start {
+            let stiffness = p.value;
             format!(
-                "{} grows without limit ({:.1e} N/mm): inextensible strands fit these data equally well; set it to \"inextensible\"",
-                p.name, p.value
+                "{name} grows without limit ({stiffness:.1e} N/mm): inextensible strands fit these data equally well; set it to \"inextensible\""
             )
         } else if !p.half_width.is_finite() {
             format!(
-                "{} is not identifiable from these data: it acts like another parameter; fix one of them",
-                p.name
+                "{name} is not identifiable from these data: it acts like another parameter; fix one of them"
             )
         } else {
-            let limit = format!("{} {}", show(p.limit), p.unit);
+            let (half, limit) = (show(p.half_width), format!("{} {unit}", show(p.limit)));
+            let limit = limit.trim();
             format!(
-                "{} is not identifiable from these data: ± {} is more than {}; fix it",
-                p.name,
-                show(p.half_width),
-                limit.trim()
+                "{name} is not identifiable from these data: ± {half} is more than {limit}; hold it constant (`fix`)"
             )
         }
     };
-    found.parameters.iter().filter(|p| !p.identifiable).map(one).collect()
+    result.parameters.iter().filter(|p| !p.identifiable).map(one).collect()
 }
 
-/// A modulus that was found and is that of no rubber.
-fn no_rubber(found: &Identification) -> Option<String> {
-    let sought = |t: Target| matches!(t, Target::Law(_) | Target::Modulus);
-    let modulus_mpa = found.muscle.tube().rubber.law.shear_modulus_mpa();
-    let odd =
-        found.parameters.iter().any(|p| sought(p.target)) && !(MODULI.0..=MODULI.1).contains(&modulus_mpa);
-    odd.then(|| {
+/// An identified modulus that no rubber has.
+fn no_rubber(result: &Identification) -> Option<String> {
+    let is_free = result.parameters.iter().any(|p| p.target.is_of_law());
+    let modulus_mpa = result.muscle.tube().rubber.law.shear_modulus_mpa();
+    (is_free && !(MODULI.0..=MODULI.1).contains(&modulus_mpa)).then(|| {
         format!(
             "the shear modulus is {} MPa, and rubbers lie between {} and {} MPa: check the units of the columns, the zero of the contraction, and wall, diameter and angle of the muscle",
             show(modulus_mpa), MODULI.0, MODULI.1
@@ -333,13 +303,13 @@ fn no_rubber(found: &Identification) -> Option<String> {
 /// Pairs whose correlation is above this act nearly as one.
 const TOGETHER: f64 = 0.95;
 
-fn correlated(found: &Identification) -> Vec<String> {
+fn correlated(result: &Identification) -> Vec<String> {
     let mut out = vec![];
-    for i in 0..found.parameters.len() {
+    for i in 0..result.parameters.len() {
         for j in 0..i {
-            let rho = found.correlation[i][j];
+            let rho = result.correlation[i][j];
             if rho.abs() > TOGETHER {
-                let (a, b) = (&found.parameters[j].name, &found.parameters[i].name);
+                let (a, b) = (&result.parameters[j].name, &result.parameters[i].name);
                 let way = if rho > 0.0 { "together" } else { "against each other" };
                 out.push(format!(
                     "{a} and {b} move {way} (correlation {rho:.3}): these data determine a combination of the two better than either"
@@ -350,17 +320,16 @@ fn correlated(found: &Identification) -> Vec<String> {
     out
 }
 
-fn misfit(found: &Identification) -> Option<String> {
-    match found.deviation {
-        _ if !found.errors_stated => None,
+fn misfit(result: &Identification) -> Option<String> {
+    let times = show(result.deviation);
+    match result.deviation {
+        _ if !result.errors_stated => None,
         s if s > 1.5 => Some(format!(
-            "the residuals are {} times the stated errors: the model does not explain the data, or the errors are larger",
-            show(s)
+            "the residuals are {times} times the stated errors: the model does not explain the data, or the errors are larger"
         )),
-        s if s < 0.5 => Some(format!(
-            "the residuals are only {} of the stated errors: these are stated too large",
-            show(s)
-        )),
+        s if s < 0.5 => {
+            Some(format!("the residuals are only {times} of the stated errors: these are stated too large"))
+        }
         _ => None,
     }
 }
@@ -379,7 +348,7 @@ pub(super) fn neighbours(points: &[PointFit]) -> (usize, f64) {
     (pairs.len(), if square > 0.0 { together / square } else { 0.0 })
 }
 
-/// Residuals of neighbours that resemble each other: the model misses in a pattern, and the standard errors, which take
+/// Residuals of neighbours that resemble each other: the error of the model has a pattern, and the standard errors, which take
 /// residuals for noise, are too small. With ρ the correlation of neighbours, n points weigh like n (1 − ρ)/(1 + ρ).
 fn pattern(points: &[PointFit]) -> Option<String> {
     let (pairs, rho) = neighbours(points);
@@ -388,34 +357,31 @@ fn pattern(points: &[PointFit]) -> Option<String> {
         return None;
     }
     let rho = rho.min(0.999);
+    let factor = show(((1.0 + rho) / (1.0 - rho)).sqrt());
     Some(format!(
-        "the residuals follow a pattern (neighbours correlate by {rho:.2}): what is left is the model's error, not noise, and the standard errors are too small, by a factor of about {}",
-        show(((1.0 + rho) / (1.0 - rho)).sqrt())
+        "the residuals follow a pattern (neighbours correlate by {rho:.2}): they are the model's error, not noise, and the standard errors are too small, by a factor of about {factor}"
     ))
 }
 
-/// Points at which the bench read nothing, but the model pulls.
-fn slack(found: &Identification, build: &Build<'_>) -> Option<String> {
-    let n = found.slack.len();
+/// Points without a measured force at which the model pulls.
+fn slack(result: &Identification, build: &Build<'_>) -> Option<String> {
+    let n = result.slack.len();
     if n == 0 {
         return None;
     }
-    let limit = (2.0 * found.rms_n).max(1e-3);
+    let limit = (2.0 * result.rms_n).max(1e-3);
     let pulls = |p: &&DataPoint| {
-        let e = p.at.contraction + found.candidate.contraction_offset;
-        let model = found.candidate.of_section(&p.section).ok().and_then(|m| build(&m).ok());
+        let e = p.at.contraction + result.candidate.contraction_offset;
+        let model = result.candidate.section_muscle(&p.section).ok().and_then(|m| build(&m).ok());
         let force = model.and_then(|m| m.force_n(&mut Workspace::new(), p.at.pressure_mpa, e).ok());
         force.is_some_and(|f| f > limit)
     };
-    let wrong: Vec<u64> = found.slack.iter().filter(pulls).map(|p| p.line).collect();
+    let wrong: Vec<u64> = result.slack.iter().filter(pulls).map(|p| p.line).collect();
     let left = format!("{n} points without a pull were left out (slack, not a measurement)");
     Some(if wrong.is_empty() {
         format!("{left}; the model agrees that the muscle is slack there")
     } else {
-        format!(
-            "{left}; at {} of them the model pulls by more than twice the rms ({})",
-            wrong.len(),
-            lines(&wrong)
-        )
+        let (n, which) = (wrong.len(), lines(&wrong));
+        format!("{left}; at {n} of them the model pulls by more than twice the rms ({which})")
     })
 }

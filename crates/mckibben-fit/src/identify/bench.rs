@@ -1,15 +1,15 @@
-//! What the points say of the muscle that was identified from them: the ± that holds on their bench.
+//! The ± of an identified muscle on the bench of its points.
 //!
 //! A further point of the same bench lies from the fit by less than t √(s² + g C gᵀ) in 95 of 100 cases (Seber & Wild 2003 \[seber2003\], ch. 5):
 //! s the standard deviation of the residuals, C the covariance of the constants, g the slopes of the pull by them at that point, t
 //! Student's quantile. t s and t √(g C gᵀ), on a grid over the range of the points, are kept.
 //!
-//! t s holds for errors with a normal distribution. What a model leaves of a measured muscle has shorter tails: of 20 points on, the residual
+//! t s holds for errors with a normal distribution. Residuals of a measured muscle have shorter tails: of 20 points on, the residual
 //! that 95 % of the points do not exceed takes the place of t s (the 0.95 (n + 1)-th smallest of n, interpolated).
 
 use super::problem::Problem;
 use super::{Identification, PointFit, Request};
-use crate::least_squares::{Unknown, slopes, t95};
+use crate::least_squares::{Estimate, Unknown, slopes, t95};
 use crate::measured::{DataPoint, MeasuredPoint};
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Bench, Direction};
@@ -18,48 +18,51 @@ use mckibben::units::plausible;
 /// Pressures and contractions of the grid.
 const GRID: (usize, usize) = (3, 5);
 
-/// The bench of the muscle itself, from unknowns with their values and covariance; `None` where no point is of it, or the fit's own half-width
-/// is not known.
-pub(super) fn bench(
-    request: &Request<'_>,
-    found: &Identification,
-    (unknowns, x, covariance): (&[Unknown], &[f64], &[Vec<f64>]),
-) -> Option<Bench> {
-    let muscle = found.candidate.muscle();
-    let of_it = |f: &&PointFit| found.candidate.of_section(&f.point.section).is_ok_and(|m| m == *muscle);
-    let own: Vec<&PointFit> = found.points.iter().filter(of_it).collect();
-    let offset = found.candidate.contraction_offset;
-    let range = |of: &dyn Fn(&PointFit) -> f64| {
-        let list = own.iter().map(|f| of(f));
+/// A minimum of the residuals, with the unknowns that are at their bounds set to these.
+pub(super) struct Minimum<'a> {
+    pub unknowns: &'a [Unknown],
+    pub estimate: &'a Estimate,
+    pub x: &'a [f64],
+}
+
+/// The bench of the muscle itself; `None` where no point is of it, or the half-width of the fit is not known.
+pub(super) fn bench(request: &Request<'_>, result: &Identification, minimum: &Minimum<'_>) -> Option<Bench> {
+    let (candidate, covariance) = (&result.candidate, &minimum.estimate.covariance);
+    let muscle = &candidate.muscle;
+    let is_of_muscle = |f: &&PointFit| candidate.section_muscle(&f.point.section).is_ok_and(|m| m == *muscle);
+    let points: Vec<&PointFit> = result.points.iter().filter(is_of_muscle).collect();
+    let offset = candidate.contraction_offset;
+    let range = |value: &dyn Fn(&PointFit) -> f64| {
+        let list = points.iter().map(|f| value(f));
         list.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
     };
     let pressure_mpa = range(&|f| f.point.at.pressure_mpa);
     let contraction = range(&|f| f.point.at.contraction + offset);
-    if own.is_empty() {
+    if points.is_empty() {
         return None;
     }
     // The first row in time order may state none: the way of the others is known.
-    let stated = request.history || own.iter().all(|f| f.point.at.branch.is_some());
-    let seen = |b: &Direction| stated && own.iter().any(|f| f.point.at.branch == Some(*b));
+    let stated = request.history || points.iter().all(|f| f.point.at.branch.is_some());
+    let seen = |b: &Direction| stated && points.iter().any(|f| f.point.at.branch == Some(*b));
     let branches: Vec<Direction> = Direction::ALL.into_iter().filter(seen).collect();
-    let t = t95(found.freedom);
-    let squares: f64 = found.points.iter().map(|f| f.residual_n * f.residual_n).sum();
-    let scatter = largest_of_95(&own).or_else(|| largest_of_95(&found.points.iter().collect::<Vec<_>>()));
+    let t = t95(result.freedom);
+    let squares: f64 = result.points.iter().map(|f| f.residual_n * f.residual_n).sum();
+    let scatter = largest_of_95(&points).or_else(|| largest_of_95(&result.points.iter().collect::<Vec<_>>()));
     // Constants that were fitted to the points make the residuals smaller.
-    let fitted = (found.points.len() as f64 / found.freedom as f64).sqrt();
-    let scatter_n = scatter.map_or_else(|| t * (squares / found.freedom as f64).sqrt(), |n| n * fitted);
+    let fitted = (result.points.len() as f64 / result.freedom as f64).sqrt();
+    let scatter_n = scatter.map_or_else(|| t * (squares / result.freedom as f64).sqrt(), |n| n * fitted);
     let half_width_n = |pressure_mpa: f64, e: f64| -> Option<f64> {
         let (contraction, branch) = (e - offset, branches.last().copied());
         let at = MeasuredPoint { pressure_mpa, contraction, force_n: 0.0, branch };
-        let point = [DataPoint::of(at)];
-        let problem = Problem::new(request, (&point, None), x);
-        let columns = slopes(&problem, unknowns, x)?;
+        let point = [DataPoint::new(at)];
+        let problem = Problem::new(request, (&point, None), minimum.x);
+        let columns = slopes(&problem, minimum.unknowns, minimum.x)?;
         let g: Vec<f64> = columns.iter().map(|c| c.first().copied().unwrap_or(0.0)).collect();
         let row = |row: &Vec<f64>| row.iter().zip(&g).map(|(c, g)| c * g).sum::<f64>();
         let variance: f64 = covariance.iter().zip(&g).map(|(c, g)| g * row(c)).sum();
         Some(t * variance.max(0.0).sqrt()).filter(|half| plausible(*half))
     };
-    // A muscle that would have to push may have no equilibrium, and nobody asks for its ±.
+    // A muscle that would have to push may have no equilibrium; its ± is not needed.
     let (long, w) = (ThickWall::new(muscle), &mut Workspace::new());
     let grid: Vec<Vec<Option<f64>>> = places(pressure_mpa, GRID.0)
         .map(|p| {
@@ -70,7 +73,7 @@ pub(super) fn bench(
         .collect();
     let largest = grid.iter().flatten().flatten().copied().reduce(f64::max)?;
     let mut lengths_mm = vec![muscle.tube().length_mm];
-    for length_mm in found.points.iter().filter_map(|f| f.point.section.length_mm) {
+    for length_mm in result.points.iter().filter_map(|f| f.point.section.length_mm) {
         if !lengths_mm.contains(&length_mm) {
             lengths_mm.push(length_mm);
         }
@@ -81,7 +84,7 @@ pub(super) fn bench(
         laboratory: None,
         model: (request.build)(muscle).ok()?.info().name.to_string(),
         lengths_mm,
-        points: own.len(),
+        points: points.len(),
         branches,
         pressure_mpa,
         contraction,
@@ -94,7 +97,7 @@ pub(super) fn bench(
     Some(bench.sealed(muscle))
 }
 
-/// Points from which on their own distribution is known.
+/// Points from which on their distribution is known.
 const MANY: usize = 20;
 
 /// The residual in N that 95 % of a further one do not exceed; `None` of few points.

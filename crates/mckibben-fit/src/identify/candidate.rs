@@ -1,4 +1,4 @@
-//! A muscle with values for the parameters: what is tried, and what comes out.
+//! A muscle with values for the parameters, tried or identified.
 
 use super::Target;
 use crate::measured::Section;
@@ -19,44 +19,46 @@ pub(super) struct Family {
 /// A muscle that is tried.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
-    muscle: Muscle,
-    family: Option<Family>,
-    /// What is added to the contractions of the data.
+    pub muscle: Muscle,
+    pub(super) family: Option<Family>,
+    /// Offset that is added to the contractions of the data.
     pub contraction_offset: f64,
-    /// What the measured volumes hold beside the muscle, in mm³.
+    /// Volume of hose and fittings in the measured volumes, in mm³.
     pub dead_volume_mm3: f64,
 }
 
-/// The muscle's own value of a parameter; `None` where it has none.
-pub fn own_value(muscle: &Muscle, target: Target) -> Option<f64> {
-    let tube = muscle.tube();
-    Some(match target {
-        Target::Law(i) => *tube.rubber.law.values().get(i)?,
-        Target::Modulus => 1.0,
-        Target::Stiffness => muscle.family_stiffness_n_per_mm()?,
-        // Of k at twice the diameter: 0 for a stated k, −1 for a strand count, that of the braid `paper`.
-        Target::StiffnessExponent => {
-            let mut wide = tube.clone();
-            wide.outer_diameter_mm *= 2.0;
-            let twice = muscle.braid().family_stiffness_n_per_mm(&wide)?;
-            (twice / muscle.family_stiffness_n_per_mm()?).log2()
-        }
-        Target::Measure(m) if *m == END_FACTOR || *m == FRICTION_EXPONENT => {
-            muscle.measure(m).or(target.identify().and_then(|i| i.start(muscle)))?
-        }
-        Target::Measure(m) => muscle.measure(m)?,
-        Target::ContractionOffset | Target::DeadVolume => 0.0,
-    })
+impl Target {
+    /// The value that a muscle has; `None` where it has none.
+    pub fn value(self, muscle: &Muscle) -> Option<f64> {
+        let tube = muscle.tube();
+        Some(match self {
+            Target::Law(i) => *tube.rubber.law.values().get(i)?,
+            Target::Modulus => 1.0,
+            Target::Stiffness => muscle.family_stiffness_n_per_mm()?,
+            // Of k at twice the diameter: 0 for a stated k, −1 for a strand count, that of the braid `paper`.
+            Target::StiffnessExponent => {
+                let mut wide = tube.clone();
+                wide.outer_diameter_mm *= 2.0;
+                let twice = muscle.braid().family_stiffness_n_per_mm(&wide)?;
+                (twice / muscle.family_stiffness_n_per_mm()?).log2()
+            }
+            Target::Measure(m) if *m == END_FACTOR || *m == FRICTION_EXPONENT => {
+                muscle.measure(m).or(self.identify().and_then(|i| i.start(muscle)))?
+            }
+            Target::Measure(m) => muscle.measure(m)?,
+            Target::ContractionOffset | Target::DeadVolume => 0.0,
+        })
+    }
 }
 
 impl Candidate {
-    /// A muscle with values in place of its own.
+    /// A muscle with values for some of its parameters.
     pub fn new(base: &Muscle, values: &[(Target, f64)]) -> Result<Self, MuscleError> {
         let mut parts = base.parts().clone();
         let mut family = Family {
-            stiffness: own_value(base, Target::Stiffness).unwrap_or(f64::INFINITY),
+            stiffness: Target::Stiffness.value(base).unwrap_or(f64::INFINITY),
             reference_mm: base.outer_diameter_mm(),
-            exponent: own_value(base, Target::StiffnessExponent).unwrap_or(0.0),
+            exponent: Target::StiffnessExponent.value(base).unwrap_or(0.0),
         };
         let (mut has_family, mut contraction_offset, mut dead_volume_mm3, mut factor) =
             (false, 0.0, 0.0, 1.0);
@@ -72,7 +74,7 @@ impl Candidate {
                 Target::Measure(m) => {
                     // C alone has the exponent that a search for it starts from.
                     if *m == FRICTION_COEFFICIENT && base.measure(&FRICTION_EXPONENT).is_none() {
-                        let exponent = own_value(base, Target::Measure(&FRICTION_EXPONENT));
+                        let exponent = Target::Measure(&FRICTION_EXPONENT).value(base);
                         exponent.into_iter().for_each(|v| (FRICTION_EXPONENT.set)(&mut parts, v));
                     }
                     (m.set)(&mut parts, v);
@@ -87,7 +89,7 @@ impl Candidate {
             rubber.fitted_to_stretch = None;
         }
         // Constants that are sought are those of every row of the data; the law of a named rubber would follow its measures.
-        if values.iter().any(|v| matches!(v.0, Target::Law(_) | Target::Modulus)) {
+        if values.iter().any(|v| v.0.is_of_law()) {
             rubber.name = None;
         }
         let family = has_family.then_some(family);
@@ -97,21 +99,13 @@ impl Candidate {
         Ok(Self { muscle: Muscle::from_parts(parts)?, family, contraction_offset, dead_volume_mm3 })
     }
 
-    pub fn muscle(&self) -> &Muscle {
-        &self.muscle
-    }
-
     /// The muscle of a row of data.
-    pub fn of_section(&self, section: &Section) -> Result<Muscle, MuscleError> {
+    pub fn section_muscle(&self, section: &Section) -> Result<Muscle, MuscleError> {
         let muscle = section.apply(&self.muscle)?;
         let Some(family) = self.family else { return Ok(muscle) };
         let mut braid = muscle.braid().clone();
         braid.stiffness = BraidStiffness::NewtonPerMm(family.at(muscle.outer_diameter_mm()));
         muscle.with_braid(braid)
-    }
-
-    pub(super) fn family(&self) -> Option<Family> {
-        self.family
     }
 }
 

@@ -1,6 +1,6 @@
-//! What is free where nothing is said.
+//! The default of the free parameters.
 
-use super::{Build, Candidate, Identification, Parameter, Request, Result, Target, identify, own_value};
+use super::{Build, Candidate, Identification, Parameter, Request, Result, Target, identify};
 use crate::measured::{DataPoint, distinct};
 use mckibben::model::Workspace;
 use mckibben::muscle::measures::{
@@ -41,14 +41,11 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> 
     out
 }
 
-/// [`identify`] with the [`default_targets`] that are not fixed; a stiffness that the data do not determine is left at the
-/// muscle's own.
+/// [`identify`] with the [`default_targets`] that are not fixed; a stiffness that the data do not determine keeps the
+/// value of the muscle.
 pub fn identify_default(request: &Request<'_>) -> Result<Identification> {
-    let fixed = |t: &Target| request.fixed.iter().any(|f| f.0 == *t);
-    let targets: Vec<Target> = default_targets(request.muscle, request.points, request.history)
-        .into_iter()
-        .filter(|t| !fixed(t))
-        .collect();
+    let mut targets = default_targets(request.muscle, request.points, request.history);
+    targets.retain(|t| request.fixed.iter().all(|f| f.0 != *t));
     let run = |targets: &[Target]| {
         let free: Vec<Parameter> = targets.iter().map(|t| Parameter::free(*t)).collect();
         identify(&Request { free: &free, ..*request })
@@ -56,26 +53,25 @@ pub fn identify_default(request: &Request<'_>) -> Result<Identification> {
     let without: Vec<Target> = targets.iter().copied().filter(|t| *t != Target::Stiffness).collect();
     let all = run(&targets);
     let identified = match &all {
-        Ok(found) => found.parameter(Target::Stiffness).is_none_or(|p| p.identifiable),
+        Ok(result) => result.parameter(Target::Stiffness).is_none_or(|p| p.identifiable),
         Err(_) => without.len() == targets.len(),
     };
     if identified || without.is_empty() {
         return all;
     }
-    let mut found = run(&without)?;
-    found.notes.push(
-        "braid.stiffness is not identifiable from these data and was not changed; free it by name to see its value"
-            .into(),
-    );
-    Ok(found)
+    let mut result = run(&without)?;
+    let note = "braid.stiffness is not identifiable from these data and was not changed; free it by name to see its value";
+    result.notes.push(note.into());
+    Ok(result)
 }
 
-/// Whether a model's answers to the points depend on a parameter at all, by asking it of two muscles that differ in it: the
-/// ideal formula knows no modulus, and one that computes the ends no end factor.
+/// Whether the pulls of a model at the points depend on a parameter at all, from two muscles that differ in it: the
+/// ideal formula has no modulus, and a model that computes the ends no end factor.
 pub fn matters(muscle: &Muscle, target: Target, points: &[DataPoint], build: &Build<'_>) -> bool {
-    let own = own_value(muscle, target).unwrap_or(STIFF);
-    let made = |value: f64| build(Candidate::new(muscle, &[(target, value)]).ok()?.muscle()).ok();
-    let (Some(a), Some(b)) = (made(own), made(1.1 * own + if own == 0.0 { 0.01 } else { 0.0 })) else {
+    let value = target.value(muscle).unwrap_or(STIFF);
+    let model = |value: f64| build(&Candidate::new(muscle, &[(target, value)]).ok()?.muscle).ok();
+    let other = if value == 0.0 { 0.01 } else { 1.1 * value };
+    let (Some(a), Some(b)) = (model(value), model(other)) else {
         return false;
     };
     let (mut wa, mut wb) = (Workspace::new(), Workspace::new());

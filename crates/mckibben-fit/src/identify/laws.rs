@@ -1,8 +1,8 @@
-//! Which law of the rubber the points prefer.
+//! The rubber law that the points prefer.
 //!
-//! Each law is identified in turn with all of its constants free, and beside them whatever else is free; they are held against each other by
+//! Each law is identified in turn with all of its constants free, and with whatever else is free; they are compared by
 //! [`aicc`], which takes the errors of the points as independent. Where a model does not follow the data, neighbours on one curve err together: their correlation says how far
-//! the differences can be trusted. A muscle is a poor test of rubber: strands that lock and ends that give way change the pull as a rubber
+//! the differences can be trusted. A muscle is a poor test of rubber: strands that lock and compliant ends change the pull as a rubber
 //! that stiffens does, and the constants that follow can be ones that no rubber has.
 
 use super::advice::neighbours;
@@ -16,17 +16,16 @@ use mckibben::rubber::{Law, LawKind, RubberLaw};
 /// A rubber whose chains lock in tension below this stretch is not among the measured ones that ship: they stretch to 3 and more.
 const EARLY_LOCK: f64 = 3.0;
 
-/// What the points say of a law.
+/// The identification with one law.
 #[derive(Debug, Clone)]
 pub struct LawTrial {
     pub law: &'static str,
-    /// What was found with it.
-    pub found: Result<Identification>,
-    /// AICc; infinite where nothing was found.
+    pub result: Result<Identification>,
+    /// AICc; infinite without a result.
     pub aicc: f64,
     /// Correlation of neighbouring residuals, −1 to 1; 0 for errors that are independent.
     pub neighbours: f64,
-    /// What makes its constants implausible.
+    /// Why its constants are implausible.
     pub doubt: Option<String>,
 }
 
@@ -35,7 +34,7 @@ pub fn try_laws(request: &Request<'_>) -> Result<Vec<LawTrial>> {
     let mut trials = vec![];
     for kind in Law::KINDS.iter().filter(|kind| !kind.is_sum) {
         if let Some(trial) = trial(request, kind) {
-            if matches!(trial.found, Err(IdentifyError::Cancelled(_))) {
+            if matches!(trial.result, Err(IdentifyError::Cancelled(_))) {
                 return Err(Cancelled.into());
             }
             trials.push(trial);
@@ -48,36 +47,34 @@ pub fn try_laws(request: &Request<'_>) -> Result<Vec<LawTrial>> {
 /// One law from its example, scaled to the muscle's modulus at rest.
 fn trial(request: &Request<'_>, kind: &'static LawKind) -> Option<LawTrial> {
     let tube = request.muscle.tube();
-    let own = &tube.rubber.law;
-    let law = if own.kind().name == kind.name {
-        own.clone()
+    let known = &tube.rubber.law;
+    let law = if known.kind().name == kind.name {
+        known.clone()
     } else {
         let example = Law::examples().into_iter().find(|law| law.name() == kind.name)?;
-        example.scaled(own.shear_modulus_mpa() / example.shear_modulus_mpa())
+        example.scaled(known.shear_modulus_mpa() / example.shear_modulus_mpa())
     };
     let constants = law.values().len();
-    let rubber = Rubber { bulk: tube.rubber.bulk, ..Rubber::of(law) };
+    let rubber = Rubber { bulk: tube.rubber.bulk, ..Rubber::new(law) };
     let muscle = request.muscle.with_tube(Tube { rubber, ..tube.clone() }).ok()?;
-    let of_law = |target: &Target| matches!(target, Target::Law(_) | Target::Modulus);
-    let rest = request.free.iter().filter(|p| !of_law(&p.target)).copied();
+    let rest = request.free.iter().filter(|p| !p.target.is_of_law()).copied();
     let free: Vec<Parameter> = (0..constants).map(|i| Parameter::free(Target::Law(i))).chain(rest).collect();
-    let fixed: Vec<(Target, f64)> = request.fixed.iter().filter(|f| !of_law(&f.0)).copied().collect();
-    let asked = Request { muscle: &muscle, free: &free, fixed: &fixed, ..*request };
-    let found = identify(&asked);
-    let known = found.as_ref().ok();
+    let fixed: Vec<(Target, f64)> = request.fixed.iter().filter(|f| !f.0.is_of_law()).copied().collect();
+    let result = identify(&Request { muscle: &muscle, free: &free, fixed: &fixed, ..*request });
+    let identified = result.as_ref().ok();
     Some(LawTrial {
         law: kind.name,
-        aicc: known.map_or(f64::INFINITY, |found| {
-            let n = found.points.len();
-            aicc(n, free.len(), found.deviation * found.deviation * found.freedom as f64 / n as f64)
+        aicc: identified.map_or(f64::INFINITY, |i| {
+            let n = i.points.len();
+            aicc(n, free.len(), i.deviation * i.deviation * i.freedom as f64 / n as f64)
         }),
-        neighbours: known.map_or(0.0, |found| neighbours(&found.points).1),
-        doubt: known.and_then(|found| doubt(&found.muscle.tube().rubber.law)),
-        found,
+        neighbours: identified.map_or(0.0, |i| neighbours(&i.points).1),
+        doubt: identified.and_then(|i| doubt(&i.muscle.tube().rubber.law)),
+        result,
     })
 }
 
-/// What a chemist would not believe of a law.
+/// Constants that no rubber has.
 fn doubt(law: &Law) -> Option<String> {
     // In tension I1 − 3 = λ² + 2/λ − 3.
     let stretch = law.locks_at().and_then(|j| {
@@ -91,8 +88,6 @@ fn doubt(law: &Law) -> Option<String> {
     }
     let values = law.constants();
     let negative = values.iter().find(|c| c.constant.is_modulus() && c.value < 0.0)?;
-    Some(format!(
-        "{} is {:.3} MPa, below zero: the law may lose its stability",
-        negative.name, negative.value
-    ))
+    let (name, value) = (&negative.name, negative.value);
+    Some(format!("{name} is {value:.3} MPa, below zero: the law may lose its stability"))
 }

@@ -1,4 +1,4 @@
-//! Constants of a muscle from measured or published points, with what the points say of them.
+//! Constants of a muscle from measured or published points, with their errors.
 //!
 //! Least squares of the residuals (`problem.rs`) by Levenberg–Marquardt ([`crate::least_squares`]), on any mix of isometric,
 //! isobaric and isotonic points; any parameter of [`Target`] free or fixed. Standard errors are those of linearised least
@@ -21,7 +21,7 @@ mod signs;
 
 pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data};
 pub use advice::doubts;
-pub use candidate::{Candidate, own_value};
+pub use candidate::Candidate;
 pub use default_parameters::{default_targets, identify_default, matters};
 pub use error::IdentifyError;
 pub(crate) use error::Result;

@@ -1,4 +1,4 @@
-//! What can be identified: named as in the muscle file.
+//! The parameters that can be identified, named as in the muscle file.
 
 use mckibben::muscle::measures::{Identify, of_section};
 use mckibben::muscle::{Measure, Muscle};
@@ -14,15 +14,15 @@ pub enum Target {
     Law(usize),
     /// One factor on all moduli of the law.
     Modulus,
-    /// k of one strand family on the muscle's own diameter.
+    /// k of one strand family on the diameter of the muscle.
     Stiffness,
     /// n of k = k₀ (D0/D0₀)ⁿ, for data on several diameters.
     StiffnessExponent,
     /// A measure of the muscle.
     Measure(&'static Measure),
-    /// What must be added to the contractions of the data: their zero is not the length at rest.
+    /// Offset of the contractions of the data, whose zero is not the length at rest.
     ContractionOffset,
-    /// What the measured volumes hold beside the muscle: hose and fittings, in mm³.
+    /// Volume of hose and fittings in the measured volumes, in mm³.
     DeadVolume,
 }
 
@@ -39,7 +39,7 @@ const NAMES: [(&str, Target); 7] = [
     ("dead_volume", DeadVolume),
 ];
 
-/// The measures that can be identified, by the tables of the muscle file: the braid's are what a ruler does not tell.
+/// The measures that can be identified, by the tables of the muscle file: those of the braid that a ruler does not measure.
 fn measures() -> impl Iterator<Item = (&'static Measure, &'static Identify)> {
     ["braid", "tube", "terminals", "friction"]
         .into_iter()
@@ -113,6 +113,11 @@ impl Target {
         }
     }
 
+    /// Whether it is a constant of the rubber law, or the factor on its moduli.
+    pub(super) fn is_of_law(self) -> bool {
+        matches!(self, Law(_) | Modulus)
+    }
+
     /// How a measure is identified.
     pub(super) fn identify(self) -> Option<&'static Identify> {
         match self {
@@ -138,8 +143,8 @@ impl Target {
 
     /// A half-width of the 95 % interval above this means that the data do not determine it, at a value `v`.
     ///
-    /// Constants of the law share half of the shear modulus at rest; stiffness, friction, factors, wall and length are held
-    /// against half of themselves; what is measured with a ruler more tightly.
+    /// Half of the shear modulus at rest for the constants of the law, half of the value for stiffness, friction, factors, wall and
+    /// length; less for what a ruler measures.
     pub(super) fn limit(self, muscle: &Muscle, v: f64) -> f64 {
         match self {
             Law(i) if constant(muscle, i).is_some_and(|c| c.constant.is_modulus()) => {
@@ -152,7 +157,7 @@ impl Target {
         }
     }
 
-    /// Whether it is a measure of the muscle, which a ruler tells.
+    /// Whether it is a measure of the muscle that a ruler gives.
     pub(super) fn is_geometry(self) -> bool {
         self.identify().is_some_and(|i| i.is_geometry)
     }
@@ -171,18 +176,18 @@ fn constant(muscle: &Muscle, i: usize) -> Option<ConstantValue> {
     muscle.tube().rubber.law.constants().into_iter().nth(i)
 }
 
-/// A parameter that is free, with what was said of it.
+/// A free parameter, with its start and bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameter {
     pub target: Target,
-    /// Where the search begins; the muscle's own value where `None`.
+    /// Where the search begins; the value of the muscle where `None`.
     pub start: Option<f64>,
     /// Lowest and highest value; the natural ones where `None`.
     pub bounds: Option<(f64, f64)>,
 }
 
 impl Parameter {
-    /// A free parameter that starts from the muscle's own value.
+    /// A free parameter that starts from the value of the muscle.
     pub fn free(target: Target) -> Self {
         Self { target, start: None, bounds: None }
     }
@@ -190,12 +195,12 @@ impl Parameter {
     /// `name`, `name=start` or `name=start:low:high`, quantities with a unit if you like.
     pub fn parse(text: &str, muscle: &Muscle) -> Result<Self, ParameterError> {
         let (target, numbers) = split(text, muscle)?;
-        let own = Self::free(target);
+        let free = Self::free(target);
         match *numbers.as_slice() {
-            [] => Ok(own),
-            [start] => Ok(Self { start: Some(start), ..own }),
+            [] => Ok(free),
+            [start] => Ok(Self { start: Some(start), ..free }),
             [start, low, high] if low < high && start >= low && start <= high => {
-                Ok(Self { start: Some(start), bounds: Some((low, high)), ..own })
+                Ok(Self { start: Some(start), bounds: Some((low, high)), ..free })
             }
             [start, low, high] => Err(out_of_bounds(&target.name(muscle), start, low, high)),
             _ => Err(form(text.trim())),

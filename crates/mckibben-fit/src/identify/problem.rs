@@ -1,17 +1,17 @@
 //! Residuals of the points and their derivatives by the parameters.
 //!
-//! With the pull F(P, ε; θ) of the model, friction included, and x what the bench read:
+//! With the pull F(P, ε; θ) of the model, friction included, by the measured quantity:
 //!
 //!   force        r = F(P, ε; θ) − F,           ∂r/∂θ = ∂F/∂θ
 //!   contraction  r = g (ε(P, F; θ) − ε),       ∂r/∂θ = −g ∂F/∂θ / (∂F/∂ε)
 //!   pressure     r = g (P(F, ε; θ) − P),       ∂r/∂θ = −g ∂F/∂θ / (∂F/∂P)
 //!   volume       r = g (V(P, ε; θ) + Vd − V),  by differences
 //!
-//! g: N per unit of what was read, the mean slope at the start, so that all residuals are in N; of a volume |∂F/∂ε| / |∂V/∂ε| with
-//! ∂V/∂ε = L0 ∂F/∂P. Vd: volume of hose and fittings (`dead_volume`). ∂F/∂θ is the model's own
-//! ([`Slopes`](mckibben::model::Slopes)) where it has one and no volumes were read.
+//! g: N per unit of the measured quantity, the mean slope at the start, so that all residuals are in N; of a volume |∂F/∂ε| / |∂V/∂ε| with
+//! ∂V/∂ε = L0 ∂F/∂P. Vd: volume of hose and fittings (`dead_volume`). ∂F/∂θ is that of the model
+//! ([`Slopes`](mckibben::model::Slopes)) where it has one and no volumes were measured.
 
-use super::history::shares;
+use super::history;
 use super::{Candidate, Parameter, Request, Target};
 use crate::least_squares::Residuals;
 use crate::measured::{DataPoint, Quantity, Section};
@@ -37,21 +37,23 @@ const LEAST: usize = 24;
 /// Points that count, and all rows in time order.
 type Rows<'a> = (&'a [DataPoint], Option<&'a [DataPoint]>);
 
-/// What is to be made small.
+/// The residuals as a function of the free parameters.
 pub struct Problem<'a> {
-    request: &'a Request<'a>,
+    pub(super) request: &'a Request<'a>,
     points: &'a [DataPoint],
     /// All rows in time order, where the friction has their history.
     history: Option<&'a [DataPoint]>,
     chunks: Vec<Chunk>,
-    /// N per unit of what was read, by [`Quantity`].
+    /// N per unit of the measured quantity, by [`Quantity`].
     scales: [f64; 4],
     /// Whether the model knows all derivatives.
     analytic: bool,
 }
 
-/// F, ∂F/∂ε and ∂F/∂P.
+/// P, ε, F, ∂F/∂ε and ∂F/∂P.
 struct Local {
+    pressure_mpa: f64,
+    contraction: f64,
     force: f64,
     by_contraction: f64,
     by_pressure: f64,
@@ -62,18 +64,18 @@ fn local(m: &dyn ForceModel, w: &mut Workspace, p: f64, e: f64, branch: Directio
     let r = model.response(p, e)?;
     let by_contraction = -model.stiffness_n_per_mm(&r)? * m.muscle().length_mm();
     let by_pressure = model.force_per_pressure_mm2(&r)?;
-    Ok(Local { force: r.force_n, by_contraction, by_pressure })
+    Ok(Local { pressure_mpa: p, contraction: e, force: r.force_n, by_contraction, by_pressure })
 }
 
-/// Newton's method for what was read, from where it was read.
-fn found(m: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, offset: f64) -> Result<(f64, f64, Local)> {
+/// The contraction or pressure at which the model has the measured pull, by Newton's method from the measured one.
+fn at_measured_pull(m: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, offset: f64) -> Result<Local> {
     let at = &point.at;
     let (mut p, mut e) = (at.pressure_mpa, at.contraction + offset);
     const STEPS: usize = 30;
     for _ in 0..STEPS {
         let here = local(m, w, p, e, at.direction())?;
         let rest = here.force - at.force_n;
-        // The last step is taken blindly: it leaves the square of this.
+        // The last step is not checked: its error is the square of this.
         let done = rest.abs() <= 1e-6 * (1.0 + at.force_n.abs());
         if point.measured == Quantity::Contraction {
             // A muscle pulls less the shorter it is.
@@ -86,7 +88,7 @@ fn found(m: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, offset: f64) 
             p = (p - (rest / slope).clamp(-largest, largest)).max(0.0);
         }
         if done {
-            return Ok((p, e, here));
+            return Ok(Local { pressure_mpa: p, contraction: e, ..here });
         }
     }
     Err(ModelError::NotConverged { pressure_mpa: p, contraction: e })
@@ -102,7 +104,7 @@ impl<'a> Problem<'a> {
         out
     }
 
-    /// N per unit of what a point's bench read.
+    /// N per unit of a measured quantity.
     pub fn scale(&self, quantity: Quantity) -> f64 {
         self.scales[quantity as usize]
     }
@@ -115,7 +117,7 @@ impl<'a> Problem<'a> {
     /// Residual of every point in N, or why it has none.
     pub fn rows(&self, x: &[f64]) -> Option<Vec<Result<f64>>> {
         let candidate = self.candidate(x)?;
-        let shares = self.shares(&candidate);
+        let shares = self.history.and_then(|rows| history::shares(rows, self.points, &candidate.muscle));
         let offset = candidate.contraction_offset;
         self.over_rows(&candidate, |m, w, i| {
             let point = &self.points[i];
@@ -129,8 +131,10 @@ impl<'a> Problem<'a> {
                     }
                     None => Evaluation::new(m, w, branch).force_n(p, e)? - at.force_n,
                 },
-                Quantity::Contraction => found(m, w, point, offset)?.1 - offset - at.contraction,
-                Quantity::Pressure => found(m, w, point, offset)?.0 - p,
+                Quantity::Contraction => {
+                    at_measured_pull(m, w, point, offset)?.contraction - offset - at.contraction
+                }
+                Quantity::Pressure => at_measured_pull(m, w, point, offset)?.pressure_mpa - p,
                 Quantity::Volume => {
                     let inside = Evaluation::new(m, w, branch).response(p, e)?.volume_mm3;
                     let none = || ModelError::NoVolume { model: m.info().name.to_string() };
@@ -142,29 +146,22 @@ impl<'a> Problem<'a> {
         })
     }
 
-    /// Σ sᵢ zᵢ of every point, where the friction has a history.
-    fn shares(&self, candidate: &Candidate) -> Option<Vec<f64>> {
-        let (muscle, rows) = (candidate.muscle(), self.history?);
-        let presliding = muscle.friction()?.presliding();
-        Some(shares(rows, self.points, &presliding, muscle.length_mm()))
-    }
-
-    /// Something of every row, by the model of its muscle.
+    /// A value of every row, by the model of its muscle.
     fn over_rows<T: Send>(
         &self,
         candidate: &Candidate,
         one: impl Fn(&dyn ForceModel, &mut Workspace, usize) -> Result<T> + Sync,
     ) -> Option<Vec<Result<T>>> {
-        let of_chunk = |chunk: &Chunk| -> Option<Vec<Result<T>>> {
+        let compute = |chunk: &Chunk| -> Option<Vec<Result<T>>> {
             if self.request.progress.cancelled() {
                 return None;
             }
-            let muscle = candidate.of_section(&chunk.section).ok()?;
+            let muscle = candidate.section_muscle(&chunk.section).ok()?;
             let model = (self.request.build)(&muscle).ok()?;
             let mut w = Workspace::new();
             Some(chunk.rows.iter().map(|&i| one(model.as_ref(), &mut w, i)).collect())
         };
-        let lists = threads::map(&self.chunks, of_chunk);
+        let lists = threads::map(&self.chunks, compute);
         let mut out: Vec<Option<Result<T>>> = self.points.iter().map(|_| None).collect();
         for (chunk, list) in self.chunks.iter().zip(lists) {
             for (&i, value) in chunk.rows.iter().zip(list?) {
@@ -183,18 +180,16 @@ impl<'a> Problem<'a> {
             let at = &self.points[i].at;
             local(m, w, at.pressure_mpa, at.contraction + candidate.contraction_offset, at.direction())
         })?;
-        let mean = |quantity: Quantity, of: &dyn Fn(&Local) -> f64| {
+        let mean = |quantity: Quantity, slope: &dyn Fn(&Local) -> f64| {
             let rows = list.iter().zip(self.points).filter(|r| r.1.measured == quantity);
-            let slopes: Vec<f64> = rows.filter_map(|r| Some(of(r.0.as_ref().ok()?).abs())).collect();
+            let slopes: Vec<f64> = rows.filter_map(|r| Some(slope(r.0.as_ref().ok()?).abs())).collect();
             let mean = slopes.iter().sum::<f64>() / slopes.len().max(1) as f64;
             if mean > 0.0 { mean } else { 1.0 }
         };
-        let length = candidate.muscle().length_mm();
+        let length = candidate.muscle.length_mm();
         let by_volume = |l: &Local| l.by_contraction / (length * l.by_pressure);
-        let (contraction, pressure) = (
-            mean(Quantity::Contraction, &|l| l.by_contraction),
-            mean(Quantity::Pressure, &|l| l.by_pressure),
-        );
+        let contraction = mean(Quantity::Contraction, &|l| l.by_contraction);
+        let pressure = mean(Quantity::Pressure, &|l| l.by_pressure);
         Some([1.0, contraction, pressure, mean(Quantity::Volume, &by_volume)])
     }
 
@@ -206,21 +201,21 @@ impl<'a> Problem<'a> {
         }
         // A braid that follows from the measures of the muscle has another derivative by these.
         let follows =
-            matches!(candidate.muscle().braid().stiffness, BraidStiffness::Paper | BraidStiffness::OfStrands);
+            matches!(candidate.muscle.braid().stiffness, BraidStiffness::Paper | BraidStiffness::OfStrands);
         if follows && self.request.free.iter().any(|p| p.target.is_geometry()) {
             return false;
         }
-        // Friction from contact depends on all that is sought.
-        if candidate.muscle().friction().is_some_and(|f| f.lever_mm > 0.0) {
+        // Friction from contact depends on every free parameter.
+        if candidate.muscle.friction().is_some_and(|f| f.lever_mm > 0.0) {
             return false;
         }
         let names = self.names(&candidate);
         let probe = || {
             let point = self.points.first()?;
-            let model = (self.request.build)(&candidate.of_section(&point.section).ok()?).ok()?;
+            let model = (self.request.build)(&candidate.section_muscle(&point.section).ok()?).ok()?;
             let e = point.at.contraction + candidate.contraction_offset;
             let w = &mut Workspace::new();
-            model.extensions().slopes?.force_by(w, point.at.pressure_mpa, e, &names)?.ok()
+            model.force_by(w, point.at.pressure_mpa, e, &names)?.ok()
         };
         probe().is_some()
     }
@@ -229,7 +224,7 @@ impl<'a> Problem<'a> {
     fn names(&self, candidate: &Candidate) -> Vec<String> {
         let mut names: Vec<String> = vec![];
         for free in self.request.free {
-            for (name, _) in chain_rule(free.target, 1.0, candidate.muscle(), candidate) {
+            for (name, _) in chain_rule(free.target, 1.0, &candidate.muscle, candidate) {
                 if !names.contains(&name) {
                     names.push(name);
                 }
@@ -246,14 +241,13 @@ impl<'a> Problem<'a> {
         candidate: &Candidate,
         x: &[f64],
         names: &[String],
-        (p, e, here): (f64, f64, &Local),
+        here: &Local,
     ) -> Result<Vec<f64>> {
+        let (p, e) = (here.pressure_mpa, here.contraction);
         let not_known =
             || ModelError::NotFinite { model: m.info().name.to_string(), pressure_mpa: p, contraction: e };
-        let own = m.extensions().slopes.and_then(|own| own.force_by(w, p, e, names));
-        let by = own.ok_or_else(not_known)??;
-        let of =
-            |name: &str| names.iter().position(|n| n == name).and_then(|i| by.get(i)).copied().unwrap_or(0.0);
+        let slopes = m.force_by(w, p, e, names).ok_or_else(not_known)??;
+        let slope = |name: &str| names.iter().zip(&slopes).find(|s| s.0 == name).map_or(0.0, |s| *s.1);
         let muscle = m.muscle();
         let friction = muscle.friction().copied();
         let sign = point.at.direction().sign();
@@ -268,9 +262,11 @@ impl<'a> Problem<'a> {
                 };
                 friction.filter(|_| p > 0.0).map_or(0.0, by_law)
             }
-            // Held against ε + offset: where ε is what is sought, only the pull's slope by it remains.
+            // The residual is of ε + offset.
             Target::ContractionOffset => here.by_contraction,
-            other => chain_rule(other, v, muscle, candidate).iter().map(|(n, factor)| factor * of(n)).sum(),
+            other => {
+                chain_rule(other, v, muscle, candidate).iter().map(|(n, factor)| factor * slope(n)).sum()
+            }
         };
         Ok(self.request.free.iter().zip(x).map(one).collect())
     }
@@ -278,7 +274,7 @@ impl<'a> Problem<'a> {
 
 /// ∂F/∂θ of a target with the value v: names of which the model knows ∂F, each with the factor of it.
 fn chain_rule(target: Target, v: f64, muscle: &Muscle, candidate: &Candidate) -> Vec<(String, f64)> {
-    let (d, family) = (muscle.outer_diameter_mm(), candidate.family());
+    let (d, family) = (muscle.outer_diameter_mm(), candidate.family);
     let by_stiffness = |factor: f64| ("braid.stiffness".to_owned(), factor);
     match target {
         Target::Modulus => {
@@ -313,14 +309,13 @@ impl Residuals for Problem<'_> {
         let rows = self.over_rows(&candidate, |m, w, i| {
             let point = &self.points[i];
             let at = &point.at;
-            let (p, e, here) = match point.measured {
+            let here = match point.measured {
                 Quantity::Force | Quantity::Volume => {
-                    let e = at.contraction + offset;
-                    (at.pressure_mpa, e, local(m, w, at.pressure_mpa, e, at.direction())?)
+                    local(m, w, at.pressure_mpa, at.contraction + offset, at.direction())?
                 }
-                _ => found(m, w, point, offset)?,
+                _ => at_measured_pull(m, w, point, offset)?,
             };
-            let slopes = self.slopes((m, w), point, &candidate, x, &names, (p, e, &here))?;
+            let slopes = self.slopes((m, w), point, &candidate, x, &names, &here)?;
             let scale = self.scale(point.measured);
             let factor = match point.measured {
                 Quantity::Force | Quantity::Volume => scale,

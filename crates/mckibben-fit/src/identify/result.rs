@@ -1,14 +1,13 @@
-//! What was identified.
+//! The result of an identification.
 
 use super::{Candidate, Target};
 use crate::measured::{DataPoint, Quantity};
 use mckibben::muscle::{Bench, Direction, Muscle};
 use serde::{Serialize, Serializer};
 
-/// One parameter with what the data say of it.
+/// One identified parameter.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Identified {
-    /// What.
     #[serde(skip)]
     pub target: Target,
     /// Its name, as in the muscle file.
@@ -34,15 +33,15 @@ pub struct Identified {
     pub at_bound: bool,
     /// Whether the points change with it at all.
     pub matters: bool,
-    /// Whether it is an end that gives way by more than is known of any muscle: 0.3 of the outer diameter.
+    /// Whether it is an end whose displacement is more than that of any known muscle: 0.3 of the outer diameter.
     pub implausible: bool,
 }
 
-/// A point with what the model makes of it.
+/// A point with the residual of the model.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PointFit {
     pub point: DataPoint,
-    /// Model less measured, in the unit of what was read: N, –, MPa, mm³.
+    /// Model less measured, in the unit of the measured quantity: N, –, MPa, mm³.
     pub residual: f64,
     /// The same in N.
     pub residual_n: f64,
@@ -54,7 +53,7 @@ pub struct PointFit {
 /// Root mean square and largest residual of some points.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Spread {
-    /// Of which points.
+    /// The points.
     #[serde(rename = "of")]
     pub label: String,
     /// How many.
@@ -67,10 +66,10 @@ pub struct Spread {
     pub mean_n: f64,
 }
 
-/// Everything that was identified.
+/// The result of an identification.
 #[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct Identification {
-    /// What was free, with its value and error.
+    /// The free parameters, with value and error.
     pub parameters: Vec<Identified>,
     /// Correlation of the parameters, row by row.
     pub correlation: Vec<Vec<f64>>,
@@ -87,7 +86,7 @@ pub struct Identification {
     /// Points less parameters that lie on no bound.
     #[serde(rename = "degrees_of_freedom")]
     pub freedom: usize,
-    /// Residuals by branch, by what was read, and by table.
+    /// Residuals by branch, by measured quantity, and by table.
     pub spreads: Vec<Spread>,
     /// Points that were left out because the muscle was slack.
     #[serde(rename = "slack_points", serialize_with = "count")]
@@ -96,7 +95,7 @@ pub struct Identification {
     /// The points that counted.
     #[serde(skip)]
     pub points: Vec<PointFit>,
-    /// The muscle with the values found.
+    /// The muscle with the identified values.
     #[serde(skip)]
     pub muscle: Muscle,
     /// The same, for rows of several muscles.
@@ -140,7 +139,7 @@ pub(crate) fn spread(label: impl Into<String>, residuals: &[f64]) -> Spread {
 
 /// By branch, by quantity and by set, where there is more than one.
 pub(super) fn spreads(points: &[PointFit]) -> Vec<Spread> {
-    let of = |label: String, keep: &dyn Fn(&PointFit) -> bool| {
+    let group = |label: String, keep: &dyn Fn(&PointFit) -> bool| {
         let list: Vec<f64> = points.iter().filter(|p| keep(p)).map(|p| p.residual_n).collect();
         (!list.is_empty() && list.len() < points.len()).then(|| spread(label, &list))
     };
@@ -156,10 +155,10 @@ pub(super) fn spreads(points: &[PointFit]) -> Vec<Spread> {
         ("read: pressure", Quantity::Pressure),
         ("read: volume", Quantity::Volume),
     ];
-    let branches = branches.map(|(label, branch)| of(label.into(), &|p| p.point.at.branch == branch));
-    let read = read.map(|(label, quantity)| of(label.into(), &|p| p.point.measured == quantity));
+    let branches = branches.map(|(label, branch)| group(label.into(), &|p| p.point.at.branch == branch));
+    let read = read.map(|(label, quantity)| group(label.into(), &|p| p.point.measured == quantity));
     let mut out: Vec<Spread> = branches.into_iter().chain(read).flatten().collect();
     let sets = points.iter().map(|p| p.point.set).max().unwrap_or(0);
-    out.extend((0..=sets).filter_map(|s| of(format!("data {}", s + 1), &|p| p.point.set == s)));
+    out.extend((0..=sets).filter_map(|s| group(format!("data {}", s + 1), &|p| p.point.set == s)));
     out
 }

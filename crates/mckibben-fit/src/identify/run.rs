@@ -1,13 +1,13 @@
 //! From points and parameters to an [`Identification`].
 
-use super::bench::bench;
+use super::bench::{Minimum, bench};
 use super::problem::Problem;
 use super::result::{spread, spreads};
 use super::{
     Build, Candidate, Identification, Identified, IdentifyError, Parameter, PointFit, Result, Target, advice,
-    history, own_value, signs,
+    history, signs,
 };
-use crate::least_squares::{Estimate, EstimateError, Known, Loss, Residuals, Unknown, estimate};
+use crate::least_squares::{EstimateError, Known, Loss, Residuals, Unknown, estimate};
 use crate::measured::{DataPoint, Quantity};
 use mckibben::cancel::Cancelled;
 use mckibben::model::ModelError;
@@ -16,20 +16,17 @@ use mckibben::muscle::{Direction, Muscle, MuscleError};
 use mckibben::progress::{Progress, Silent};
 use mckibben::rubber::RubberLaw;
 
-/// What is to be identified.
+/// An identification that is requested.
 #[derive(Clone, Copy)]
 pub struct Request<'a> {
     /// The muscle, with a value for everything that is not free.
     pub muscle: &'a Muscle,
     pub free: &'a [Parameter],
-    /// Values in place of the muscle's own.
+    /// Values in place of those of the muscle.
     pub fixed: &'a [(Target, f64)],
     pub points: &'a [DataPoint],
-    /// What makes the model of a muscle.
     pub build: &'a Build<'a>,
-    /// Hears how far it is, and may end it.
     pub progress: &'a dyn Progress,
-    /// How a point far off counts.
     pub loss: Loss,
     /// Whether forces of zero and below are measurements: by default the muscle was slack there.
     pub two_sided: bool,
@@ -38,7 +35,7 @@ pub struct Request<'a> {
 }
 
 impl<'a> Request<'a> {
-    /// The usual one: nothing fixed, least squares, forces above zero, points in no order.
+    /// The usual request: nothing fixed, least squares, forces above zero, points in no order.
     pub fn new(
         muscle: &'a Muscle,
         free: &'a [Parameter],
@@ -48,10 +45,8 @@ impl<'a> Request<'a> {
         let (fixed, progress, loss) = (&[], &Silent, Loss::Squares);
         Self { muscle, free, fixed, points, build, progress, loss, two_sided: false, history: false }
     }
-}
 
-impl Request<'_> {
-    /// The muscle at values of what is free.
+    /// The muscle at values of the free parameters.
     pub(super) fn candidate(&self, x: &[f64]) -> Result<Candidate, MuscleError> {
         let free = self.free.iter().map(|p| p.target).zip(x.iter().copied());
         let values: Vec<_> = self.fixed.iter().copied().chain(free).collect();
@@ -82,17 +77,16 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>> {
         return Err(IdentifyError::Refused(format!("{name} is named twice, free or fixed: name it once")));
     }
     let one = |p: &Parameter| {
-        let name = || p.target.name(muscle);
-        let own = own_value(muscle, p.target).or_else(|| match p.target {
+        let name = p.target.name(muscle);
+        let value = p.target.value(muscle).or_else(|| match p.target {
             Target::Measure(m) if *m == FRICTION_COEFFICIENT => {
-                let exponent = own_value(muscle, Target::Measure(&FRICTION_EXPONENT))?;
+                let exponent = Target::Measure(&FRICTION_EXPONENT).value(muscle)?;
                 Some(friction_start(request.points, exponent))
             }
             // Inside of its bounds, and small beside the muscle.
             other => other.identify().and_then(|i| i.start(muscle)),
         });
-        let start = p.start.or(own).ok_or_else(|| {
-            let name = name();
+        let start = p.start.or(value).ok_or_else(|| {
             IdentifyError::Refused(format!(
                 "{name} has no value to begin with in this muscle: write {name}=START"
             ))
@@ -100,8 +94,7 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>> {
         let (low, high) = p.bounds.unwrap_or_else(|| p.target.natural_bounds(muscle));
         if !(start >= low && start <= high && low < high) {
             return Err(IdentifyError::Refused(format!(
-                "{name}: the start {start} lies outside of the bounds {low} to {high}: write {name}=START:LOW:HIGH",
-                name = name()
+                "{name}: the start {start} lies outside of the bounds {low} to {high}: write {name}=START:LOW:HIGH"
             )));
         }
         let scale = p.target.limit(muscle, start);
@@ -114,7 +107,7 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>> {
 }
 
 /// The points that count, and those at which the muscle was slack.
-fn chosen(request: &Request<'_>) -> (Vec<DataPoint>, Vec<DataPoint>) {
+fn counted_and_slack(request: &Request<'_>) -> (Vec<DataPoint>, Vec<DataPoint>) {
     let counted = request.points.iter().filter(|p| p.weight > 0.0).copied();
     counted.partition(|p| request.two_sided || p.measured != Quantity::Force || p.at.force_n > 0.0)
 }
@@ -122,10 +115,9 @@ fn chosen(request: &Request<'_>) -> (Vec<DataPoint>, Vec<DataPoint>) {
 fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec<f64>, bool)> {
     let stated = points.iter().filter(|p| p.error.is_some()).count();
     if let Some(without) = points.iter().find(|p| p.error.is_none()).filter(|_| stated > 0) {
+        let (all, line) = (points.len(), without.line);
         return Err(IdentifyError::Data(format!(
-            "{stated} of {} points state their error (first without: line {}): state the errors of all points, or of none",
-            points.len(),
-            without.line
+            "{stated} of {all} points state their error (first without: line {line}): state the errors of all points, or of none"
         )));
     }
     let one = |p: &DataPoint| p.weight / p.error.map_or(1.0, |e| (e * scale(p.measured)).powi(2));
@@ -137,45 +129,41 @@ pub fn identify(request: &Request<'_>) -> Result<Identification> {
     let directed = if request.history { history::directed(request.points)? } else { vec![] };
     let request = if request.history { &Request { points: &directed, ..*request } } else { request };
     let flipped = signs::check(request.muscle, request.points, request.two_sided)?;
-    let found = search(request, &flipped);
-    match found {
-        // A model without an answer and a caller who has gone look alike to the search.
+    match search(request, &flipped) {
+        // The search cannot tell a model without an answer from a caller who has gone.
         _ if request.progress.cancelled() => Err(Cancelled.into()),
         Err(IdentifyError::Estimate(_) | IdentifyError::NoRubber { .. } | IdentifyError::Start { .. })
             if !flipped.is_empty() =>
         {
             Err(IdentifyError::Flipped(flipped.join("; ")))
         }
-        found => found,
+        result => result,
     }
 }
 
 fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     if request.free.is_empty() {
-        return Err(IdentifyError::Refused(
-            "nothing is free: name at least one parameter to identify".into(),
-        ));
+        let message = "nothing is free: name at least one parameter to identify";
+        return Err(IdentifyError::Refused(message.into()));
     }
-    let muscle = request.muscle;
     let unknowns = unknowns(request)?;
     let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
-    let free: Vec<Target> = request.free.iter().map(|p| p.target).collect();
-    let (given, slack) = chosen(request);
-    if given.len() <= free.len() {
-        return Err(IdentifyError::too_few(given.len(), slack.len(), free.len()));
+    let (counted, slack) = counted_and_slack(request);
+    if counted.len() <= unknowns.len() {
+        return Err(IdentifyError::too_few(counted.len(), slack.len(), unknowns.len()));
     }
-    let mut notes = advice::before(muscle, &free, &given, request.history)?;
+    let mut notes = advice::before(request, &counted)?;
     notes.extend(flipped.iter().cloned());
     let first = request.candidate(&start)?;
-    (request.build)(first.muscle()).map_err(IdentifyError::Model)?;
+    (request.build)(&first.muscle).map_err(IdentifyError::Model)?;
 
     let history = request.history.then_some(request.points);
-    let of = |points| Problem::new(request, (points, history), &start);
-    let problem = of(&given);
+    let problem_of = |points| Problem::new(request, (points, history), &start);
+    let problem = problem_of(&counted);
     // Residuals at the start, point by point.
     let rows = problem.rows(&start).ok_or(IdentifyError::Estimate(EstimateError::Start))?;
-    let (points, left_out) = leave_out(&given, &rows)?;
-    let problem = if left_out.is_some() { of(&points) } else { problem };
+    let (points, left_out) = leave_out(&counted, &rows)?;
+    let problem = if left_out.is_some() { problem_of(&points) } else { problem };
     notes.extend(left_out);
     let (weights, errors_stated) = weights(&points, |q| problem.scale(q))?;
     let first_residuals = rows.into_iter().collect::<Result<Vec<f64>, ModelError>>().ok();
@@ -184,44 +172,45 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
         None => Known::new(&problem),
     };
     let before = spread("start", &known.at(&start).unwrap_or_default()).rms_n;
-    let found = estimate(&known, &unknowns, &weights, request.loss).map_err(|e| match e {
+    let estimate = estimate(&known, &unknowns, &weights, request.loss).map_err(|e| match e {
         EstimateError::TooFew { points, unknowns } => IdentifyError::too_few(points, slack.len(), unknowns),
         EstimateError::NoMinimum { ref at, .. } => {
-            let fallen = problem.candidate(at).map(|c| rubber_is_left(request, first.muscle(), c.muscle()));
-            fallen.and_then(Result::err).unwrap_or(IdentifyError::Estimate(e))
+            let end = problem.candidate(at);
+            end.and_then(|end| check_modulus(request, &first.muscle, &end.muscle).err())
+                .unwrap_or(IdentifyError::Estimate(e))
         }
         other => IdentifyError::Estimate(other),
     })?;
-    // What lies on a bound is that bound, where that is a muscle.
-    let on_bounds: Vec<f64> = unknowns.iter().zip(&found.x).map(|(u, x)| u.at_its_bound(*x)).collect();
+    // Unknowns at a bound are set to it, where that is a muscle.
+    let on_bounds: Vec<f64> = unknowns.iter().zip(&estimate.x).map(|(u, x)| u.at_its_bound(*x)).collect();
     let (x, candidate) = match problem.candidate(&on_bounds) {
         Some(candidate) => (on_bounds, candidate),
         None => {
-            let candidate =
-                problem.candidate(&found.x).ok_or(IdentifyError::Estimate(EstimateError::Start))?;
-            (found.x.clone(), candidate)
+            let candidate = problem.candidate(&estimate.x);
+            (estimate.x.clone(), candidate.ok_or(IdentifyError::Estimate(EstimateError::Start))?)
         }
     };
-    rubber_is_left(request, first.muscle(), candidate.muscle())?;
-    let parameters = parameters(request, &problem, &unknowns, (&found, &x), candidate.muscle());
-    let outliers = advice::outliers(&found.residuals, &weights);
+    check_modulus(request, &first.muscle, &candidate.muscle)?;
+    let minimum = Minimum { unknowns: &unknowns, estimate: &estimate, x: &x };
+    let parameters = parameters(&problem, &minimum, &candidate.muscle);
+    let outliers = advice::outliers(&estimate.residuals, &weights);
     let fitted: Vec<PointFit> = (0..points.len())
         .map(|i| PointFit {
             point: points[i],
-            residual: found.residuals[i] / problem.scale(points[i].measured),
-            residual_n: found.residuals[i],
-            weight: found.weights[i],
+            residual: estimate.residuals[i] / problem.scale(points[i].measured),
+            residual_n: estimate.residuals[i],
+            weight: estimate.weights[i],
             outlier: outliers[i],
         })
         .collect();
-    let all = spread("all", &found.residuals);
-    let inside = found.at_bound.iter().filter(|b| !**b).count();
+    let all = spread("all", &estimate.residuals);
+    let inside = estimate.at_bound.iter().filter(|b| !**b).count();
     let freedom = points.len().saturating_sub(inside).max(1);
     let mut out = Identification {
-        muscle: candidate.muscle().clone(),
+        muscle: candidate.muscle.clone(),
         candidate,
         parameters,
-        correlation: found.correlation,
+        correlation: estimate.correlation.clone(),
         spreads: spreads(&fitted),
         freedom,
         points: fitted,
@@ -229,12 +218,12 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
         rms_before_n: before,
         rms_n: all.rms_n,
         max_n: all.max_n,
-        deviation: found.deviation,
+        deviation: estimate.deviation,
         errors_stated,
         notes: vec![],
         bench: None,
     };
-    out.bench = bench(request, &out, (&unknowns, &x, &found.covariance));
+    out.bench = bench(request, &out, &minimum);
     notes.extend(advice::after(&out, request));
     out.notes = notes;
     Ok(out)
@@ -242,14 +231,13 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
 
 /// No rubber of which muscles are made is softer, in MPa.
 const SOFTEST_MPA: f64 = 1e-3;
-/// An end that gives way by more than this share of the outer diameter is no finding.
+/// An end displacement above this share of the outer diameter is implausible.
 const LONGEST_END: f64 = 0.3;
 
 /// Refuses a modulus that fell towards zero.
-fn rubber_is_left(request: &Request<'_>, start: &Muscle, end: &Muscle) -> Result<()> {
+fn check_modulus(request: &Request<'_>, start: &Muscle, end: &Muscle) -> Result<()> {
     let modulus = |m: &Muscle| m.tube().rubber.law.shear_modulus_mpa();
-    let sought = request.free.iter().find(|p| matches!(p.target, Target::Law(_) | Target::Modulus));
-    match sought {
+    match request.free.iter().find(|p| p.target.is_of_law()) {
         Some(p) if modulus(end) < SOFTEST_MPA.min(0.01 * modulus(start)) => {
             let name = p.target.name(request.muscle);
             Err(IdentifyError::NoRubber(format!("{name} falls towards zero, to {:.1e} MPa", modulus(end))))
@@ -258,8 +246,8 @@ fn rubber_is_left(request: &Request<'_>, start: &Muscle, end: &Muscle) -> Result
     }
 }
 
-/// How far an end gives way at the points, in mm; `None` of what is no end.
-fn given_way_mm(request: &Request<'_>, target: Target, value: f64, muscle: &Muscle) -> Option<f64> {
+/// The largest displacement of an end at the points, in mm; `None` of what is no end.
+fn end_displacement_mm(request: &Request<'_>, target: Target, value: f64, muscle: &Muscle) -> Option<f64> {
     match target {
         Target::Measure(m) if *m == SEATING || *m == GRIP => Some(value),
         Target::Measure(m) if *m == SLIP => {
@@ -273,7 +261,7 @@ fn given_way_mm(request: &Request<'_>, target: Target, value: f64, muscle: &Musc
 
 type Rows = Vec<Result<f64, ModelError>>;
 
-/// Points without an answer at the start are left out, where they are few: those that are left, and what was left out.
+/// Points without an answer at the start are left out, where they are few: those that remain, and a sentence on the others.
 fn leave_out(points: &[DataPoint], rows: &Rows) -> Result<(Vec<DataPoint>, Option<String>)> {
     let all = points.len();
     let failed: Vec<(u64, ModelError)> =
@@ -291,44 +279,40 @@ fn leave_out(points: &[DataPoint], rows: &Rows) -> Result<(Vec<DataPoint>, Optio
     Ok((kept, Some(note)))
 }
 
-fn parameters(
-    request: &Request<'_>,
-    problem: &Problem<'_>,
-    unknowns: &[Unknown],
-    (found, x): (&Estimate, &[f64]),
-    muscle: &Muscle,
-) -> Vec<Identified> {
+fn parameters(problem: &Problem<'_>, minimum: &Minimum<'_>, muscle: &Muscle) -> Vec<Identified> {
+    let request = problem.request;
+    let Minimum { unknowns, estimate, x } = *minimum;
     let matters = |i: usize| {
-        if found.standard_errors[i].is_finite() {
+        if estimate.standard_errors[i].is_finite() {
             return true;
         }
-        let mut x = found.x.clone();
+        let mut x = estimate.x.clone();
         x[i] += 0.1 * unknowns[i].scale;
         let moved = problem.at(&x);
         moved.is_none_or(|r| {
-            r.iter().zip(&found.residuals).any(|(a, b)| (a - b).abs() > 1e-9 * (1.0 + b.abs()))
+            r.iter().zip(&estimate.residuals).any(|(a, b)| (a - b).abs() > 1e-9 * (1.0 + b.abs()))
         })
     };
     let one = |i: usize| {
         let target = request.free[i].target;
         let value = x[i];
         let limit = target.limit(muscle, value);
-        let way = given_way_mm(request, target, value, muscle);
-        let implausible = way.is_some_and(|way| way > LONGEST_END * muscle.outer_diameter_mm());
+        let displacement = end_displacement_mm(request, target, value, muscle);
+        let implausible = displacement.is_some_and(|mm| mm > LONGEST_END * muscle.outer_diameter_mm());
         Identified {
             target,
             name: target.name(request.muscle),
             start: unknowns[i].start,
             value,
             unit: target.unit(request.muscle),
-            standard_error: found.standard_errors[i],
-            half_width: found.half_widths[i],
+            standard_error: estimate.standard_errors[i],
+            half_width: estimate.half_widths[i],
             limit,
-            identifiable: !found.at_bound[i] && !implausible && found.half_widths[i] <= limit,
-            at_bound: found.at_bound[i],
+            identifiable: !estimate.at_bound[i] && !implausible && estimate.half_widths[i] <= limit,
+            at_bound: estimate.at_bound[i],
             matters: matters(i),
             implausible,
         }
     };
-    (0..found.x.len()).map(one).collect()
+    (0..x.len()).map(one).collect()
 }

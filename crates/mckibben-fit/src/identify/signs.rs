@@ -38,12 +38,8 @@ fn pushing(muscle: &Muscle, points: &[&DataPoint], two_sided: bool) -> Result<Ve
         return Ok(vec![]);
     }
     let negative: Vec<u64> = pulls.iter().filter(|(p, _)| p.at.force_n < 0.0).map(|(p, _)| p.line).collect();
-    let which = format!(
-        "the force is below zero at {} of the {} points where this muscle pulls{}",
-        negative.len(),
-        pulls.len(),
-        lines(&negative)
-    );
+    let (n, all, lines) = (negative.len(), pulls.len(), lines(&negative));
+    let which = format!("the force is below zero at {n} of the {all} points where this muscle pulls{lines}");
     if nothing_pulls || !two_sided && 2 * negative.len() >= pulls.len() {
         return Err(IdentifyError::Flipped(format!("{which}: is the sign of the force flipped?")));
     }
@@ -75,18 +71,18 @@ fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
     }
     let mut notes = vec![];
     if !stretched.is_empty() {
+        let lines = lines(&stretched);
         notes.push(format!(
-            "the contraction is below zero{}, and the pull smaller than that of the muscle which is not stretched: is the sign of the contraction flipped there?",
-            lines(&stretched)
+            "the contraction is below zero{lines}, and the pull smaller than that of the muscle which is not stretched: is the sign of the contraction flipped there?"
         ));
     }
     if rising == 0 {
         return Ok(notes);
     }
     lines_of_rising.sort_unstable();
+    let lines = lines(&lines_of_rising);
     let which = format!(
-        "the pull rises with the contraction at the same pressure{}, and a muscle pulls less the shorter it is",
-        lines(&lines_of_rising)
+        "the pull rises with the contraction at the same pressure{lines}, and a muscle pulls less the shorter it is"
     );
     if curves < 2 || 2 * rising < curves {
         notes.push(format!("{which}: check these points"));
@@ -103,7 +99,7 @@ fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
 /// By how much a straight line through a curve rises from its smallest to its largest contraction, in N; `None` where there is but one.
 fn rise(curve: &[&DataPoint]) -> Option<f64> {
     let n = curve.len() as f64;
-    let mean = |of: fn(&DataPoint) -> f64| curve.iter().map(|p| of(p)).sum::<f64>() / n;
+    let mean = |value: fn(&DataPoint) -> f64| curve.iter().map(|p| value(p)).sum::<f64>() / n;
     let (e, f) = (mean(|p| p.at.contraction), mean(|p| p.at.force_n));
     let together: f64 = curve.iter().map(|p| (p.at.contraction - e) * (p.at.force_n - f)).sum();
     let square: f64 = curve.iter().map(|p| (p.at.contraction - e).powi(2)).sum();

@@ -1,4 +1,4 @@
-//! Constants from data, with what the data say of them: standard errors, correlation, and which they cannot tell.
+//! Constants from data with their standard errors and correlation, and those that the data do not determine.
 //!
 //! With the residuals rᵢ in units of one (or of their stated error), weights wᵢ, and J = ∂r/∂x at the minimum,
 //!
@@ -15,12 +15,12 @@ use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
 use thiserror::Error;
 
-/// What is to be made small: the residual of every point as a function of the unknowns.
+/// The residual of every point as a function of the unknowns.
 pub trait Residuals {
     /// One number a point; `None` where the model has no answer.
     fn at(&self, x: &[f64]) -> Option<Vec<f64>>;
 
-    /// ∂r/∂x, one column an unknown, where the model knows it; else central differences are taken.
+    /// ∂r/∂x, one column an unknown, where the model has it; else central differences are taken.
     fn by_unknowns(&self, _x: &[f64]) -> Option<Vec<Vec<f64>>> {
         None
     }
@@ -64,10 +64,12 @@ pub struct Estimate {
     pub at_bound: Vec<bool>,
     /// r of every point, not weighted.
     pub residuals: Vec<f64>,
-    /// w of every point: as given, times what the loss left of it.
+    /// w of every point: as given, times the factor of the loss.
     pub weights: Vec<f64>,
-    /// s: what is left, for one point.
+    /// s: standard deviation of one point.
     pub deviation: f64,
+    /// Σ w r².
+    pub squares: f64,
 }
 
 /// Why there is no estimate.
@@ -97,14 +99,14 @@ pub enum EstimateError {
     },
 }
 
-/// Residuals and slopes that keep what was computed last: a search, what looks beside its end, and the statistics need the same there.
+/// Residuals and slopes with the last results: a search, the check of its end and the statistics need the same values.
 pub(crate) struct Known<'a> {
     residuals: &'a dyn Residuals,
     at: Answers<Vec<f64>>,
     by: Answers<Vec<Vec<f64>>>,
 }
 
-/// Unknowns and what is computed of them.
+/// Unknowns with their results.
 type Answers<T> = RefCell<Vec<(Vec<f64>, Option<T>)>>;
 
 /// So many: the best and the steps tried from it.
@@ -115,16 +117,16 @@ impl<'a> Known<'a> {
         Self { residuals, at: RefCell::default(), by: RefCell::default() }
     }
 
-    /// With what was computed at x.
+    /// With the residuals at x.
     pub fn with(self, x: &[f64], residuals: Vec<f64>) -> Self {
         self.at.borrow_mut().push((x.to_vec(), Some(residuals)));
         self
     }
 }
 
-/// What is known of x, or is computed.
+/// The result at x, computed where it is not known.
 fn known<T: Clone>(list: &Answers<T>, x: &[f64], compute: impl FnOnce() -> Option<T>) -> Option<T> {
-    if let Some((_, known)) = list.borrow().iter().find(|(of, _)| of == x) {
+    if let Some((_, known)) = list.borrow().iter().find(|(known, _)| known == x) {
         return known.clone();
     }
     let value = compute();
@@ -149,7 +151,7 @@ struct Inner<'a> {
     unknowns: &'a [Unknown],
     roots: DVector<f64>,
     u: DVector<f64>,
-    /// Taken for every residual where there are none.
+    /// The residual of every point where the model has no answer.
     wall: Option<f64>,
 }
 
@@ -157,11 +159,9 @@ impl Inner<'_> {
     fn x(&self, u: &DVector<f64>) -> Vec<f64> {
         self.unknowns.iter().zip(u.iter()).map(|(k, &u)| k.outer(u).0).collect()
     }
-}
 
-impl Inner<'_> {
     /// Unknowns with a smaller sum of squares beside the end of a search, where that is no minimum; or that the model has no answer where it
-    /// falls. Sought along the Gauss–Newton step, J δ = −r in the least squares, in the unknowns that lie on no bound: none further than its
+    /// falls. It is searched along the Gauss–Newton step, J δ = −r in the least squares, in the unknowns that lie on no bound: none further than its
     /// scale.
     fn beside(&self) -> Result<Option<DVector<f64>>, &'static str> {
         let at = |u: &DVector<f64>| self.residuals.at(&self.x(u)).map(|r| self.weighted(r));
@@ -185,9 +185,9 @@ impl Inner<'_> {
         let mut answers = true;
         for share in SHARES {
             let u = &self.u + share * &step;
-            let found = at(&u);
-            answers = found.is_some();
-            if found.is_some_and(|next| next.norm_squared() < (1.0 - SMALLER) * r.norm_squared()) {
+            let residuals = at(&u);
+            answers = residuals.is_some();
+            if residuals.is_some_and(|next| next.norm_squared() < (1.0 - SMALLER) * r.norm_squared()) {
                 return Ok(Some(u));
             }
         }
@@ -199,7 +199,7 @@ impl Inner<'_> {
     }
 }
 
-/// ∂r/∂x, one column an unknown, not weighted: the model's own, or by central differences.
+/// ∂r/∂x, one column an unknown, not weighted: of the model, or by central differences.
 pub fn slopes(residuals: &dyn Residuals, unknowns: &[Unknown], x: &[f64]) -> Option<Vec<Vec<f64>>> {
     if let Some(columns) = residuals.by_unknowns(x) {
         return Some(columns);
@@ -253,10 +253,6 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_> {
     }
 }
 
-fn search() -> LevenbergMarquardt<f64> {
-    LevenbergMarquardt::new().with_ftol(1e-13).with_xtol(1e-11).with_gtol(1e-13).with_patience(100)
-}
-
 const NO_ANSWER: &str = "the model has no answer near the best values found";
 const NOT_CONVERGED: &str = "the search did not converge; free fewer unknowns";
 /// Searches at most, each from where the one before has ended beside a minimum.
@@ -291,6 +287,8 @@ pub fn estimate(
     if points <= unknowns.len() {
         return Err(EstimateError::TooFew { points, unknowns: unknowns.len() });
     }
+    let search =
+        LevenbergMarquardt::new().with_ftol(1e-13).with_xtol(1e-11).with_gtol(1e-13).with_patience(100);
     let residuals: &dyn Residuals = &Known::new(residuals);
     let mut u = DVector::from_iterator(unknowns.len(), unknowns.iter().map(Unknown::inner_start));
     let mut factors = vec![1.0; weights.len()];
@@ -303,9 +301,9 @@ pub fn estimate(
         // Where the model has no answer in places, the steps may shrink to nothing before a minimum: a new search begins with long ones.
         let mut searches = 0;
         let inner = loop {
-            let (mut ended, report) = search().minimize(inner);
+            let (mut ended, report) = search.minimize(inner);
             searches += 1;
-            // No step makes it smaller: as near to the minimum as the model's own rounding lets one come.
+            // No step makes it smaller: the minimum within the rounding of the model.
             let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
             let reason = if settled || report.termination.was_successful() {
                 match ended.beside() {
@@ -369,8 +367,8 @@ fn sixth_power(r: &[f64], weights: &[f64], before: &[f64]) -> Vec<f64> {
         return before.to_vec();
     }
     let next = size.iter().zip(before).map(|(s, f)| {
-        let wanted = (s / largest).powi(2).max(1e-12);
-        wanted.powf(0.25) * f.powf(0.75)
+        let factor = (s / largest).powi(2).max(1e-12);
+        factor.powf(0.25) * f.powf(0.75)
     });
     next.collect()
 }
@@ -438,6 +436,7 @@ fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, Estimate
         residuals,
         weights,
         deviation,
+        squares,
     })
 }
 

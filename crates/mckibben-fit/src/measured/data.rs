@@ -1,4 +1,4 @@
-//! A row of data: what was measured, where, on which muscle, and how well.
+//! A row of data: the measured quantity, its state, its muscle and its error.
 
 use mckibben::muscle::measures::{ANGLE, LENGTH, OUTER_DIAMETER, WALL};
 use mckibben::muscle::{Direction, Measure, Muscle, MuscleError};
@@ -36,7 +36,7 @@ pub struct Section {
 }
 
 impl Section {
-    /// Its measures, with those values that it states.
+    /// Its measures, with the stated values.
     pub fn values(&self) -> [(&'static Measure, Option<f64>); 4] {
         [
             (&OUTER_DIAMETER, self.outer_diameter_mm),
@@ -46,7 +46,7 @@ impl Section {
         ]
     }
 
-    /// Whether it says this measure of the muscle.
+    /// Whether it states this measure of the muscle.
     pub fn states(&self, measure: &Measure) -> bool {
         self.values().iter().any(|(m, value)| *m == measure && value.is_some())
     }
@@ -59,8 +59,8 @@ impl Section {
         tube.length_mm = self.length_mm.unwrap_or(tube.length_mm);
         let mut braid = muscle.braid_on(tube.outer_diameter_mm)?;
         braid.angle_deg = self.angle_deg.unwrap_or(braid.angle_deg);
-        let own = Muscle::new(tube, braid, muscle.terminals().clone(), muscle.friction().copied())?;
-        Ok(own.with_bench_of(muscle))
+        let section = Muscle::new(tube, braid, muscle.terminals().clone(), muscle.friction().copied())?;
+        Ok(section.with_bench_of(muscle))
     }
 }
 
@@ -71,13 +71,13 @@ pub struct DataPoint {
     /// Pressure, contraction, pull, branch.
     #[serde(flatten)]
     pub at: MeasuredPoint,
-    /// Which of them was read.
+    /// Which of them was measured.
     pub measured: Quantity,
-    /// Volume of the cavity in mm³, where it was read.
+    /// Volume of the cavity in mm³, where it was measured.
     pub volume_mm3: Option<f64>,
-    /// Standard error of what was read, in its unit, where it is stated.
+    /// Standard error of the measured quantity, in its unit, where it is stated.
     pub error: Option<f64>,
-    /// How much it counts; 1 where nothing is said.
+    /// Its weight; 1 by default.
     pub weight: f64,
     /// Measures of its muscle.
     #[serde(flatten)]
@@ -89,7 +89,8 @@ pub struct DataPoint {
 }
 
 impl DataPoint {
-    pub fn of(at: MeasuredPoint) -> Self {
+    /// A measured pull of the muscle itself.
+    pub fn new(at: MeasuredPoint) -> Self {
         let (measured, section) = (Quantity::Force, Section::default());
         Self { at, measured, volume_mm3: None, error: None, weight: 1.0, section, line: 0, set: 0 }
     }
@@ -142,13 +143,13 @@ pub struct MeasuredPoint {
     pub contraction: f64,
     /// Pull in N.
     pub force_n: f64,
-    /// The branch of the hysteresis loop; `mean` of both. None where it is not stated: then it says nothing of friction.
+    /// The branch of the hysteresis loop; `mean` of both. None where it is not stated: then it does not measure the friction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub branch: Option<Direction>,
 }
 
 impl MeasuredPoint {
-    /// The branch on which a model is asked for it: the mean where it states none.
+    /// The branch on which a model is evaluated: the mean where none is stated.
     pub fn direction(&self) -> Direction {
         self.branch.unwrap_or_default()
     }
@@ -166,14 +167,15 @@ pub(super) fn means(points: &[MeasuredPoint]) -> Vec<(usize, MeasuredPoint)> {
     sorted.sort_by(|(_, a), (_, b)| a.pressure_mpa.total_cmp(&b.pressure_mpa));
     let mut out = Vec::new();
     for at_pressure in sorted.chunk_by(|(_, a), (_, b)| a.pressure_mpa == b.pressure_mpa) {
-        let of = |branch| {
+        let branch_points = |branch| {
             let mut list: Vec<(usize, MeasuredPoint)> =
                 at_pressure.iter().filter(|(_, p)| p.branch == branch).copied().collect();
             list.sort_by(|(_, a), (_, b)| a.contraction.total_cmp(&b.contraction));
             list
         };
-        let (lower, upper) = (of(Some(Direction::Contraction)), of(Some(Direction::Elongation)));
-        out.extend(of(None).into_iter().chain(of(Some(Direction::Mean))));
+        let lower = branch_points(Some(Direction::Contraction));
+        let upper = branch_points(Some(Direction::Elongation));
+        out.extend(branch_points(None).into_iter().chain(branch_points(Some(Direction::Mean))));
         if lower.is_empty() || upper.is_empty() {
             out.extend(lower.into_iter().chain(upper));
             continue;

@@ -1,4 +1,4 @@
-//! What was measured on a bench: points with their branch, what was read, and on which muscle.
+//! Measurements on a bench: points with their branch, their measured quantity and their muscle.
 
 mod data;
 mod read;

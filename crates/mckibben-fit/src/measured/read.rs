@@ -10,7 +10,7 @@ use std::io::Read;
 
 type Result<T, E = TableError> = std::result::Result<T, E>;
 
-/// What the table does not say.
+/// What the table does not state.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PointOptions {
     /// Columns whose heading does not say what they are.
@@ -24,7 +24,7 @@ const PRESSURE: usize = 0;
 const CONTRACTION: usize = 1;
 const FORCE: usize = 2;
 
-/// [`read_points`] of a table that says everything.
+/// [`read_points`] of a table that states everything.
 pub fn read_data(input: impl Read) -> Result<Vec<DataPoint>> {
     Ok(read_points(input, &PointOptions::default())?.0)
 }
@@ -34,19 +34,18 @@ pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>> {
     Ok(read_data(input)?.into_iter().map(|p| p.at).collect())
 }
 
-/// Reads points from a table in any common form ([`table`](mckibben_io::table)), and says what was understood of it.
+/// Reads points from a table in any common form ([`table`](mckibben_io::table)), with what was understood of it.
 ///
 /// Needed are pressures, contractions (or shortenings, or lengths that vary, with L0) and pulls, each with its unit:
 /// `pressure_mpa`, `Druck in bar`, `p (psi)`; `contraction` is a ratio. Understood are also `branch`, `measured` (force,
 /// contraction, pressure, volume), `force_error_n`, `contraction_error`, `pressure_error_mpa`, `weight`, `outer_diameter_mm`,
-/// `volume` (read in rows that say so in `measured`, and where there are no pulls), `wall_mm`, `angle_deg`, L0 as `rest_length_mm` or, beside a contraction, `length_mm`; rows whose `status` is not `ok`
+/// `volume` (read in rows that state it in `measured`, and where there are no pulls), `wall_mm`, `angle_deg`, L0 as `rest_length_mm` or, beside a contraction, `length_mm`; rows whose `status` is not `ok`
 /// (points without answer, as `curve` writes them) are left out.
 pub fn read_points(input: impl Read, options: &PointOptions) -> Result<(Vec<DataPoint>, Understood)> {
     let mut table = Table::read(&read_text(input)?, &POINTS, &options.columns)?;
     table.keep(Meaning::Status, &["", "ok"]);
-    let says_volume =
-        |row: usize| table.text(row, Meaning::Measured).is_some_and(|(_, word)| word == "volume");
-    if table.column(Meaning::Force).is_some() && !(0..table.lines().len()).any(says_volume) {
+    let is_volume = |row: usize| table.text(row, Meaning::Measured).is_some_and(|(_, word)| word == "volume");
+    if table.column(Meaning::Force).is_some() && !(0..table.lines().len()).any(is_volume) {
         table.forget(Meaning::Volume);
     }
     leave_blank_out(&mut table)?;
@@ -76,7 +75,7 @@ pub fn read_points(input: impl Read, options: &PointOptions) -> Result<(Vec<Data
     Ok((points, understood(&table, note)?))
 }
 
-/// A sheet whose rows are filled in one by one: those in which what is measured is blank are left out.
+/// Leaves out the rows of a sheet whose measured quantity is not filled in yet.
 fn leave_blank_out(table: &mut Table) -> Result<()> {
     let (contraction, force) = (table.needed(CONTRACTION)?.meaning, table.needed(FORCE)?.meaning);
     table.keep_filled(|table, row| match table.text(row, Meaning::Measured) {
@@ -133,18 +132,17 @@ fn pressures(table: &Table) -> Result<Vec<f64>> {
     }
 }
 
-/// Contraction ratios, and how they were made where that is not plain.
-fn contractions(
-    table: &Table,
-    rest: &[Option<f64>],
-    muscle: Option<f64>,
-) -> Result<(Vec<f64>, Option<String>)> {
+/// How a column was converted, where that is not plain.
+type Note = Option<String>;
+
+/// Contraction ratios, and how they were made.
+fn contractions(table: &Table, rest: &[Option<f64>], muscle: Option<f64>) -> Result<(Vec<f64>, Note)> {
     let column = table.needed(CONTRACTION)?;
     let raw = table.numbers(column)?;
     let (values, note) = match column.meaning {
         Meaning::Contraction => (raw, None),
         meaning => {
-            let of_rows = rest.iter().any(Option::is_some);
+            let in_rows = rest.iter().any(Option::is_some);
             let rest: Vec<f64> = rest.iter().filter_map(|l| l.or(muscle)).collect();
             if rest.len() != raw.len() {
                 let needs =
@@ -152,7 +150,7 @@ fn contractions(
                 return Err(TableError::needs(column, needs));
             }
             let l0 = match muscle {
-                Some(l0) if !of_rows => format!("L0 {l0} mm"),
+                Some(l0) if !in_rows => format!("L0 {l0} mm"),
                 _ => "the L0 of each row".into(),
             };
             let ratios = raw.iter().zip(&rest);
@@ -182,7 +180,7 @@ fn contractions(
     }
 }
 
-/// What a conversion from inches leaves of nothing is nothing.
+/// Zero without the rounding of a conversion from inches.
 fn rounded(contraction: f64) -> f64 {
     if contraction.abs() < 1e-6 { 0.0 } else { contraction }
 }
@@ -226,14 +224,14 @@ fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Resu
     }
 }
 
-/// What is in the other columns.
+/// The rows, without pressure, contraction, pull and length.
 fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     let weights = table.some_numbers(Meaning::Weight)?;
     let errors =
         [Meaning::ForceError, Meaning::ContractionError, Meaning::PressureError, Meaning::VolumeError];
     let stated = errors.map(|meaning| table.some_numbers(meaning)).into_iter().collect::<Result<Vec<_>>>()?;
     let volumes = above_zero(table, Meaning::Volume, "is not a volume of a muscle; it must be above zero")?;
-    // Where nothing else was read, the volumes were.
+    // Without pulls the volumes were measured.
     let alone = table.column(Meaning::Force).is_none() && table.column(Meaning::Volume).is_some();
     let otherwise = if alone { Quantity::Volume } else { Quantity::Force };
     let diameters = above_zero(table, Meaning::OuterDiameter, MEASURE)?;
@@ -259,11 +257,8 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
         let known = "neither \"force\", \"contraction\", \"pressure\" nor \"volume\"";
         let measured = table.word(row, Meaning::Measured, &quantities, known)?.unwrap_or(otherwise);
         if measured == Quantity::Volume && volumes[row].is_none() {
-            return Err(refused(
-                row,
-                Meaning::Measured,
-                "needs a volume in this row: add a column volume_mm3 or Volume [mL]",
-            ));
+            let expected = "needs a volume in this row: add a column volume_mm3 or Volume [mL]";
+            return Err(refused(row, Meaning::Measured, expected));
         }
         if alone && measured != Quantity::Volume {
             return Err(refused(row, Meaning::Measured, "needs a pull in this row: add a column force_n"));
@@ -286,7 +281,7 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     table.lines().into_iter().enumerate().map(one).collect()
 }
 
-fn understood(table: &Table, note: Option<String>) -> Result<Understood> {
+fn understood(table: &Table, note: Note) -> Result<Understood> {
     let mut used = vec![
         (table.needed(PRESSURE)?, None),
         (table.needed(CONTRACTION)?, note),

@@ -7,7 +7,7 @@
 //!   [N  −Gᵀ] [x]   [d]
 //!   [G    0] [y] = [h],   y ≥ 0,   all other gₖ·x ≥ hₖ
 //!
-//! The upper left block of the inverse is Z(ZᵀNZ)⁻¹Zᵀ, Z spanning what the active inequalities leave free: the
+//! The upper left block of the inverse is Z(ZᵀNZ)⁻¹Zᵀ, Z spanning the directions in which no inequality is active: the
 //! covariance of x but for the factor s².
 
 use nalgebra::{DMatrix, DVector};
@@ -87,13 +87,8 @@ fn with_active(
         (false, true) => g(r - m, c) / size(r - m),
         (false, false) => 0.0,
     });
-    let right =
-        DVector::from_fn(
-            m + a,
-            |r, _| {
-                if r < m { d[r] * unit[r] } else { cuts[active[r - m]].h / size(r - m) }
-            },
-        );
+    let right = |r: usize| if r < m { d[r] * unit[r] } else { cuts[active[r - m]].h / size(r - m) };
+    let right = DVector::from_fn(m + a, |r, _| right(r));
     let inverse = kkt.try_inverse()?;
     let both = &inverse * right;
     if both.iter().any(|v| !v.is_finite()) || (m..m + a).any(|k| both[k] < 0.0) {
@@ -122,9 +117,9 @@ mod tests {
         let n = DMatrix::from_diagonal(&DVector::from_vec(vec![2.0, 2.0]));
         let d = DVector::from_vec(vec![2.0, -4.0]);
         let cut = Inequality { g: vec![0.0, 1.0], h: 0.0 };
-        let found = solve(&n, &d, std::slice::from_ref(&cut)).unwrap();
-        assert!((found.x[0] - 1.0).abs() < 1e-12 && found.x[1].abs() < 1e-12);
-        assert!((found.variances[0] - 0.5).abs() < 1e-12 && found.variances[1].abs() < 1e-12);
+        let solution = solve(&n, &d, std::slice::from_ref(&cut)).unwrap();
+        assert!((solution.x[0] - 1.0).abs() < 1e-12 && solution.x[1].abs() < 1e-12);
+        assert!((solution.variances[0] - 0.5).abs() < 1e-12 && solution.variances[1].abs() < 1e-12);
         let against = Inequality { g: vec![0.0, -1.0], h: 1.0 };
         assert_eq!(solve(&n, &d, &[cut, against]), None);
     }
@@ -134,9 +129,9 @@ mod tests {
     fn an_edge_is_met_at_the_foot_of_the_perpendicular() {
         let n = DMatrix::from_diagonal(&DVector::from_vec(vec![2.0, 2.0]));
         let d = DVector::from_vec(vec![4.0, 4.0]);
-        let found = solve(&n, &d, &[Inequality { g: vec![-1.0, -1.0], h: -2.0 }]).unwrap();
-        assert!(found.x.iter().all(|x| (x - 1.0).abs() < 1e-12), "{found:?}");
-        assert!(found.variances.iter().all(|v| (v - 0.25).abs() < 1e-12), "{found:?}");
+        let solution = solve(&n, &d, &[Inequality { g: vec![-1.0, -1.0], h: -2.0 }]).unwrap();
+        assert!(solution.x.iter().all(|x| (x - 1.0).abs() < 1e-12), "{solution:?}");
+        assert!(solution.variances.iter().all(|v| (v - 0.25).abs() < 1e-12), "{solution:?}");
     }
 
     #[test]

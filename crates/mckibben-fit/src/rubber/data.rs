@@ -4,13 +4,17 @@ mod cell;
 mod sheet;
 
 use super::{Mode, TensionPoint};
-use cell::{LARGEST_STRETCH, STRESS, STRETCH, mode, nominal};
+use cell::{LARGEST_STRETCH, STRESS, STRETCH, Tests};
 use mckibben_io::table::{Column, Columns, Meaning, TESTS, Table, TableError, Understood, read_text};
 use std::io::Read;
 
-/// What the file does not say.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+type Result<T, E = TableError> = std::result::Result<T, E>;
+
+/// What the file does not state.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct ReadOptions {
+    /// Columns whose heading does not say what they are.
+    pub columns: Columns,
     /// The mode, where there is no column of it.
     pub mode: Mode,
     /// Cross-section of the specimen at rest, for a column of forces.
@@ -19,18 +23,14 @@ pub struct ReadOptions {
     pub gauge_length_mm: Option<f64>,
 }
 
-/// [`read_tests`] of a table that says everything.
-pub fn read_tension(input: impl Read, options: ReadOptions) -> Result<Vec<TensionPoint>, TableError> {
-    Ok(read_tests(input, options, &Columns::default())?.0)
+/// [`read_tests`] of a table that states everything.
+pub fn read_tension(input: impl Read, options: ReadOptions) -> Result<Vec<TensionPoint>> {
+    Ok(read_tests(input, &options)?.0)
 }
 
-/// Reads points in the order of a table in any common form ([`table`](mckibben_io::table)), and says what was understood of it.
-pub fn read_tests(
-    input: impl Read,
-    options: ReadOptions,
-    columns: &Columns,
-) -> Result<(Vec<TensionPoint>, Understood), TableError> {
-    let table = Table::read(&read_text(input)?, &TESTS, columns)?;
+/// Reads points in the order of a table in any common form ([`table`](mckibben_io::table)), with what was understood of it.
+pub fn read_tests(input: impl Read, options: &ReadOptions) -> Result<(Vec<TensionPoint>, Understood)> {
+    let table = Table::read(&read_text(input)?, &TESTS, &options.columns)?;
     let (stretch, stress) = (table.needed(STRETCH)?, table.needed(STRESS)?);
     let gauge = match stretch.meaning {
         Meaning::Extension | Meaning::Length => options.gauge_length_mm.ok_or_else(|| {
@@ -46,24 +46,20 @@ pub fn read_tests(
     };
     let lengths = stretches(&table, stretch, gauge)?;
     let mut points = vec![];
-    let of_sheets = table.column(Meaning::Stretch2).is_some();
-    if of_sheets {
-        points = sheet::points(&table, &lengths, area, options.mode)?;
+    let tests = Tests { table: &table, area_mm2: area, default_mode: options.mode };
+    let has_sheets = table.column(Meaning::Stretch2).is_some();
+    if has_sheets {
+        points = tests.sheet_points(&lengths)?;
     } else {
+        const NEEDS: &str = "the second stretch of the specimen: a column `stretch_2`";
         if stress.meaning == Meaning::TrueStressDifference {
-            return Err(TableError::needs(
-                stress,
-                "the second stretch of the specimen: a column `stretch_2`",
-            ));
+            return Err(TableError::needs(stress, NEEDS));
         }
         for (row, (stretch, measured)) in lengths.into_iter().zip(table.numbers(stress)?).enumerate() {
-            let nominal_stress_mpa = nominal(&table, row, stress, measured, (stretch, area))?;
-            let mode = mode(&table, row)?.unwrap_or(options.mode);
+            let nominal_stress_mpa = tests.nominal_mpa(row, stress, measured, stretch)?;
+            let mode = tests.mode(row)?.unwrap_or(options.mode);
             if mode == Mode::General {
-                return Err(TableError::needs(
-                    stress,
-                    "the second stretch of the specimen: a column `stretch_2`",
-                ));
+                return Err(TableError::needs(stress, NEEDS));
             }
             points.push(TensionPoint::new(mode, stretch, nominal_stress_mpa));
         }
@@ -79,7 +75,7 @@ pub fn read_tests(
     let under = (stress.meaning == Meaning::Force).then(|| format!("over {area} mm²"));
     let mut used = vec![(stretch, over), (stress, under)];
     used.extend(table.column(Meaning::Mode).map(|c| (c, None)));
-    if of_sheets {
+    if has_sheets {
         let others = sheet::MEANINGS.into_iter().filter_map(|m| table.column(m));
         used.extend(others.filter(|c| c.index != stress.index).map(|c| (c, None)));
     }
@@ -88,8 +84,8 @@ pub fn read_tests(
 }
 
 /// L/L0, row by row.
-fn stretches(table: &Table, column: &Column, gauge: f64) -> Result<Vec<f64>, TableError> {
-    let (of, too_far, too_short): (&dyn Fn(f64) -> f64, _, _) = match column.meaning {
+fn stretches(table: &Table, column: &Column, gauge: f64) -> Result<Vec<f64>> {
+    let (stretch, too_far, too_short): (&dyn Fn(f64) -> f64, _, _) = match column.meaning {
         Meaning::Stretch => (
             &|v| v,
             "is not a valid stretch L/L0; if it is a strain in percent, name the column strain_percent",
@@ -114,7 +110,7 @@ fn stretches(table: &Table, column: &Column, gauge: f64) -> Result<Vec<f64>, Tab
             "is not an extension: the specimen would have no length left",
         ),
     };
-    let stretches: Vec<f64> = table.numbers(column)?.into_iter().map(of).collect();
+    let stretches: Vec<f64> = table.numbers(column)?.into_iter().map(stretch).collect();
     let sound = |s: &f64| s.is_finite() && (0.02..=LARGEST_STRETCH).contains(s);
     match stretches.iter().position(|s| !sound(s)) {
         Some(row) if stretches[row] < 0.02 => Err(table.impossible(row, column, too_short)),

@@ -1,4 +1,4 @@
-//! A law with its constants, and how well it does.
+//! A law with its constants and its errors.
 
 use super::problem::{Problem, Raw};
 use super::{FitSettings, Mode, Result, TensionPoint, linear, no_fit, nonlinear, ogden};
@@ -17,9 +17,9 @@ pub struct Parameter {
     pub value: f64,
     /// `MPa` or nothing.
     pub unit: &'static str,
-    /// Standard error; 0 on a bound, `None` where the data do not tell it at all.
+    /// Standard error; 0 on a bound, `None` where the data do not determine it at all.
     pub standard_error: Option<f64>,
-    /// Whether the data tell it: it is not on a bound, and its 95 % interval does not reach zero or (constants that may be
+    /// Whether the data determine it: it is not on a bound, and its 95 % interval does not reach zero or (constants that may be
     /// zero) is so narrow that it moves the stress at the end of the data by less than a quarter of the modulus.
     pub identifiable: bool,
 }
@@ -42,16 +42,16 @@ pub struct StressErrors {
 }
 
 impl StressErrors {
-    /// Of stretches, measured and computed stresses.
-    pub fn of(list: impl Iterator<Item = (f64, f64, f64)>) -> Self {
+    /// The errors of computed stresses, from stretches, measured and computed stresses.
+    pub fn new(list: impl Iterator<Item = (f64, f64, f64)>) -> Self {
         let (mut out, mut squares, mut all) = (Self::default(), 0.0, 0.0);
         for (stretch, measured, computed) in list {
-            let left = measured - computed;
+            let difference = measured - computed;
             out.points += 1;
             out.to_stretch = out.to_stretch.max(stretch);
-            out.bias_mpa += left;
-            out.largest_mpa = out.largest_mpa.max(left.abs());
-            squares += left * left;
+            out.bias_mpa += difference;
+            out.largest_mpa = out.largest_mpa.max(difference.abs());
+            squares += difference * difference;
             all += measured * measured;
         }
         let n = out.points.max(1) as f64;
@@ -59,15 +59,16 @@ impl StressErrors {
         Self { rms_mpa: (squares / n).sqrt(), relative, bias_mpa: out.bias_mpa / n, ..out }
     }
 
-    fn of_law<'a>(law: &Law, points: impl Iterator<Item = &'a TensionPoint>) -> Self {
-        Self::of(points.map(|p| (p.plane_stretch(), p.nominal_stress_mpa, p.stress_mpa(law))))
+    /// The errors of a law at some points.
+    pub fn for_law<'a>(law: &Law, points: impl Iterator<Item = &'a TensionPoint>) -> Self {
+        Self::new(points.map(|p| (p.plane_stretch(), p.nominal_stress_mpa, p.stress_mpa(law))))
     }
 }
 
-/// How well a law follows one of the tests.
+/// The errors of a law in one of the tests.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ModeError {
-    /// Which test.
+    /// The test.
     pub mode: Mode,
     #[serde(flatten)]
     pub errors: StressErrors,
@@ -218,7 +219,7 @@ fn judged(form: Form, constrained: bool, raw: Raw, problem: &Problem, hoop: f64)
         Some((d.0 / reference).powi(2))
     };
     let pulls: Vec<f64> = pulls.filter_map(relative).collect();
-    let modes = Mode::ALL.into_iter().filter_map(|mode| of_mode(mode, &law, problem, hoop)).collect();
+    let modes = Mode::ALL.into_iter().filter_map(|mode| mode_error(mode, &law, problem, hoop)).collect();
     let unstable_from_hoop_stretch = match muscle_stability(&law, hoop) {
         Stability::Stable => None,
         Stability::UnstableFrom { hoop_stretch } => Some(hoop_stretch),
@@ -237,8 +238,8 @@ fn judged(form: Form, constrained: bool, raw: Raw, problem: &Problem, hoop: f64)
     Ok(FittedLaw { form, constrained, quality, parameters, modes, held_out: vec![], law })
 }
 
-fn of_mode(mode: Mode, law: &Law, problem: &Problem, hoop: f64) -> Option<ModeError> {
-    let errors = StressErrors::of_law(law, problem.points.iter().filter(|p| p.mode == mode));
+fn mode_error(mode: Mode, law: &Law, problem: &Problem, hoop: f64) -> Option<ModeError> {
+    let errors = StressErrors::for_law(law, problem.points.iter().filter(|p| p.mode == mode));
     let stable_to_stretch = stable_to(mode, law, errors.to_stretch.max(hoop));
     (errors.points > 0).then_some(ModeError { mode, errors, stable_to_stretch })
 }
@@ -251,10 +252,10 @@ fn stable_to(mode: Mode, law: &Law, end: f64) -> Option<f64> {
     (0..=STEPS).map(stretch).find(unstable)
 }
 
-/// How well a law follows tests that it was not fitted to.
+/// The errors of a law in tests that it was not fitted to.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct HeldOutError {
-    /// Which test; null for the points of all of them in whose state a muscle's wall may be.
+    /// The test; null for the points of all of them in whose state a muscle's wall may be.
     pub mode: Option<Mode>,
     #[serde(flatten)]
     pub errors: StressErrors,
@@ -262,24 +263,24 @@ pub struct HeldOutError {
     pub stiffer: f64,
 }
 
-fn of(mode: Option<Mode>, law: &Law, points: &[&TensionPoint]) -> Option<HeldOutError> {
+fn held_out_error(mode: Option<Mode>, law: &Law, points: &[&TensionPoint]) -> Option<HeldOutError> {
     let (mut both, mut all) = (0.0, 0.0);
     for p in points {
         both += p.stress_mpa(law) * p.nominal_stress_mpa;
         all += p.nominal_stress_mpa * p.nominal_stress_mpa;
     }
-    let errors = StressErrors::of_law(law, points.iter().copied());
-    let found = HeldOutError { mode, errors, stiffer: both / all - 1.0 };
+    let errors = StressErrors::for_law(law, points.iter().copied());
+    let stiffer = both / all - 1.0;
     // Beyond the stretch at which a law locks it has no stress.
-    let sound = errors.relative.is_finite() && found.stiffer.is_finite();
-    (!points.is_empty() && sound && law.shear_modulus_mpa().is_finite()).then_some(found)
+    let sound = errors.relative.is_finite() && stiffer.is_finite() && law.shear_modulus_mpa().is_finite();
+    (!points.is_empty() && sound).then_some(HeldOutError { mode, errors, stiffer })
 }
 
 /// By mode, and over the states of a muscle up to a hoop stretch.
 pub(super) fn errors(law: &Law, points: &[TensionPoint], hoop: f64) -> Vec<HeldOutError> {
     let chosen = |keep: &dyn Fn(&TensionPoint) -> bool| points.iter().filter(|p| keep(p)).collect::<Vec<_>>();
-    let by_mode = |mode| of(Some(mode), law, &chosen(&|p| p.mode == mode));
+    let by_mode = |mode| held_out_error(Some(mode), law, &chosen(&|p| p.mode == mode));
     let mut out: Vec<HeldOutError> = Mode::ALL.into_iter().filter_map(by_mode).collect();
-    out.extend(of(None, law, &chosen(&|p| p.is_of_a_muscle(hoop))));
+    out.extend(held_out_error(None, law, &chosen(&|p| p.is_of_a_muscle(hoop))));
     out
 }

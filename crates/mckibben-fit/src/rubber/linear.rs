@@ -48,13 +48,12 @@ pub(super) fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw> 
     let columns = columns(basis, problem).ok_or_else(|| no_fit(form, "a stress is not finite"))?;
     let unknowns: Vec<Unknown> = basis.iter().map(|law| Unknown::free(0.0, scale(law, problem))).collect();
     let linear = Linear { columns: &columns, measured: problem.measured() };
-    let found = estimate(&linear, &unknowns, &problem.weights, Loss::Squares).map_err(|e| no_fit(form, e))?;
-    let scales = unknowns.iter().map(|u| u.scale).collect();
+    let fit = estimate(&linear, &unknowns, &problem.weights, Loss::Squares).map_err(|e| no_fit(form, e))?;
     Ok(Raw {
-        constants: found.x,
-        standard_errors: found.standard_errors,
-        at_bound: found.at_bound,
-        scales,
+        constants: fit.x,
+        standard_errors: fit.standard_errors,
+        at_bound: fit.at_bound,
+        scales: unknowns.iter().map(|u| u.scale).collect(),
         freedom: problem.counting() - basis.len(),
     })
 }
@@ -73,24 +72,24 @@ pub(super) fn stable(form: Form, basis: &[Law], problem: &Problem, hoop_stretch:
     let positive = form.kind().held_positive.is_some();
     let mut cuts = if positive { Inequality::positive(basis.len()) } else { vec![] };
     for _ in 0..CUTS {
-        let found = solve(&n, &d, &cuts).ok_or_else(|| no_fit(form, "no stable law fits these data"))?;
-        let worst = states.iter().map(|s| deepest(s, &found.x)).min_by(|a, b| a.0.total_cmp(&b.0));
+        let solution = solve(&n, &d, &cuts).ok_or_else(|| no_fit(form, "no stable law fits these data"))?;
+        let worst = states.iter().map(|s| deepest(s, &solution.x)).min_by(|a, b| a.0.total_cmp(&b.0));
         let Some((depth, g)) = worst else { return Err(no_fit(form, "no states")) };
-        // Half of the margin is left for the iteration to end in.
+        // The iteration ends within half of the margin.
         if depth >= 0.5 * margin {
-            let freedom = (problem.counting() + found.active.len()).saturating_sub(basis.len()).max(1);
-            let squares = form.law_of(&found.x).and_then(|law| problem.squares(&law));
+            let freedom = (problem.counting() + solution.active.len()).saturating_sub(basis.len()).max(1);
+            let squares = form.law_of(&solution.x).and_then(|law| problem.squares(&law));
             let deviation =
                 (squares.ok_or_else(|| no_fit(form, "a stress is not finite"))? / freedom as f64).sqrt();
-            let on_own = |i: usize| {
+            let at_bound = |i: usize| {
                 let alone = |k: &usize| cuts[*k].g.iter().enumerate().all(|(j, g)| (j == i) == (*g != 0.0));
-                found.active.iter().any(alone)
+                solution.active.iter().any(alone)
             };
             return Ok(Raw {
-                standard_errors: found.variances.iter().map(|v| deviation * v.sqrt()).collect(),
-                at_bound: (0..basis.len()).map(on_own).collect(),
+                standard_errors: solution.variances.iter().map(|v| deviation * v.sqrt()).collect(),
+                at_bound: (0..basis.len()).map(at_bound).collect(),
                 scales: basis.iter().map(|law| scale(law, problem)).collect(),
-                constants: found.x,
+                constants: solution.x,
                 freedom,
             });
         }

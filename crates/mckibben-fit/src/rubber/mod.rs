@@ -10,7 +10,7 @@
 //!
 //!   AICc = n ln(Σ w r²/n) + 2(k + 1) + 2(k + 1)(k + 2)/(n − k − 2).
 //!
-//! It asks where a law is stable: over the stretches of a muscle wall, and in the three tests. A law that is not is
+//! It checks where a law is stable: over the stretches of a muscle wall, and in the three tests. A law that is not is
 //! fitted again among those that are. Standard errors take the errors of the points as independent; neighbouring points
 //! of one test err alike, so that the true errors are larger.
 
@@ -58,7 +58,7 @@ pub fn fit_tension_with(
     check(settings)?;
     let history = || runs::Sorted { kept: points.to_vec(), ..Default::default() };
     let sorted = if settings.history { history() } else { runs::sort(points) };
-    let mut warnings = warning::of_runs(&sorted);
+    let mut warnings = warning::for_runs(&sorted);
     let limit = settings.up_to_stretch.unwrap_or(f64::INFINITY);
     let within = sorted.kept.into_iter().filter(|p| p.plane_stretch() <= limit);
     let is_fitted = |p: &TensionPoint| settings.fit_modes.is_empty() || settings.fit_modes.contains(&p.mode);
@@ -67,9 +67,9 @@ pub fn fit_tension_with(
     let count = problem.counting();
     let forms = chosen(settings, count)?;
     if !(problem.modulus_mpa > 0.0 && problem.modulus_mpa.is_finite()) {
+        let modulus_mpa = problem.modulus_mpa;
         return Err(TensionFitError::Refused(format!(
-            "the points give a modulus of {} MPa: stress must be above zero where the stretch is above 1; check the columns and their signs",
-            problem.modulus_mpa
+            "the points give a modulus of {modulus_mpa} MPa: stress must be above zero where the stretch is above 1; check the columns and their signs"
         )));
     }
     let fitted_to_stretch = problem.fitted_to_stretch();
@@ -78,12 +78,12 @@ pub fn fit_tension_with(
         progress.report(done, forms.len());
         progress.check()?;
         match fitted::laws(*form, &problem, settings) {
-            Ok(found) => laws.push(found),
+            Ok(fitted) => laws.push(fitted),
             Err(error) => failed.push(error),
         }
         cancel::check()?;
     }
-    // Free and stable of one law stay together.
+    // The free and the stable fit of one law are neighbours.
     laws.sort_by(|a, b| a[0].quality.aicc.total_cmp(&b[0].quality.aicc));
     let mut laws: Vec<FittedLaw> = laws.into_iter().flatten().collect();
     for law in &mut laws {
@@ -93,8 +93,8 @@ pub fn fit_tension_with(
         return Err(error.clone());
     }
     let recommended = standing::recommended(&laws, &problem.points);
-    warnings.extend(warning::of_points(&problem, fitted_to_stretch, settings.hoop_stretch));
-    warnings.extend(laws.iter().flat_map(|l| warning::of_law(l, settings.hoop_stretch)));
+    warnings.extend(warning::for_points(&problem, fitted_to_stretch, settings.hoop_stretch));
+    warnings.extend(laws.iter().flat_map(|l| warning::for_law(l, settings.hoop_stretch)));
     let left_out = points.len() - count - held_out.len();
     Ok(TensionFit {
         points: problem.points,
@@ -124,17 +124,16 @@ fn check(settings: &FitSettings) -> Result<()> {
     }
 }
 
-/// The laws that are asked for, or all that the points carry.
+/// The requested laws, or all, that the number of points determines.
 fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>> {
-    let carried = |f: &Form| points >= f.fewest_points();
-    let asked = if settings.forms.is_empty() { Form::all() } else { settings.forms.clone() };
-    let forms: Vec<Form> = asked.iter().copied().filter(carried).collect();
-    match (forms.is_empty(), asked.first()) {
-        (true, Some(first)) => Err(TensionFitError::TooFew(format!(
-            "{points} points are too few for {}: it takes {} or more",
-            first.name(),
-            first.fewest_points()
-        ))),
+    let requested = if settings.forms.is_empty() { Form::all() } else { settings.forms.clone() };
+    let forms: Vec<Form> = requested.iter().copied().filter(|f| points >= f.fewest_points()).collect();
+    match (forms.is_empty(), requested.first()) {
+        (true, Some(first)) => {
+            let (name, fewest) = (first.name(), first.fewest_points());
+            let message = format!("{points} points are too few for {name}: it takes {fewest} or more");
+            Err(TensionFitError::TooFew(message))
+        }
         _ => Ok(forms),
     }
 }
@@ -161,24 +160,23 @@ pub enum TensionFitError {
     NotConverged(String),
 }
 
-/// That no fit of a law was found.
+/// The error of a law without a fit.
 pub(crate) fn no_fit(form: Form, why: impl std::fmt::Display) -> TensionFitError {
     TensionFitError::NotConverged(format!("{}: no fit was found: {why}", form.name()))
 }
 
-/// What is wanted of a fit.
+/// Settings of a fit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct FitSettings {
-    /// The laws; none means all that the number of points carries.
+    /// The laws; none means all that the number of points determines.
     pub forms: Vec<Form>,
-    /// What is made small.
     pub measure: Measure,
     /// Give every mode the same weight, whatever its number of points. Else every point counts alike.
     pub balance: bool,
     /// A factor on the weights of a mode.
     pub mode_weights: Vec<(Mode, f64)>,
-    /// Modes that are fitted; none means all. The others are held out: how well a law follows them is said.
+    /// Modes that are fitted; none means all. The others are held out, and their errors are given.
     pub fit_modes: Vec<Mode>,
     /// Points up to this stretch only.
     pub up_to_stretch: Option<f64>,

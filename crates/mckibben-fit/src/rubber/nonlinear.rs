@@ -51,9 +51,8 @@ fn limit(form: Form, law: &Law, i1_minus_3: f64) -> Option<Limit> {
     let constants = law.constants();
     let place = constants.iter().position(|c| !c.constant.is_modulus())?;
     let locks = |value: f64| {
-        law.with_constants(|i, v| if i == place { value } else { v })
-            .locks_at()
-            .is_some_and(|l| l < i1_minus_3)
+        let law = law.with_constants(|i, v| if i == place { value } else { v });
+        law.locks_at().is_some_and(|l| l < i1_minus_3)
     };
     let mut low = constants[place].constant.bounds.0;
     let mut high = low + 1.0;
@@ -73,7 +72,7 @@ fn limit(form: Form, law: &Law, i1_minus_3: f64) -> Option<Limit> {
 }
 
 /// I1 − 3 that a muscle wall reaches, at either end of its axial stretches.
-fn of_muscle(hoop: f64) -> f64 {
+fn muscle_i1_minus_3(hoop: f64) -> f64 {
     let i1 = |axial: f64| hoop * hoop + axial * axial + (hoop * axial).powi(-2) - 3.0;
     i1(MUSCLE_AXIAL_STRETCH.0).max(i1(MUSCLE_AXIAL_STRETCH.1))
 }
@@ -85,11 +84,11 @@ pub(super) fn fit(form: Form, problem: &Problem, hoop: Option<f64>) -> Result<Ra
     let law = example.scaled(mu / example.shear_modulus_mpa());
     let limit_at = |i1: f64| limit(form, &law, i1);
     let limit = limit_at(problem.largest_i1_minus_3());
-    let high = match (limit, hoop.and_then(|hoop| limit_at(of_muscle(hoop)))) {
+    let high = match (limit, hoop.and_then(|hoop| limit_at(muscle_i1_minus_3(hoop)))) {
         (Some(data), Some(muscle)) => (data.at_data / (1.02 * muscle.at_data)).min(0.999),
         _ => 0.999,
     };
-    let of = Unknowns { form, problem, limit };
+    let residuals = Unknowns { form, problem, limit };
     let mut best: Option<(f64, Raw)> = None;
     let mut why = String::new();
     for start in if limit.is_some() { &STARTS[..] } else { &STARTS[..1] } {
@@ -107,25 +106,22 @@ pub(super) fn fit(form: Form, problem: &Problem, hoop: Option<f64>) -> Result<Ra
             }
         };
         let unknowns: Vec<Unknown> = law.constants().into_iter().enumerate().map(one).collect();
-        match estimate(&of, &unknowns, &problem.weights, Loss::Squares) {
-            Ok(found) => {
-                let squares: f64 = found.residuals.iter().zip(&problem.weights).map(|(r, w)| w * r * r).sum();
-                if best.as_ref().is_some_and(|b| b.0 <= squares * (1.0 + 1e-9)) {
-                    continue;
-                }
-                let mut standard_errors = found.standard_errors;
+        match estimate(&residuals, &unknowns, &problem.weights, Loss::Squares) {
+            Ok(fit) if best.as_ref().is_none_or(|b| b.0 > fit.squares * (1.0 + 1e-9)) => {
+                let mut standard_errors = fit.standard_errors;
                 if let Some(Limit { place, at_data }) = limit {
-                    standard_errors[place] *= at_data / found.x[place].powi(2);
+                    standard_errors[place] *= at_data / fit.x[place].powi(2);
                 }
                 let raw = Raw {
-                    constants: of.turned(&found.x),
+                    constants: residuals.turned(&fit.x),
                     standard_errors,
-                    at_bound: found.at_bound,
+                    at_bound: fit.at_bound,
                     scales: vec![0.0; unknowns.len()],
                     freedom: problem.counting() - unknowns.len(),
                 };
-                best = Some((squares, raw));
+                best = Some((fit.squares, raw));
             }
+            Ok(_) => {}
             Err(error) => why = error.to_string(),
         }
     }

@@ -18,7 +18,7 @@ const RANGE: (f64, f64) = (0.2, 25.0);
 /// Starts that are followed.
 const FOLLOWED: usize = 8;
 
-/// x = |μ1|, |α1|, |μ2|, …; each term has a sign of its own.
+/// x = |μ1|, |α1|, |μ2|, …; each term has its sign.
 struct Terms<'a> {
     problem: &'a Problem,
     signs: Vec<f64>,
@@ -54,7 +54,7 @@ impl Residuals for Terms<'_> {
     }
 }
 
-/// A set of exponents with the moduli that suit it, and what they leave.
+/// A set of exponents with the moduli that suit it, and the sum of their squares.
 struct Start {
     squares: f64,
     terms: Vec<(f64, f64)>,
@@ -76,15 +76,15 @@ fn starts(count: usize, problem: &Problem) -> Vec<Start> {
             break;
         }
         let (n, d) = (all.select_rows(&places).select_columns(&places), right.select_rows(&places));
-        let Some(found) = solve(&n, &d, &Inequality::positive(count)) else { continue };
-        if found.x.iter().any(|x| *x <= 0.0) {
+        let Some(solution) = solve(&n, &d, &Inequality::positive(count)) else { continue };
+        if solution.x.iter().any(|x| *x <= 0.0) {
             continue;
         }
-        let terms = places.iter().zip(&found.x).map(|(&k, x)| (*x, exponents[k])).collect();
-        let left = |i: usize| {
-            places.iter().zip(&found.x).map(|(&k, x)| x * columns[k][i]).sum::<f64>() - measured[i]
+        let terms = places.iter().zip(&solution.x).map(|(&k, x)| (*x, exponents[k])).collect();
+        let residual = |i: usize| {
+            places.iter().zip(&solution.x).map(|(&k, x)| x * columns[k][i]).sum::<f64>() - measured[i]
         };
-        let squares = problem.weights.iter().enumerate().map(|(i, w)| w * left(i).powi(2)).sum();
+        let squares = problem.weights.iter().enumerate().map(|(i, w)| w * residual(i).powi(2)).sum();
         out.push(Start { squares, terms });
     }
     out.sort_by(|a, b| a.squares.total_cmp(&b.squares));
@@ -94,9 +94,9 @@ fn starts(count: usize, problem: &Problem) -> Vec<Start> {
 
 pub(super) fn fit(form: Form, problem: &Problem) -> Result<Raw> {
     let count = form.terms().unwrap_or(1);
-    let mut best: Option<(f64, Vec<f64>, Estimate)> = None;
+    let mut best: Option<(Vec<f64>, Estimate)> = None;
     let mut why = None;
-    // Of exact data rounding alone is left, and in planar tension α and −α are one law: then exponents above zero are taken.
+    // The residuals of exact data are rounding, and in planar tension α and −α are one law: then exponents above zero are taken.
     let all: f64 = problem.measured().iter().zip(&problem.weights).map(|(m, w)| w * m * m).sum();
     for start in starts(count, problem) {
         let signs: Vec<f64> = start.terms.iter().map(|t| t.1.signum()).collect();
@@ -110,37 +110,36 @@ pub(super) fn fit(form: Form, problem: &Problem) -> Result<Raw> {
             .collect();
         let terms = Terms { problem, signs: signs.clone() };
         match estimate(&terms, &unknowns, &problem.weights, Loss::Squares) {
-            Ok(found) => {
-                let squares: f64 = found.residuals.iter().zip(&problem.weights).map(|(r, w)| w * r * r).sum();
-                let better = |(before, of, _): &(f64, Vec<f64>, Estimate)| {
-                    let alike = (squares - before).abs() <= 1e-9 * before + 1e-14 * all;
-                    let (ours, theirs) = (signs.iter().sum::<f64>(), of.iter().sum::<f64>());
-                    if alike { ours > theirs } else { squares < *before }
+            Ok(fit) => {
+                let better = |(best_signs, best): &(Vec<f64>, Estimate)| {
+                    let alike = (fit.squares - best.squares).abs() <= 1e-9 * best.squares + 1e-14 * all;
+                    let (sum, best_sum) = (signs.iter().sum::<f64>(), best_signs.iter().sum::<f64>());
+                    if alike { sum > best_sum } else { fit.squares < best.squares }
                 };
                 if best.as_ref().is_none_or(better) {
-                    best = Some((squares, signs, found));
+                    best = Some((signs, fit));
                 }
             }
             Err(error) => why = Some(error.to_string()),
         }
     }
     let no_better = || TensionFitError::NoBetter(form.name());
-    let (_, signs, found) = best.ok_or_else(|| why.map_or_else(no_better, |why| no_fit(form, why)))?;
-    let alpha = |k: usize| signs[k] * found.x[2 * k + 1];
+    let (signs, fit) = best.ok_or_else(|| why.map_or_else(no_better, |why| no_fit(form, why)))?;
+    let alpha = |k: usize| signs[k] * fit.x[2 * k + 1];
     let same = |a: usize, b: usize| (alpha(a) - alpha(b)).abs() < 0.01 * alpha(a).abs();
     let twice = (0..count).any(|a| (0..a).any(|b| same(a, b)));
-    if count > 1 && (twice || (0..count).any(|k| found.at_bound[2 * k])) {
+    if count > 1 && (twice || (0..count).any(|k| fit.at_bound[2 * k])) {
         return Err(no_better());
     }
     // The term that gives most of the modulus first.
     let mut order: Vec<usize> = (0..count).collect();
-    let share = |k: &usize| found.x[2 * k] * found.x[2 * k + 1];
+    let share = |k: &usize| fit.x[2 * k] * fit.x[2 * k + 1];
     order.sort_by(|a, b| share(b).total_cmp(&share(a)));
     let places: Vec<usize> = order.iter().flat_map(|k| [2 * k, 2 * k + 1]).collect();
     Ok(Raw {
-        constants: places.iter().map(|&i| signs[i / 2] * found.x[i]).collect(),
-        standard_errors: places.iter().map(|&i| found.standard_errors[i]).collect(),
-        at_bound: places.iter().map(|&i| found.at_bound[i]).collect(),
+        constants: places.iter().map(|&i| signs[i / 2] * fit.x[i]).collect(),
+        standard_errors: places.iter().map(|&i| fit.standard_errors[i]).collect(),
+        at_bound: places.iter().map(|&i| fit.at_bound[i]).collect(),
         scales: vec![0.0; 2 * count],
         freedom: problem.counting() - 2 * count,
     })

@@ -25,13 +25,13 @@ pub enum Mode {
     /// A sheet pulled alike along two axes, or a balloon.
     #[serde(alias = "biaxial")]
     Equibiaxial,
-    /// A sheet pulled along two axes, each by its own stretch.
+    /// A sheet pulled along two axes by different stretches.
     General,
 }
 
 impl Mode {
     pub const ALL: [Mode; 4] = [Mode::Uniaxial, Mode::Planar, Mode::Equibiaxial, Mode::General];
-    /// Those in which one stretch says all.
+    /// Those with one independent stretch.
     pub const OF_ONE_STRETCH: [Mode; 3] = [Mode::Uniaxial, Mode::Planar, Mode::Equibiaxial];
     pub const WORDS: &'static str = "uniaxial, planar (or pure shear), equibiaxial (or biaxial), general";
     /// The spellings of each, its name first.
@@ -63,7 +63,7 @@ impl Mode {
         }
     }
 
-    /// Nominal stress of a law, in MPa; `None` in a general test, where one stretch does not say it.
+    /// Nominal stress of a law, in MPa; `None` in a general test, which has two independent stretches.
     pub fn nominal_stress_mpa<L: RubberLaw + ?Sized>(self, law: &L, stretch: f64) -> Option<f64> {
         match self {
             Mode::Uniaxial => Some(law.uniaxial_stress_mpa(stretch)),
@@ -97,19 +97,19 @@ pub struct TensionPoint {
 }
 
 impl TensionPoint {
-    /// A point of a mode in which one stretch says all; in a general test a sheet that is not stretched across.
+    /// A point of a mode with one independent stretch; in a general test a sheet that is not stretched across.
     pub fn new(mode: Mode, stretch: f64, nominal_stress_mpa: f64) -> Self {
         let across = mode.across(stretch).unwrap_or(1.0);
         Self { mode, stretch, across, nominal_stress_mpa, difference: false }
     }
 
-    /// A point of a sheet with its own stretch along and across the stress.
+    /// A point of a sheet with one stretch along and one across the stress.
     pub fn general(stretch: f64, across: f64, nominal_stress_mpa: f64) -> Self {
         Self { mode: Mode::General, stretch, across, nominal_stress_mpa, difference: false }
     }
 
     /// A point of a sheet of which σ1 − σ2 is known, in MPa.
-    pub fn of_difference(stretch_1: f64, stretch_2: f64, true_difference_mpa: f64) -> Self {
+    pub fn from_difference(stretch_1: f64, stretch_2: f64, true_difference_mpa: f64) -> Self {
         let nominal_stress_mpa = true_difference_mpa / stretch_1.max(stretch_2);
         let (stretch, across) = (stretch_1, stretch_2);
         Self { mode: Mode::General, stretch, across, nominal_stress_mpa, difference: true }
@@ -135,7 +135,7 @@ impl TensionPoint {
         self.stretches().iter().map(|l| l * l).sum::<f64>() - 3.0
     }
 
-    /// What a law says in place of the measured stress, in MPa.
+    /// The stress of a law in place of the measured one, in MPa.
     pub fn stress_mpa<L: RubberLaw + ?Sized>(&self, law: &L) -> f64 {
         if let (Some(stress), false) = (self.mode.nominal_stress_mpa(law, self.stretch), self.difference) {
             return stress;
@@ -145,7 +145,7 @@ impl TensionPoint {
         if self.difference { (l1 * p.d[0] - l2 * p.d[1]) / l1.max(l2) } else { p.d[0] - l3 / l1 * p.d[2] }
     }
 
-    /// What differences are taken relative to: the measured stress of a specimen of one stretch, if it pulls where that is longer
+    /// The reference of relative differences: the measured stress of a specimen of one stretch, if it pulls where that is longer
     /// than at rest; in a general test, where a stress may pass through zero, the larger of the two stresses that a
     /// neo-Hookean rubber of this modulus has in the same state.
     pub(super) fn reference_mpa(&self, modulus_mpa: f64) -> Option<f64> {

@@ -5,7 +5,7 @@ use mckibben::cancel;
 use mckibben::rubber::{Law, RubberLaw};
 use serde::{Deserialize, Serialize};
 
-/// What is made small.
+/// The objective of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Measure {
@@ -16,11 +16,11 @@ pub enum Measure {
     Relative,
 }
 
-/// Points that are fitted, and how each counts.
+/// Points that are fitted, and their weights.
 #[derive(Debug, Clone)]
 pub(super) struct Problem {
     pub points: Vec<TensionPoint>,
-    /// What residuals are divided by: 1 MPa or what a relative error is relative to.
+    /// Divisors of the residuals: 1 MPa, or the reference of a relative error.
     pub divisors: Vec<f64>,
     /// Weights of the squares; 0 for points that cannot count.
     pub weights: Vec<f64>,
@@ -43,14 +43,14 @@ impl Problem {
             Measure::Absolute => 1.0,
         };
         let divisors: Vec<f64> = points.iter().map(divisor).collect();
-        let of_mode = |mode: Mode| points.iter().filter(|p| p.mode == mode && counts(p)).count().max(1);
+        let count = |mode: Mode| points.iter().filter(|p| p.mode == mode && counts(p)).count().max(1);
         let present = Mode::ALL.iter().filter(|m| points.iter().any(|p| p.mode == **m)).count();
         let all = points.iter().filter(|p| counts(p)).count();
         let weight = |p: &TensionPoint| {
-            let own = modes.iter().find(|m| m.0 == p.mode).map_or(1.0, |m| m.1);
+            let factor = modes.iter().find(|m| m.0 == p.mode).map_or(1.0, |m| m.1);
             let even =
-                if balance { all as f64 / (present.max(1) as f64 * of_mode(p.mode) as f64) } else { 1.0 };
-            if counts(p) { own * even } else { 0.0 }
+                if balance { all as f64 / (present.max(1) as f64 * count(p.mode) as f64) } else { 1.0 };
+            if counts(p) { factor * even } else { 0.0 }
         };
         let weights: Vec<f64> = points.iter().map(weight).collect();
         let mut out = Self { points, divisors, weights, modulus_mpa: 0.0, reference_modulus_mpa };

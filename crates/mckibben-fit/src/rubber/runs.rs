@@ -18,28 +18,28 @@ pub(super) struct Sorted {
     pub unloadings: usize,
 }
 
-/// Leaves out what lies behind a rupture, and counts the loops.
+/// Leaves out the points behind a rupture, and counts the loops.
 pub(super) fn sort(points: &[TensionPoint]) -> Sorted {
     let mut out = Sorted::default();
     // Sheets are held at one state after another: there is no run to be followed.
     out.kept.extend(points.iter().filter(|p| p.mode == Mode::General));
     for mode in Mode::OF_ONE_STRETCH {
-        let of_mode = points.iter().filter(|p| p.mode == mode).copied();
-        let (mut of, pressed): (Vec<_>, Vec<_>) = of_mode.partition(|p| p.stretch >= 1.0);
+        let tests = points.iter().filter(|p| p.mode == mode).copied();
+        let (mut pulled, pressed): (Vec<_>, Vec<_>) = tests.partition(|p| p.stretch >= 1.0);
         out.kept.extend(pressed);
-        let mut ends = runs(&of);
+        let mut ends = runs(&pulled);
         // One run may be listed from its end; points in no order, as collected from several sources, are one run too.
-        if ends.len() == 1 || (ends.len() > 2 && ends.len() > of.len() / 3) {
-            of.sort_by(|a, b| a.stretch.total_cmp(&b.stretch));
-            ends = vec![of.len()];
+        if ends.len() == 1 || (ends.len() > 2 && ends.len() > pulled.len() / 3) {
+            pulled.sort_by(|a, b| a.stretch.total_cmp(&b.stretch));
+            ends = vec![pulled.len()];
         }
         let (mut from, mut lost, mut broken) = (0, 0, false);
         for end in ends {
-            let run = &of[from..end];
+            let run = &pulled[from..end];
             from = end;
             let up = run.last().map(|p| p.stretch) >= run.first().map(|p| p.stretch);
             if !up {
-                // What comes back after a rupture carries nothing.
+                // An unloading after a rupture has no stress.
                 if broken {
                     lost += run.len();
                 } else {
@@ -112,9 +112,9 @@ mod tests {
     #[test]
     fn what_comes_after_a_rupture_is_left_out_and_the_next_specimen_is_not() {
         let one = [(1.0, 0.0), (1.5, 0.2), (2.0, 0.4), (2.1, 0.39), (2.2, 0.02), (2.3, 0.0)];
-        let found = sort(&points(&one));
+        let sorted = sort(&points(&one));
         assert_eq!(
-            (found.kept.len(), found.after_rupture, found.unloadings),
+            (sorted.kept.len(), sorted.after_rupture, sorted.unloadings),
             (3, vec![(Mode::Uniaxial, 3)], 0)
         );
         let two = [&one[..], &[(1.0, 0.0), (1.4, 0.2), (1.9, 0.4)]].concat();
@@ -126,15 +126,15 @@ mod tests {
         let up = [(1.0, 0.0), (1.2, 0.1), (1.4, 0.2), (1.6, 0.3), (1.8, 0.35), (2.0, 0.4)];
         let down: Vec<_> = up.iter().rev().skip(1).map(|&(l, s)| (l, 0.8 * s)).collect();
         let both = [&up[..], &down, &up[1..], &down].concat();
-        let found = sort(&points(&both));
-        assert_eq!((found.kept.len(), found.unloadings), (both.len(), 2));
-        assert!(found.after_rupture.is_empty());
+        let sorted = sort(&points(&both));
+        assert_eq!((sorted.kept.len(), sorted.unloadings), (both.len(), 2));
+        assert!(sorted.after_rupture.is_empty());
     }
 
     #[test]
     fn points_in_no_order_are_one_loading() {
         let list = [(1.5, 0.2), (1.0, 0.0), (2.0, 0.4), (1.2, 0.1), (1.8, 0.3), (1.1, 0.05)];
-        let found = sort(&points(&list));
-        assert_eq!((found.kept.len(), found.unloadings), (6, 0));
+        let sorted = sort(&points(&list));
+        assert_eq!((sorted.kept.len(), sorted.unloadings), (6, 0));
     }
 }

@@ -1,4 +1,4 @@
-//! Which law to take, and which are as good.
+//! The law to take, and the laws of equal standing.
 
 use super::{FittedLaw, Mode, TensionFitError, TensionPoint};
 
@@ -27,7 +27,7 @@ pub struct TensionFit {
 /// \[burnham2002\], §2.6: above 10 a model has essentially no support).
 pub const DECIDED_AICC: f64 = 10.0;
 
-/// Places of the laws among which the one to take is sought: the trusted ones; with uniaxial tests alone those of I1, where there
+/// Places of the laws that may be recommended: the trusted ones; with uniaxial tests alone those of I1, where there
 /// is one.
 fn candidates(laws: &[FittedLaw], points: &[TensionPoint]) -> Vec<usize> {
     let one_axis = points.iter().all(|p| p.mode == Mode::Uniaxial);
@@ -44,13 +44,13 @@ pub(super) fn recommended(laws: &[FittedLaw], points: &[TensionPoint]) -> Option
 }
 
 impl TensionFit {
-    /// Places of the laws that the data do not tell from the recommended one, which is not among them: sought among the same
-    /// laws as that one, and less than [`DECIDED_AICC`] behind it.
+    /// Places of the laws that the data do not distinguish from the recommended one, without it: of the same
+    /// candidates, less than [`DECIDED_AICC`] behind it.
     pub fn of_equal_standing(&self) -> Vec<usize> {
         let Some(best) = self.recommended else { return vec![] };
         let close = |i: &usize| self.laws[*i].quality.aicc - self.laws[best].quality.aicc < DECIDED_AICC;
-        let mut found: Vec<usize> = candidates(&self.laws, &self.points);
-        found.retain(|i| *i != best && close(i));
-        found
+        let mut equal: Vec<usize> = candidates(&self.laws, &self.points);
+        equal.retain(|i| *i != best && close(i));
+        equal
     }
 }

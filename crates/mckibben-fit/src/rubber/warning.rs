@@ -1,4 +1,4 @@
-//! What to mind about tests and laws.
+//! Warnings about tests and laws.
 
 use super::problem::Problem;
 use super::runs::Sorted;
@@ -12,15 +12,15 @@ pub(crate) const MODULI: (f64, f64) = (0.005, 20.0);
 /// Tests of rubber stretch it by more, and by less: else the strains are in another unit than that of the heading.
 const STRETCHES: (f64, f64) = (1.01, 12.0);
 
-pub(super) fn of_runs(sorted: &Sorted) -> Vec<String> {
+pub(super) fn for_runs(sorted: &Sorted) -> Vec<String> {
     let rupture = |(mode, points): &(Mode, usize)| {
         format!("{mode}: the specimen failed; {points} points after the largest stress are left out")
     };
     let mut out: Vec<_> = sorted.after_rupture.iter().map(rupture).collect();
     if sorted.unloadings > 0 {
+        let times = sorted.unloadings;
         out.push(format!(
-            "the specimen was unloaded {} times; the laws go through the middle of loading and unloading. The first loading is stiffer than later ones (Mullins): for a muscle that was run in, use one late loading alone, up to its largest stretch",
-            sorted.unloadings
+            "the specimen was unloaded {times} times; the laws go through the middle of loading and unloading. The first loading is stiffer than later ones (Mullins): for a muscle that was run in, use one late loading alone, up to its largest stretch"
         ));
     }
     out
@@ -41,15 +41,13 @@ fn units(modulus_mpa: f64, fitted_to_stretch: f64) -> String {
     }
 }
 
-pub(super) fn of_points(problem: &Problem, fitted_to_stretch: f64, hoop: f64) -> Vec<String> {
+pub(super) fn for_points(problem: &Problem, fitted_to_stretch: f64, hoop: f64) -> Vec<String> {
     let mut out = vec![];
     let modulus_mpa = problem.modulus_mpa;
     if !(MODULI.0..=MODULI.1).contains(&modulus_mpa) {
+        let ((low, high), units) = (MODULI, units(modulus_mpa, fitted_to_stretch));
         out.push(format!(
-            "the shear modulus is {modulus_mpa:.3} MPa, and rubbers lie between {} and {} MPa: {}",
-            MODULI.0,
-            MODULI.1,
-            units(modulus_mpa, fitted_to_stretch)
+            "the shear modulus is {modulus_mpa:.3} MPa, and rubbers lie between {low} and {high} MPa: {units}"
         ));
     }
     let wrong = |p: &&TensionPoint| p.mode != Mode::General && p.nominal_stress_mpa * (p.stretch - 1.0) < 0.0;
@@ -71,7 +69,7 @@ pub(super) fn of_points(problem: &Problem, fitted_to_stretch: f64, hoop: f64) ->
     out
 }
 
-pub(super) fn of_law(fitted: &FittedLaw, hoop: f64) -> Vec<String> {
+pub(super) fn for_law(fitted: &FittedLaw, hoop: f64) -> Vec<String> {
     let mut out = vec![];
     let name = fitted.form.name();
     let law = if fitted.constrained { format!("{name}, constrained to be stable") } else { name.clone() };
@@ -83,10 +81,10 @@ pub(super) fn of_law(fitted: &FittedLaw, hoop: f64) -> Vec<String> {
             Some(i1_minus_3) => format!(
                 "{name}: locks at I1 − 3 = {i1_minus_3:.2}, which a muscle reaches at a hoop stretch of {hoop_stretch:.2}"
             ),
-            None => format!(
-                "{law}: unstable in the two-axis stretch of a muscle from a hoop stretch of {:.2} on",
-                hoop_stretch.min(hoop)
-            ),
+            None => {
+                let from = hoop_stretch.min(hoop);
+                format!("{law}: unstable in the two-axis stretch of a muscle from a hoop stretch of {from:.2} on")
+            }
         });
     }
     out.extend(fitted.law.negative_c01_mpa().map(|c01_mpa| {
@@ -94,15 +92,13 @@ pub(super) fn of_law(fitted: &FittedLaw, hoop: f64) -> Vec<String> {
             "mooney-rivlin: C01 is {c01_mpa:.4} MPa; a negative C01 comes from uniaxial tests and is wrong in two axes. Take the fit with C01 ≥ 0 (`stable`), neo-hookean or yeoh"
         )
     }));
-    // The bound of a law held stable is no want of data.
+    // A law held stable lies on its bound whatever the data.
     let on_purpose = |p: &Parameter| fitted.constrained && p.standard_error == Some(0.0);
     let undetermined = fitted.parameters.iter().filter(|p| !p.identifiable && !on_purpose(p));
     let names: Vec<&str> = undetermined.map(|p| p.name.as_str()).collect();
     if !names.is_empty() {
-        out.push(format!(
-            "{law}: the data do not determine {}; other values fit equally well",
-            names.join(", ")
-        ));
+        let names = names.join(", ");
+        out.push(format!("{law}: the data do not determine {names}; other values fit equally well"));
     }
     out
 }

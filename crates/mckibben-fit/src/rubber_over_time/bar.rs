@@ -41,7 +41,7 @@ pub fn read_history(input: impl Read, columns: &Columns) -> Result<Vec<TimePoint
         .collect())
 }
 
-/// A bar of a law, with what it remembers.
+/// A bar of a law with memory.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bar<'a, L> {
     law: &'a L,
@@ -55,13 +55,13 @@ pub struct Bar<'a, L> {
 }
 
 impl<'a, L: RubberLaw> Bar<'a, L> {
-    /// A bar at rest that has seen nothing. The law's constants are the instantaneous ones.
+    /// A bar at rest before its first loading. The law's constants are the instantaneous ones.
     pub fn new(law: &'a L, softening: Option<OgdenRoxburgh>, prony: &'a Prony) -> Self {
         let states = vec![[0.0; 2]; prony.branches.len()];
         Self { law, softening, prony, w_max_mpa: 0.0, last: [0.0; 2], states, time_s: None }
     }
 
-    /// The largest energy that it has seen, in MPa.
+    /// Its largest energy so far, in MPa.
     pub fn w_max_mpa(&self) -> f64 {
         self.w_max_mpa
     }

@@ -4,7 +4,7 @@
 //!
 //!   S = S∞ + Σ bᵢ hᵢ(S∞),   gᵢ = bᵢ/(1 + Σ b),   instantaneous moduli = (1 + Σ b) × long-time moduli,
 //!
-//! so that Σ gᵢ < 1 whatever the data say. Time constants begin evenly spaced in the logarithm between the shortest time in which the
+//! so that Σ gᵢ < 1 for any data. Time constants begin evenly spaced in the logarithm between the shortest time in which the
 //! stress moves and the length of the test, and stay between their neighbours' starts. Constants that are no moduli stay as a fit to all points
 //! without time has them. Least squares of the nominal stress, every point alike: a test that is held long and sampled densely is
 //! weighted by its samples; points that are weighted by the time they stand for are the caller's choice.
@@ -85,7 +85,7 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
     let constants = law.constants();
     let moduli: Vec<usize> = (0..constants.len()).filter(|&i| constants[i].constant.is_modulus()).collect();
     let mu = law.shear_modulus_mpa();
-    // The shortest time that tells something: a median step.
+    // The shortest time that the data resolve: a median step.
     let mut steps: Vec<f64> =
         history.windows(2).map(|w| w[1].time_s - w[0].time_s).filter(|d| *d > 0.0).collect();
     steps.sort_by(f64::total_cmp);
@@ -95,8 +95,8 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
     let middle = |i: usize| low + width * (i as f64 + 0.5);
     let n = moduli.len();
     let unpack = |x: &[f64]| -> (Law, Prony) {
-        let of_modulus = |i: usize| moduli.iter().position(|place| *place == i).map(|k| x[k]);
-        let long_time = law.with_constants(|i, v| of_modulus(i).unwrap_or(v));
+        let modulus = |i: usize| moduli.iter().position(|place| *place == i).map(|k| x[k]);
+        let long_time = law.with_constants(|i, v| modulus(i).unwrap_or(v));
         let over = &x[n..n + branches];
         let whole = 1.0 + over.iter().sum::<f64>();
         let branch = |(b, t): (&f64, &f64)| Branch { share: b / whole, time_constant_s: t.exp() };
@@ -106,8 +106,8 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
     let differences = |x: &[f64]| -> Option<Vec<f64>> {
         let (instantaneous, prony) = unpack(x);
         let model = Bar::new(&instantaneous, None, &prony).over(history).ok()?;
-        let found: Vec<f64> = model.iter().zip(history).map(|(m, p)| m - p.nominal_stress_mpa).collect();
-        found.iter().all(|v| v.is_finite()).then_some(found)
+        let one = |(m, p): (&f64, &TimePoint)| Some(m - p.nominal_stress_mpa).filter(|v| v.is_finite());
+        model.iter().zip(history).map(one).collect()
     };
     let modulus = |&i: &usize| {
         let (value, low) = (constants[i].value, constants[i].constant.bounds.0);
@@ -125,11 +125,10 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
             scale: 1.0,
         }))
         .collect();
-    let found = estimate(&differences, &unknowns, &vec![1.0; points], Loss::Squares)
+    let fit = estimate(&differences, &unknowns, &vec![1.0; points], Loss::Squares)
         .map_err(|error| OverTimeFitError::NotConverged("relaxation", error))?;
-    let (instantaneous, prony) = unpack(&found.x);
+    let (instantaneous, prony) = unpack(&fit.x);
     let prony = prony.validated()?;
-    let squares: f64 = found.residuals.iter().map(|r| r * r).sum();
     let long_time = prony.long_time();
     let branch = |(b, error): (&Branch, &f64)| BranchFit {
         share: b.share,
@@ -141,8 +140,8 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
         form,
         long_time: instantaneous.scaled(long_time),
         instantaneous,
-        branches: prony.branches.iter().zip(&found.standard_errors[n..]).map(branch).collect(),
-        rms_mpa: (squares / points as f64).sqrt(),
+        branches: prony.branches.iter().zip(&fit.standard_errors[n..]).map(branch).collect(),
+        rms_mpa: (fit.squares / points as f64).sqrt(),
         elastic_rms_mpa: start.quality.rms_mpa,
         duration_s,
     })

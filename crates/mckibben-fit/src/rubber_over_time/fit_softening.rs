@@ -1,7 +1,7 @@
 //! Softening constants from a cyclic test that begins with the first loading.
 //!
 //! Points whose stretch goes beyond all before are the first loading: the law is fitted to them. r, m and β then make the sum of squares
-//! of the nominal stress of all later points as small as possible, each with the largest energy of its own past. No rate is known here: loops
+//! of the nominal stress of all later points as small as possible, each with its largest energy so far. No rate is known here: loops
 //! that depend on the rate are taken for softening.
 
 use super::bar::check;
@@ -85,37 +85,35 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit> 
         let softening = OgdenRoxburgh { r: x[0], m_mpa: x[1], beta: x[2] };
         let model = Bar::new(&law, Some(softening), &none).over(history).ok()?;
         let pairs = model.iter().zip(history).zip(&virgin).filter(|(_, first)| !**first);
-        let found: Vec<f64> = pairs.map(|((model, p), _)| model - p.nominal_stress_mpa).collect();
-        found.iter().all(|v| v.is_finite()).then_some(found)
+        pairs.map(|((m, p), _)| Some(m - p.nominal_stress_mpa).filter(|v| v.is_finite())).collect()
     };
     let weights = vec![1.0; later];
-    let mut best: Result<(f64, Estimate), EstimateError> = Err(EstimateError::Start);
+    let mut best: Result<Estimate, EstimateError> = Err(EstimateError::Start);
     for (m, beta) in [(0.3, 0.02), (0.02, 0.3), (0.1, 0.1)] {
         let unknowns = [
             Unknown { start: 1.8, low: 1.0, high: 50.0, scale: 1.0 },
             Unknown::above(m * w_max_mpa, 0.0, w_max_mpa),
             Unknown::above(beta, 1e-6, 1.0),
         ];
-        let found = estimate(&differences, &unknowns, &weights, Loss::Squares);
-        let found = found.map(|found| (found.residuals.iter().map(|r| r * r).sum(), found));
-        if best.as_ref().map_or(true, |best| found.as_ref().is_ok_and(|found| found.0 < best.0)) {
-            best = found;
+        let fit = estimate(&differences, &unknowns, &weights, Loss::Squares);
+        if best.as_ref().map_or(true, |best| fit.as_ref().is_ok_and(|fit| fit.squares < best.squares)) {
+            best = fit;
         }
     }
-    let (squares, found) = best.map_err(|error| OverTimeFitError::NotConverged("softening", error))?;
+    let best = best.map_err(|error| OverTimeFitError::NotConverged("softening", error))?;
     let OgdenRoxburgh { r, m_mpa, beta } =
-        OgdenRoxburgh { r: found.x[0], m_mpa: found.x[1], beta: found.x[2] }.validated()?;
+        OgdenRoxburgh { r: best.x[0], m_mpa: best.x[1], beta: best.x[2] }.validated()?;
     Ok(SofteningFit {
         form,
         first_loading: law,
         r,
         m_mpa,
         beta,
-        standard_errors: [0, 1, 2].map(|i| Some(found.standard_errors[i]).filter(|e| e.is_finite())),
+        standard_errors: [0, 1, 2].map(|i| Some(best.standard_errors[i]).filter(|e| e.is_finite())),
         first_loading_points: first.len(),
         later_points: later,
         first_loading_rms_mpa: fit.laws[0].quality.rms_mpa,
-        later_rms_mpa: (squares / later as f64).sqrt(),
+        later_rms_mpa: (best.squares / later as f64).sqrt(),
         largest_energy_mpa: w_max_mpa,
     })
 }

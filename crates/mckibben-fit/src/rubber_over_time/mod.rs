@@ -1,4 +1,4 @@
-//! Constants of rubber over time, found from tests.
+//! Constants of rubber over time, from tests.
 //!
 //! [`Bar`] carries softening and relaxation ([`mckibben::rubber::over_time`]) along a uniaxial history; [`fit_softening`] and [`fit_prony`]
 //! find their constants from one.
@@ -20,13 +20,13 @@ use thiserror::Error;
 
 pub(crate) type Result<T, E = OverTimeFitError> = std::result::Result<T, E>;
 
-/// Why no constants of rubber over time were found.
+/// Why there are no constants of rubber over time.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum OverTimeFitError {
     /// Refused: field, value, what it must be.
     #[error("{0}")]
     Refused(String),
-    /// A constant that was found is invalid.
+    /// A fitted constant is invalid.
     #[error(transparent)]
     Constant(#[from] Refused),
     /// The law itself has no fit.

@@ -1,4 +1,4 @@
-//! Against closed forms: a bar, a held stretch, a closed cycle, small oscillations; and known constants found again.
+//! Against closed forms: a bar, a held stretch, a closed cycle, small oscillations; and known constants that come back.
 
 use super::*;
 use crate::rubber::Form;
@@ -18,8 +18,8 @@ fn energy(law: &Law, stretch: f64) -> f64 {
 }
 
 fn series() -> Prony {
-    let of = |share, time_constant_s| Branch { share, time_constant_s };
-    Prony { branches: vec![of(0.2, 2.0), of(0.15, 60.0)] }
+    let branch = |share, time_constant_s| Branch { share, time_constant_s };
+    Prony { branches: vec![branch(0.2, 2.0), branch(0.15, 60.0)] }
 }
 
 /// A softened law is a law: derivatives by finite differences and symmetry, below and beyond the largest energy, for every law.
@@ -179,16 +179,16 @@ fn cycles(law: &Law, softening: Option<OgdenRoxburgh>, prony: &Prony, rate: f64)
 }
 
 #[test]
-fn known_softening_is_found_again_from_its_own_cycles() {
+fn known_softening_comes_back_from_its_cycles() {
     let law = yeoh();
     let history = cycles(&law, Some(SOFTENING), &Prony::default(), 0.01);
-    let found = fit_softening(&history, Form::parse("yeoh")[0]).unwrap();
-    for (a, b) in found.first_loading.values().iter().zip(law.values()) {
-        assert!((a - b).abs() < 1e-5 * b.abs(), "{found:?}");
+    let fit = fit_softening(&history, Form::parse("yeoh")[0]).unwrap();
+    for (a, b) in fit.first_loading.values().iter().zip(law.values()) {
+        assert!((a - b).abs() < 1e-5 * b.abs(), "{fit:?}");
     }
-    let OgdenRoxburgh { r, m_mpa, beta } = found.softening();
-    assert!((r - 1.6).abs() < 1e-3 && (m_mpa - 0.05).abs() < 1e-3 && (beta - 0.15).abs() < 3e-3, "{found:?}");
-    assert!(found.first_loading_rms_mpa < 1e-9 && found.later_rms_mpa < 1e-6);
+    let OgdenRoxburgh { r, m_mpa, beta } = fit.softening();
+    assert!((r - 1.6).abs() < 1e-3 && (m_mpa - 0.05).abs() < 1e-3 && (beta - 0.15).abs() < 3e-3, "{fit:?}");
+    assert!(fit.first_loading_rms_mpa < 1e-9 && fit.later_rms_mpa < 1e-6);
     // A first loading alone has no softening to be seen.
     assert!(matches!(
         fit_softening(&history[..30], Form::parse("yeoh")[0]),
@@ -197,7 +197,7 @@ fn known_softening_is_found_again_from_its_own_cycles() {
 }
 
 #[test]
-fn a_known_series_is_found_again_from_cycles_and_a_hold() {
+fn a_known_series_comes_back_from_cycles_and_a_hold() {
     let (law, prony) = (yeoh(), series());
     let mut history = cycles(&law, None, &prony, 0.05);
     let mut bar = Bar::new(&law, None, &prony);
@@ -209,17 +209,17 @@ fn a_known_series_is_found_again_from_cycles_and_a_hold() {
         let time_s = end + 5.0 * f64::from(i);
         history.push(TimePoint { time_s, stretch: 2.0, nominal_stress_mpa: bar.at(time_s, 2.0) });
     }
-    let found = fit_prony(&history, Form::parse("yeoh")[0], 2).unwrap();
-    assert!(found.rms_mpa < 1e-6 && found.elastic_rms_mpa > 0.01, "{found:?}");
-    for (a, b) in found.branches.iter().zip(&prony.branches) {
-        assert!((a.share / b.share - 1.0).abs() < 1e-3, "{found:?}");
-        assert!((a.time_constant_s / b.time_constant_s - 1.0).abs() < 1e-3, "{found:?}");
+    let fit = fit_prony(&history, Form::parse("yeoh")[0], 2).unwrap();
+    assert!(fit.rms_mpa < 1e-6 && fit.elastic_rms_mpa > 0.01, "{fit:?}");
+    for (a, b) in fit.branches.iter().zip(&prony.branches) {
+        assert!((a.share / b.share - 1.0).abs() < 1e-3, "{fit:?}");
+        assert!((a.time_constant_s / b.time_constant_s - 1.0).abs() < 1e-3, "{fit:?}");
     }
-    for (a, b) in found.instantaneous.values().iter().zip(law.values()) {
-        assert!((a - b).abs() < 1e-3 * b.abs(), "{found:?}");
+    for (a, b) in fit.instantaneous.values().iter().zip(law.values()) {
+        assert!((a - b).abs() < 1e-3 * b.abs(), "{fit:?}");
     }
-    let ratio = found.long_time.shear_modulus_mpa() / found.instantaneous.shear_modulus_mpa();
-    assert!((ratio - found.prony().long_time()).abs() < 1e-12);
+    let ratio = fit.long_time.shear_modulus_mpa() / fit.instantaneous.shear_modulus_mpa();
+    assert!((ratio - fit.prony().long_time()).abs() < 1e-12);
 }
 
 /// S. Lee's stepwise relaxation of HNBR50 (12 h): what one to three branches leave, in kPa, as docs/rubber.md prints it. A regression.
@@ -243,9 +243,9 @@ fn constants_and_histories_that_make_no_sense_are_refused() {
     assert!(bad(OgdenRoxburgh { r: 0.8, ..SOFTENING }).contains("1 or above"));
     assert!(bad(OgdenRoxburgh { m_mpa: -0.1, ..SOFTENING }).contains("zero or above"));
     assert!(bad(OgdenRoxburgh { m_mpa: 0.0, beta: 0.0, ..SOFTENING }).contains("above zero"));
-    let of = |share, time_constant_s| Prony { branches: vec![Branch { share, time_constant_s }; 2] };
-    assert!(of(0.6, 1.0).validated().unwrap_err().to_string().contains("below 1"));
-    assert!(of(-0.1, 1.0).validated().is_err() && of(0.1, 0.0).validated().is_err());
+    let prony = |share, time_constant_s| Prony { branches: vec![Branch { share, time_constant_s }; 2] };
+    assert!(prony(0.6, 1.0).validated().unwrap_err().to_string().contains("below 1"));
+    assert!(prony(-0.1, 1.0).validated().is_err() && prony(0.1, 0.0).validated().is_err());
     let point = |time_s, stretch| TimePoint { time_s, stretch, nominal_stress_mpa: 0.0 };
     let law = Law::Ogden(Ogden { terms: vec![(0.2, 2.0)] });
     let over = |history: &[TimePoint]| Bar::new(&law, None, &Prony::default()).over(history);

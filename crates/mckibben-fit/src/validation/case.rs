@@ -16,8 +16,7 @@ use thiserror::Error;
 
 /// The files of a measured muscle or rubber.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
-#[schemars(rename = "MeasuredFolder")]
-pub struct CaseFiles {
+pub struct MeasuredFolder {
     /// What to call it in messages: the name of the folder.
     pub name: String,
     /// `case.toml`: source, terms, what is known and unknown, and the fits.
@@ -42,7 +41,7 @@ pub enum Measurement {
 pub struct MuscleCase {
     /// What is known of it.
     pub facts: Facts,
-    /// The rms error over the blocked force that passes in the first fit: what finite elements leave of it, rounded up. A regression.
+    /// The rms error over the blocked force that passes in the first fit: that of finite elements, rounded up. A regression.
     pub rms_of_blocked: Option<f64>,
     /// The points that pull.
     pub points: Vec<DataPoint>,
@@ -112,10 +111,10 @@ pub enum FittedSubset {
 struct Folders;
 
 /// The texts of the folders that are built in.
-pub fn built_in() -> Vec<CaseFiles> {
+pub fn built_in() -> Vec<MeasuredFolder> {
     let names = with_file("case.toml");
     let text = |name: &str, file: &str| text_of(name, file).unwrap_or_default();
-    let files = |name: String| CaseFiles {
+    let files = |name: String| MeasuredFolder {
         case: text(&name, "case.toml"),
         muscle: text(&name, "muscle.toml"),
         points: text(&name, "points.csv"),
@@ -130,8 +129,8 @@ pub const IDENTIFIED: &str = "identified.toml";
 
 /// A file of a folder that is built in.
 pub(super) fn text_of(name: &str, file: &str) -> Option<String> {
-    let found = Folders::get(&format!("{name}/{file}"))?;
-    Some(String::from_utf8_lossy(&found.data).into_owned())
+    let file = Folders::get(&format!("{name}/{file}"))?;
+    Some(String::from_utf8_lossy(&file.data).into_owned())
 }
 
 /// The folders that are built in and hold a file.
@@ -150,7 +149,7 @@ static RUBBERS: BuiltIn = LazyLock::new(|| read_built_in(true));
 fn read_built_in(rubbers: bool) -> Result<Vec<Measurement>, CaseError> {
     // For every caller, and not for the first alone, who may leave.
     let _entered = Cancel::default().enter();
-    let wanted = |files: &&CaseFiles| files.muscle.trim().is_empty() == rubbers;
+    let wanted = |files: &&MeasuredFolder| files.muscle.trim().is_empty() == rubbers;
     built_in().iter().filter(wanted).map(Measurement::read).collect()
 }
 

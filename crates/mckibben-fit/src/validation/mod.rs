@@ -2,9 +2,9 @@
 //!
 //! The 20° muscle of B. Tondu, *Modelling of the McKibben artificial muscle: a review*, J. Intell. Mater. Syst. Struct. 23
 //! (2012) 225–253, Fig. 3: outer diameter 14 mm, wall about 0.49 mm, length 300 mm, rayon; the rubber is not stated, so that
-//! its modulus is fitted. Models are held against the mean of the two hysteresis branches. A row's reference is the
+//! its modulus is fitted. Models are compared with the mean of the two hysteresis branches. A row's reference is the
 //! largest measured force, its value the rms error in N, its error their ratio. Further rows do the same for every measured muscle
-//! ([`case`]) with what is not stated of it identified from its own points, beside its blocked force, and say what share of its points
+//! ([`case`]) with what is not stated of it identified from its points, beside its blocked force, and state the share of its points
 //! the ± of the finite elements covers ([`coverage`]). The validation report of each case ([`report`], of rubbers [`rubber`]) gives the errors of each
 //! fit, at fitted points and at predicted points.
 
@@ -31,8 +31,9 @@ use mckibben::model::{ForceModel, ModelError};
 use mckibben::model::{Ideal, ThickWall, Workspace};
 use mckibben::muscle::measures::END_FACTOR;
 use mckibben::muscle::{Muscle, file::parse_muscle};
-use mckibben::progress::Progress;
+use mckibben::progress::{CancelOnly, Progress};
 use mckibben::verification::{Measure, VerificationRow};
+use residual::Fitter;
 
 const SOURCE: &str = "Tondu 2012 [tondu2012], Fig. 3, mean of the branches";
 /// The folder of the measured muscle, which begins with a neo-Hookean rubber of 0.5 MPa, and strands that do not stretch.
@@ -41,11 +42,12 @@ const FOLDER: &str = "tondu2012";
 /// Every comparison with a measured muscle, whose finite elements `elements` builds.
 pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Cancelled> {
     let mut rows = hand_made(elements, progress)?;
-    rows.extend(coverage::cases(elements, progress)?);
-    rows.extend(held_out::cases(elements, progress)?);
-    rows.extend(lengths::cases(elements, progress)?);
+    let by = Fitter { build: elements, progress: &CancelOnly(progress) };
+    rows.extend(coverage::cases(by)?);
+    rows.extend(held_out::cases(by)?);
+    rows.extend(lengths::cases(by)?);
     rows.extend(transfer::cases(elements));
-    rows.extend(pulses::cases(&case::muscles().unwrap_or_default(), elements, progress));
+    rows.extend(pulses::cases(&case::muscles().unwrap_or_default(), by));
     Ok(rows)
 }
 
@@ -80,7 +82,7 @@ fn points() -> Vec<MeasuredPoint> {
 fn fitted(build: &Build<'_>, parameters: &[Target], points: &[MeasuredPoint]) -> Option<Muscle> {
     let m = parse_muscle(&case::text_of(FOLDER, "muscle.toml")?).ok()?;
     let free: Vec<Parameter> = parameters.iter().copied().map(Parameter::free).collect();
-    let data: Vec<DataPoint> = points.iter().copied().map(DataPoint::of).collect();
+    let data: Vec<DataPoint> = points.iter().copied().map(DataPoint::new).collect();
     let request = Request { two_sided: true, ..Request::new(&m, &free, &data, build) };
     if free.is_empty() { Some(m) } else { Some(identify(&request).ok()?.muscle) }
 }
@@ -92,9 +94,7 @@ fn row((name, build, parameters, allowed): Comparison<'_>, points: &[MeasuredPoi
     let largest = points.iter().map(|p| p.force_n).fold(0.0, f64::max);
     let rms = fitted(build, parameters, points).and_then(|m| {
         let (model, workspace) = (build(&m).ok()?, &mut Workspace::new());
-        compare(&mut Evaluation::new(model.as_ref(), workspace, Options::default()), points)
-            .ok()
-            .map(|c| c.rms_n)
+        compare(&mut Evaluation::new(model.as_ref(), workspace, Options::default()), points, &[]).ok()?.rms_n
     });
     let row = VerificationRow::new(format!("hand-made, 20°: {name}"), SOURCE, largest, rms, allowed);
     coverage::validated(row, Measure::Rms, rms.map(|rms| rms / largest))

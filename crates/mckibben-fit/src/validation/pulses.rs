@@ -20,7 +20,6 @@ use mckibben::analysis::{ATMOSPHERE_MPA, Evaluation};
 use mckibben::model::{ModelError, Workspace};
 use mckibben::muscle::measures::LENGTH;
 use mckibben::muscle::{Direction, Muscle};
-use mckibben::progress::Progress;
 use mckibben::threads;
 use mckibben::verification::{Measure, VerificationRow};
 
@@ -43,12 +42,12 @@ pub struct Counted {
     pub pulses: f64,
 }
 
-/// What a muscle makes of the pulses.
+/// Pulses predicted by the volumes of a muscle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Predicted {
     /// Vd in mm³.
     pub dead_volume_mm3: f64,
-    /// rms of what is left of the muscles at their rest lengths, over their mean.
+    /// rms error of the pulses of the muscles at their rest lengths, over their mean.
     pub rms_at_rest: f64,
     /// Mean of the pulses of the contracted muscles.
     pub measured: f64,
@@ -139,39 +138,35 @@ pub fn predict(build: &Build<'_>, muscle: &Muscle) -> Result<Predicted, ModelErr
         (mean(&mut at_rest.iter().copied()), mean(&mut rest.iter().map(|c| c.pulses)));
     let pairs = || at_rest.iter().zip(&rest).map(|(v, c)| (v - mean_volume, c.pulses - mean_pulses));
     let slope = pairs().map(|(v, n)| v * n).sum::<f64>() / pairs().map(|(v, _)| v * v).sum::<f64>();
-    let of = |volume: f64| mean_pulses + slope * (volume - mean_volume);
-    let squares = mean(&mut at_rest.iter().zip(&rest).map(|(v, c)| (of(*v) - c.pulses).powi(2)));
+    let pulses = |volume: f64| mean_pulses + slope * (volume - mean_volume);
+    let squares = mean(&mut at_rest.iter().zip(&rest).map(|(v, c)| (pulses(*v) - c.pulses).powi(2)));
     Ok(Predicted {
         dead_volume_mm3: (mean_pulses / slope - mean_volume) / log,
         rms_at_rest: squares.sqrt() / mean_pulses,
         measured: mean(&mut contracted.iter().map(|c| c.pulses)),
-        predicted: mean(&mut at_contraction.iter().map(|v| of(*v))),
+        predicted: mean(&mut at_contraction.iter().map(|v| pulses(*v))),
     })
 }
 
-/// The fits of the hose whose volumes are held against the pulses.
+/// The fits of the hose whose volumes are compared with the pulses.
 const FITS: [&str; 3] = ["modulus, angle", "modulus, angle, slip", "modulus, slip"];
 /// Pulses are counted to ± 0.1 of 4 to 5, and a share of as much is known of the dead volume.
 const TOLERANCE: f64 = 0.03;
 
-/// Rows of the fits: only the first, whose ends hold, must predict the pulses; what the others leave is what speaks against them.
-pub(super) fn cases(
-    sets: &[&'static MuscleCase],
-    build: &Build<'_>,
-    progress: &dyn Progress,
-) -> Vec<VerificationRow> {
+/// Rows of the fits: only the first, whose ends do not slip, must predict the pulses; the errors of the others speak against them.
+pub(super) fn cases(sets: &[&'static MuscleCase], by: Fitter<'_>) -> Vec<VerificationRow> {
     let Some(set) = sets.iter().find(|set| set.facts.name == "dmsp-10-hose") else { return vec![] };
     let means = mean_of_data(&set.points);
     let row = |fit: &CaseFit| {
-        let found = Fitter { build, progress }.fitted(fit, &means).ok();
-        let predicted = found.and_then(|(muscle, _)| Some((predict(build, &muscle).ok()?, muscle)));
-        let (of, muscle) = predicted.unzip();
+        let fitted = by.fitted(fit, &means).ok();
+        let predicted = fitted.and_then(|(muscle, _)| Some((predict(by.build, &muscle).ok()?, muscle)));
+        let (pulses, muscle) = predicted.unzip();
         let angle = muscle.map_or_else(String::new, |m| format!(" ({:.1}°)", m.braid().angle_deg));
         let tolerance = if fit.name == FITS[0] { TOLERANCE } else { 0.1 };
         let name = format!("{}: air let out by pulses of a valve, {}{angle}", set.facts.title, fit.name);
-        let (measured, ours) = (of.map_or(0.0, |p| p.measured), of.map(|p| p.predicted));
+        let (measured, ours) = (pulses.map_or(0.0, |p| p.measured), pulses.map(|p| p.predicted));
         let row = VerificationRow::new(name, &set.facts.source, measured, ours, tolerance);
-        validated(row, Measure::Value, of.map(|p| p.bias().abs()))
+        validated(row, Measure::Value, pulses.map(|p| p.bias().abs()))
     };
     let fits: Vec<&CaseFit> =
         FITS.iter().filter_map(|name| set.fits.iter().find(|f| f.name == *name)).collect();
@@ -192,14 +187,14 @@ mod tests {
         let build =
             |m: &Muscle| -> Result<Box<dyn ForceModel>, ModelError> { Ok(Box::new(ThickWall::new(m))) };
         for (angle_deg, bias) in [(25.0, 0.077), (28.6, 0.027), (31.0, 0.003), (34.0, -0.020)] {
-            let rubber = mckibben::muscle::Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 1.5 }));
+            let rubber = mckibben::muscle::Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1.5 }));
             let braid = Braid { angle_deg, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
             let muscle =
                 Muscle::new(Tube::new(13.6, 1.8, 281.0, rubber), braid, Terminals::default(), None).unwrap();
-            let found = predict(&build, &muscle).unwrap();
-            assert!((found.bias() - bias).abs() < 0.006, "{angle_deg}: {:.4}", found.bias());
-            assert!(found.rms_at_rest < 0.015, "{angle_deg}: {:.4}", found.rms_at_rest);
-            let dead_ml = 1e-3 * found.dead_volume_mm3;
+            let predicted = predict(&build, &muscle).unwrap();
+            assert!((predicted.bias() - bias).abs() < 0.006, "{angle_deg}: {:.4}", predicted.bias());
+            assert!(predicted.rms_at_rest < 0.015, "{angle_deg}: {:.4}", predicted.rms_at_rest);
+            let dead_ml = 1e-3 * predicted.dead_volume_mm3;
             assert!((40.0..60.0).contains(&dead_ml), "{angle_deg}: {dead_ml} mL");
         }
     }

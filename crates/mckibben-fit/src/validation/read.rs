@@ -1,6 +1,8 @@
 //! A folder → what was measured.
 
-use super::case::{By, CaseError, CaseFiles, CaseFit, Facts, FittedSubset, Measurement, MuscleCase, Split};
+use super::case::{
+    By, CaseError, CaseFit, Facts, FittedSubset, MeasuredFolder, Measurement, MuscleCase, Split,
+};
 use super::rubber::RubberCase;
 use crate::identify::{Parameter, Target};
 use crate::measured::{Quantity, read_data};
@@ -76,7 +78,7 @@ impl TryFrom<SplitText> for Split {
     }
 }
 
-fn parse<F: DeserializeOwned>(files: &CaseFiles) -> Result<(Facts, CaseText<F>), CaseError> {
+fn parse<F: DeserializeOwned>(files: &MeasuredFolder) -> Result<(Facts, CaseText<F>), CaseError> {
     let case: CaseText<F> = toml_edit::de::from_str(&files.case).map_err(|error| {
         let before = error.span().and_then(|span| files.case.get(..span.start));
         let line = before.map_or_else(String::new, |text| format!(", line {}", text.split('\n').count()));
@@ -95,7 +97,7 @@ fn parse<F: DeserializeOwned>(files: &CaseFiles) -> Result<(Facts, CaseText<F>),
 }
 
 impl Measurement {
-    pub fn read(files: &CaseFiles) -> Result<Self, CaseError> {
+    pub fn read(files: &MeasuredFolder) -> Result<Self, CaseError> {
         if files.muscle.trim().is_empty() {
             let (facts, case) = parse(files)?;
             return RubberCase::new(facts, &files.points, case.fit).map(Self::Rubber);
@@ -120,20 +122,20 @@ impl Measurement {
     }
 }
 
-fn wrong(files: &CaseFiles, key: &str, expected: &str) -> CaseError {
+fn wrong(files: &MeasuredFolder, key: &str, expected: &str) -> CaseError {
     CaseError::Refused(format!("{}/case.toml: `{key}` must be {expected}", files.name))
 }
 
 /// The fit of the library: the one that is named, else the first. Its constants are those of a muscle file, and it has all points.
-fn library_fit(files: &CaseFiles, named: Option<&str>, fits: &[CaseFit]) -> Result<usize, CaseError> {
+fn library_fit(files: &MeasuredFolder, named: Option<&str>, fits: &[CaseFit]) -> Result<usize, CaseError> {
     const FORM: &str = "the name of a fit that has no `split` and frees numbers of the muscle file alone";
-    let of_file = |p: &Parameter| {
+    let in_file = |p: &Parameter| {
         !matches!(p.target, Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent)
     };
     let place = named.map_or(Some(0), |name| fits.iter().position(|fit| fit.name == name));
     let serves = |i: &usize| {
         fits.get(*i)
-            .is_some_and(|fit| fit.split.is_none() && !fit.free.is_empty() && fit.free.iter().all(of_file))
+            .is_some_and(|fit| fit.split.is_none() && !fit.free.is_empty() && fit.free.iter().all(in_file))
     };
     match place.filter(serves) {
         Some(i) => Ok(i),
@@ -143,7 +145,7 @@ fn library_fit(files: &CaseFiles, named: Option<&str>, fits: &[CaseFit]) -> Resu
     }
 }
 
-fn identified(files: &CaseFiles) -> Result<Option<Box<Muscle>>, CaseError> {
+fn identified(files: &MeasuredFolder) -> Result<Option<Box<Muscle>>, CaseError> {
     if files.identified.trim().is_empty() {
         return Ok(None);
     }
@@ -152,7 +154,7 @@ fn identified(files: &CaseFiles) -> Result<Option<Box<Muscle>>, CaseError> {
         .map_err(|error| CaseError::Refused(format!("{}/identified.toml: {error}", files.name)))
 }
 
-fn fit(files: &CaseFiles, number: usize, text: FitText) -> Result<CaseFit, CaseError> {
+fn fit(files: &MeasuredFolder, number: usize, text: FitText) -> Result<CaseFit, CaseError> {
     let (case, name) = (&files.name, text.name);
     let muscle = parse_muscle(&with(files, number)?);
     let muscle =
@@ -163,14 +165,14 @@ fn fit(files: &CaseFiles, number: usize, text: FitText) -> Result<CaseFit, CaseE
     Ok(CaseFit { name, muscle, free, both_branches: text.branches == Branches::Both, split: text.split })
 }
 
-/// The muscle file with the keys of a fit in the place of its own.
-fn with(files: &CaseFiles, number: usize) -> Result<String, CaseError> {
+/// The muscle file with the keys that a fit replaces.
+fn with(files: &MeasuredFolder, number: usize) -> Result<String, CaseError> {
     let documents = (files.case.parse::<DocumentMut>(), files.muscle.parse::<DocumentMut>());
     let (Ok(case), Ok(mut muscle)) = documents else { return Ok(files.muscle.clone()) };
-    let own = case.get("fit").and_then(|fits| fits.get(number)?.get("muscle"));
-    let Some(own) = own else { return Ok(files.muscle.clone()) };
+    let changes = case.get("fit").and_then(|fits| fits.get(number)?.get("muscle"));
+    let Some(changes) = changes else { return Ok(files.muscle.clone()) };
     let wrong = || wrong(files, "fit.muscle", "tables of a muscle file, such as [fit.muscle.tube]");
-    for (section, keys) in own.as_table_like().ok_or_else(wrong)?.iter() {
+    for (section, keys) in changes.as_table_like().ok_or_else(wrong)?.iter() {
         for (key, value) in keys.as_table_like().ok_or_else(wrong)?.iter() {
             let place = muscle.entry(section).or_insert_with(toml_edit::table);
             place.as_table_like_mut().ok_or_else(wrong)?.insert(key, value.clone());
@@ -184,7 +186,7 @@ mod tests {
     use super::super::case::{built_in, muscles, rubbers};
     use super::*;
 
-    fn files() -> CaseFiles {
+    fn files() -> MeasuredFolder {
         built_in().into_iter().find(|f| f.name == "tondu2012").unwrap()
     }
 
@@ -226,7 +228,7 @@ mod tests {
             let files = files();
             let case = files.case.replace(from, to);
             assert!(case != files.case, "{from}");
-            Measurement::read(&CaseFiles { case, ..files }).unwrap_err().to_string()
+            Measurement::read(&MeasuredFolder { case, ..files }).unwrap_err().to_string()
         };
         assert!(said("terms =", "term =").contains("unknown field `term`, expected one of `title`"));
         assert!(said("\"jm\"", "\"jmm\"").contains("fit \"Gent\""));

@@ -1,13 +1,13 @@
 //! The validation report of a measured muscle: the errors of each fit at the points it was fitted to and at the points it predicts.
 
 use super::case::{By, CaseFit, FittedSubset, MuscleCase};
-use super::residual::{Fitter, Left, Residual, compared, residuals};
-use crate::identify::{Build, Identified, IdentifyError};
+use super::residual::{Fitter, ForceErrors, Residual, compared, residuals};
+use crate::identify::{Identified, IdentifyError};
 use crate::measured::{DataPoint, distinct, mean_of_data, same};
 use crate::rubber_over_time::OverTimeFitError;
 use mckibben::cancel::Cancelled;
 use mckibben::muscle::{Direction, Muscle};
-use mckibben::progress::{CancelOnly, Progress};
+use mckibben::progress::CancelOnly;
 use mckibben::threads;
 use serde::Serialize;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -27,10 +27,9 @@ pub enum ReportError {
     Rubber(String, OverTimeFitError),
 }
 
-/// What was fitted to which points, and what was found.
+/// A fit to some points, with its constants and its errors.
 #[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
-#[schemars(rename = "MeasuredFit")]
-pub struct FitResult {
+pub struct MeasuredFit {
     /// Number of the case.
     #[serde(skip)]
     pub case: usize,
@@ -38,16 +37,16 @@ pub struct FitResult {
     pub fit: String,
     /// Its points: `all`, `nothing`, or their lengths, pressures or contractions.
     pub fitted_to: String,
-    /// What was found, with its error.
+    /// The constants, with their errors.
     pub parameters: Vec<Identified>,
     #[serde(skip)]
     pub muscle: Muscle,
-    /// What is left, group by group: that of the fitted points before those that are predicted.
+    /// Errors, group by group: those of the fitted points before those that are predicted.
     #[serde(skip)]
     pub groups: Vec<Group>,
 }
 
-/// What is left of some points: measured − computed.
+/// Errors at some points: measured − computed.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Group {
     /// The points that are compared.
@@ -56,7 +55,7 @@ pub struct Group {
     pub blind: bool,
     /// Means of branches, and points without a branch.
     #[serde(flatten)]
-    pub means: Left,
+    pub means: ForceErrors,
     /// How many points of single branches there are.
     pub branch_points: usize,
     /// Share of these within the ± with its part for friction; null if there are none.
@@ -76,7 +75,7 @@ pub struct MeasuredBranch {
     pub branch: Direction,
     /// Its points; the ± has its part for friction if the muscle states none.
     #[serde(flatten)]
-    pub left: Left,
+    pub errors: ForceErrors,
 }
 
 /// Errors of a fit at points of about one contraction.
@@ -87,95 +86,86 @@ pub struct MeasuredBin {
     /// to less than this.
     pub to: f64,
     #[serde(flatten)]
-    pub left: Left,
+    pub errors: ForceErrors,
 }
 
 /// Bins of ε.
 const BIN: f64 = 0.05;
 
 /// Every fit of cases by a model, side by side; progress counts fits.
-pub fn report(
-    cases: &[&MuscleCase],
-    build: &Build<'_>,
-    progress: &dyn Progress,
-) -> Result<Vec<FitResult>, ReportError> {
+pub fn report(cases: &[&MuscleCase], fitter: Fitter<'_>) -> Result<Vec<MeasuredFit>, ReportError> {
     let means: Vec<Vec<DataPoint>> = cases.iter().map(|case| mean_of_data(&case.points)).collect();
     let mut tasks = vec![];
     for (i, (case, means)) in cases.iter().zip(&means).enumerate() {
-        let trainings = case.fits.iter().flat_map(|fit| trainings(fit, means));
+        let trainings = case.fits.iter().flat_map(|fit| trainings(case, fit, means));
         tasks.extend(trainings.map(|training| (i, training)));
     }
     let done = AtomicUsize::new(0);
-    let by = Fitter { build, progress: &CancelOnly(progress) };
+    let by = Fitter { progress: &CancelOnly(fitter.progress), ..fitter };
     let one = |(case, training): &(usize, Training<'_>)| {
-        let result = run(*case, (cases[*case], &means[*case]), training, by);
-        progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, tasks.len());
+        let result = run(*case, training, by);
+        fitter.progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, tasks.len());
         result
     };
     threads::map(&tasks, one).into_iter().collect()
 }
 
-fn run(
-    number: usize,
-    (case, means): (&MuscleCase, &[DataPoint]),
-    training: &Training<'_>,
-    by: Fitter<'_>,
-) -> Result<FitResult, ReportError> {
+fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<MeasuredFit, ReportError> {
     by.progress.check()?;
-    let fit = training.fit;
+    let &Training { case, fit, means, .. } = training;
     let source = if fit.both_branches { &case.points } else { means };
     let (inside, others): (Vec<DataPoint>, Vec<DataPoint>) = source.iter().partition(|p| training.holds(p));
     let label = training.label(&training.values(&inside));
     let (muscle, parameters) = by.fitted(fit, &inside).map_err(|error| match error {
         IdentifyError::Cancelled(cancelled) => cancelled.into(),
         error => {
-            let of = format!("{}, fit \"{}\" on {label}", case.facts.name, fit.name);
-            ReportError::Fit(of, error)
+            let name = format!("{}, fit \"{}\" on {label}", case.facts.name, fit.name);
+            ReportError::Fit(name, error)
         }
     })?;
     let nothing = fit.free.is_empty();
     let compared = compared(means, &case.points);
-    let group = |of: String, blind: bool, keep: &dyn Fn(&DataPoint) -> bool| {
-        let wanted: Vec<&DataPoint> = compared.iter().copied().filter(|p| keep(p)).collect();
-        let left = residuals(by.build, &muscle, &wanted, case.friction_share());
-        Group { unanswered: wanted.len() - left.len(), ..Group::of(of, blind, &left) }
+    let group = |name: String, blind: bool, keep: &dyn Fn(&DataPoint) -> bool| {
+        let points: Vec<&DataPoint> = compared.iter().copied().filter(|p| keep(p)).collect();
+        let residuals = residuals(by.build, &muscle, &points, case.friction_share());
+        Group { unanswered: points.len() - residuals.len(), ..Group::new(name, blind, &residuals) }
     };
     let mut groups = vec![group(label.clone(), nothing, &|p| training.holds(p))];
     let values = training.values(&others);
-    // One value each, or all that lie outside of a range.
+    // A group for each value, or one for all outside of a range.
     if fit.split.is_some_and(|split| matches!(split.fitted, FittedSubset::Range(..))) && !values.is_empty() {
         groups.push(group(training.label(&values), true, &|p| !training.holds(p)));
     } else {
         groups.extend(values.iter().map(|v| {
-            let keep = |p: &DataPoint| training.value(p).is_some_and(|own| same(own, *v));
+            let keep = |p: &DataPoint| training.value(p).is_some_and(|value| same(value, *v));
             group(training.label(&[*v]), true, &keep)
         }));
     }
     let fitted_to = if nothing { "nothing".into() } else { label };
-    Ok(FitResult { case: number, fit: fit.name.clone(), fitted_to, parameters, muscle, groups })
+    Ok(MeasuredFit { case: number, fit: fit.name.clone(), fitted_to, parameters, muscle, groups })
 }
 
 impl Group {
-    fn of(of: String, blind: bool, left: &[Residual]) -> Self {
-        let means = || left.iter().filter(|r| r.branch.is_mean());
+    fn new(name: String, blind: bool, residuals: &[Residual]) -> Self {
+        let means = || residuals.iter().filter(|r| r.branch.is_mean());
         let end = means().map(|r| r.contraction).fold(0.0, f64::max);
         let bins = (0..).map(|i| (f64::from(i) * BIN, f64::from(i + 1) * BIN));
         let bins = bins.take_while(|bin| bin.0 <= end).map(|(from, to)| {
-            let left = Left::of(means().filter(|r| (from..to).contains(&r.contraction)));
-            MeasuredBin { from, to, left }
+            let errors = ForceErrors::new(means().filter(|r| (from..to).contains(&r.contraction)));
+            MeasuredBin { from, to, errors }
         });
         let by_branch = [Direction::Contraction, Direction::Elongation].map(|branch| {
-            let left = Left::of(left.iter().filter(|r| r.branch == branch));
-            MeasuredBranch { branch, left }
+            let errors = ForceErrors::new(residuals.iter().filter(|r| r.branch == branch));
+            MeasuredBranch { branch, errors }
         });
-        let branches = Left::of(left.iter().filter(|r| !r.branch.is_mean()));
+        let branches = ForceErrors::new(residuals.iter().filter(|r| !r.branch.is_mean()));
         Self {
-            of,
+            of: name,
             blind,
             unanswered: 0,
-            by_contraction: bins.filter(|bin| bin.left.points > 0).collect(),
-            by_branch: by_branch.into_iter().filter(|b| b.left.points > 0).collect(),
-            means: Left::of(means()),
+            by_contraction: bins.filter(|bin| bin.errors.points > 0).collect(),
+            by_branch: by_branch.into_iter().filter(|b| b.errors.points > 0).collect(),
+            means: ForceErrors::new(means()),
             branch_points: branches.points,
             branch_held: branches.held,
         }
@@ -185,15 +175,22 @@ impl Group {
 /// Points that are fitted in one go.
 #[derive(Clone, Copy)]
 pub(super) struct Training<'a> {
+    case: &'a MuscleCase,
     pub fit: &'a CaseFit,
+    /// The points of the case, with the means of its branches.
+    pub means: &'a [DataPoint],
     low: f64,
     high: f64,
     /// Fitted are those outside.
     outside: bool,
 }
 
-pub(super) fn trainings<'a>(fit: &'a CaseFit, means: &[DataPoint]) -> Vec<Training<'a>> {
-    let all = Training { fit, low: f64::NEG_INFINITY, high: f64::INFINITY, outside: false };
+pub(super) fn trainings<'a>(
+    case: &'a MuscleCase,
+    fit: &'a CaseFit,
+    means: &'a [DataPoint],
+) -> Vec<Training<'a>> {
+    let all = Training { case, fit, means, low: f64::NEG_INFINITY, high: f64::INFINITY, outside: false };
     let each = |outside| {
         let values = all.values(means).into_iter();
         values.map(|v| Training { low: v, high: v, outside, ..all }).collect()
@@ -249,7 +246,7 @@ mod tests {
     use super::super::elements;
     use super::*;
     use mckibben::cancel::Cancelled;
-    use mckibben::progress::Silent;
+    use mckibben::progress::{Progress, Silent};
 
     /// Constants from 1 to 3 bar predict 4 and 5 bar; a law that stiffens at large stretch does so better on the hand-made muscle, whose
     /// rubber is not stated. A regression: nobody else has derived it.
@@ -257,17 +254,18 @@ mod tests {
     fn points_that_were_not_fitted_are_blind() {
         let mut case = muscles().unwrap().into_iter().find(|c| c.facts.name == "tondu2012").unwrap().clone();
         case.fits.retain(|fit| fit.split.is_some());
-        let found = report(&[&case], &elements, &Silent).unwrap();
-        let [plain, gent] = &found[..] else { panic!("{}", found.len()) };
+        let fits = report(&[&case], Fitter { build: &elements, progress: &Silent }).unwrap();
+        let [plain, gent] = &fits[..] else { panic!("{}", fits.len()) };
         for r in [plain, gent] {
             assert_eq!(r.fitted_to, "0.1, 0.2, 0.3 MPa");
             assert_eq!((r.groups[0].blind, r.groups[1].blind), (false, true));
             assert_eq!(r.groups[1].of, "0.4, 0.5 MPa");
             let all: usize = r.groups.iter().map(|g| g.means.points).sum();
-            let binned: usize = r.groups.iter().flat_map(|g| &g.by_contraction).map(|b| b.left.points).sum();
+            let binned: usize =
+                r.groups.iter().flat_map(|g| &g.by_contraction).map(|b| b.errors.points).sum();
             assert_eq!((all, binned), (189, 189));
         }
-        let blind = |r: &FitResult| r.groups[1].means.rms_n;
+        let blind = |r: &MeasuredFit| r.groups[1].means.rms_n;
         assert!(blind(gent) < blind(plain), "{} {}", blind(gent), blind(plain));
     }
 
@@ -279,6 +277,7 @@ mod tests {
                 true
             }
         }
-        assert_eq!(report(&muscles().unwrap(), &elements, &Gone).unwrap_err(), Cancelled.into());
+        let fitter = Fitter { build: &elements, progress: &Gone };
+        assert_eq!(report(&muscles().unwrap(), fitter).unwrap_err(), Cancelled.into());
     }
 }

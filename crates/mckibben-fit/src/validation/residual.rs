@@ -1,4 +1,4 @@
-//! What a model of a muscle leaves of measured pulls.
+//! Measured pulls less those of a model.
 
 use super::case::CaseFit;
 use crate::identify::{Build, Identification, Identified, Request, Result, identify};
@@ -17,8 +17,8 @@ pub struct Residual {
     pub contraction: f64,
     /// ε over the ideal muscle's largest contraction.
     pub contraction_share: f64,
-    /// Measured less computed, in N; of a volume what would change it as much, |∂F/∂ε| / |∂V/∂ε| times what is left of it.
-    pub left_n: f64,
+    /// Measured less computed, in N; of a volume |∂F/∂ε| / |∂V/∂ε| times its difference.
+    pub difference_n: f64,
     /// The branch it was measured on.
     pub branch: Direction,
     /// Pressure in MPa.
@@ -30,29 +30,24 @@ pub struct Residual {
 }
 
 impl Residual {
-    /// What is left, over the blocked force at the same pressure.
-    pub fn of_blocked(&self) -> f64 {
-        self.left_n / self.blocked_n
-    }
-
-    /// Whether the ± holds the point.
+    /// Whether the ± covers the point.
     pub fn covered(&self) -> Option<bool> {
-        self.half_width_n.map(|half| self.left_n.abs() <= half)
+        self.half_width_n.map(|half| self.difference_n.abs() <= half)
     }
 }
 
 /// The model of the muscle of some rows, where it has one.
-struct Asked {
+struct SectionModel {
     section: Section,
     model: Option<Box<dyn ForceModel>>,
     workspace: Workspace,
-    /// Of the blocked muscle: finite elements answer a neighbour of the last point fast.
+    /// Of the blocked muscle: finite elements are fast next to their last point.
     blocked: Workspace,
     /// c_f of the friction that is estimated where the muscle states none.
     friction_share: f64,
 }
 
-impl Asked {
+impl SectionModel {
     fn residual(&mut self, point: &DataPoint) -> Option<Residual> {
         let model = self.model.as_deref()?;
         let MeasuredPoint { pressure_mpa, contraction, force_n, .. } = point.at;
@@ -60,8 +55,8 @@ impl Asked {
         let options = Options { friction_share: self.friction_share, ..branch.into() };
         let mut evaluation = Evaluation::new(model, &mut self.workspace, options);
         let here = evaluation.response(pressure_mpa, contraction).ok()?;
-        let left_n = match point.measured {
-            // A muscle that hangs slack pulls with nothing.
+        let difference_n = match point.measured {
+            // A slack muscle does not pull.
             Quantity::Force => force_n - here.force_n.max(0.0),
             Quantity::Contraction | Quantity::Pressure => force_n - here.force_n,
             Quantity::Volume => {
@@ -82,7 +77,7 @@ impl Asked {
         Some(Residual {
             contraction,
             contraction_share: contraction / model.muscle().max_ideal_contraction(),
-            left_n,
+            difference_n,
             branch,
             pressure_mpa,
             blocked_n: model.force_n(&mut self.blocked, pressure_mpa, 0.0).ok()?,
@@ -91,28 +86,34 @@ impl Asked {
     }
 }
 
-/// What a muscle leaves of points, those left out to which the model has no answer; on single branches with a friction that is estimated by c_f.
+/// Measured points less the model of a muscle; without those to which the model has no answer; on single branches with a friction that is estimated by c_f.
 pub(super) fn residuals(
     build: &Build<'_>,
     muscle: &Muscle,
     points: &[&DataPoint],
     friction_share: f64,
 ) -> Vec<Residual> {
-    let mut models: Vec<Asked> = vec![];
+    let mut models: Vec<SectionModel> = vec![];
     let mut out = vec![];
     for point in points {
         let known = models.iter().position(|m| m.section == point.section).unwrap_or_else(|| {
             let model = point.section.apply(muscle).ok().and_then(|m| build(&m).ok());
             let (section, workspace) = (point.section, Workspace::new());
-            models.push(Asked { section, model, workspace, blocked: Workspace::new(), friction_share });
+            models.push(SectionModel {
+                section,
+                model,
+                workspace,
+                blocked: Workspace::new(),
+                friction_share,
+            });
             models.len() - 1
         });
-        out.extend(models.get_mut(known).and_then(|asked| asked.residual(point)));
+        out.extend(models.get_mut(known).and_then(|model| model.residual(point)));
     }
     out
 }
 
-/// The model that is fitted, and who hears how far it is.
+/// The model that is fitted, and the progress that may end it.
 #[derive(Clone, Copy)]
 pub struct Fitter<'a> {
     pub build: &'a Build<'a>,
@@ -120,14 +121,10 @@ pub struct Fitter<'a> {
 }
 
 impl Fitter<'_> {
-    /// A fit to points that begins with a muscle: least squares of the pulls, from one side, without history.
-    pub(super) fn identified(
-        &self,
-        from: &Muscle,
-        fit: &CaseFit,
-        points: &[DataPoint],
-    ) -> Result<Identification> {
-        identify(&Request { progress: self.progress, ..Request::new(from, &fit.free, points, self.build) })
+    /// A fit to points: least squares of the pulls, from one side, without history.
+    pub(super) fn identified(&self, fit: &CaseFit, points: &[DataPoint]) -> Result<Identification> {
+        let request = Request::new(&fit.muscle, &fit.free, points, self.build);
+        identify(&Request { progress: self.progress, ..request })
     }
 
     /// The muscle and the constants of a fit to points.
@@ -135,8 +132,8 @@ impl Fitter<'_> {
         if fit.free.is_empty() {
             return Ok((fit.muscle.clone(), vec![]));
         }
-        let found = self.identified(&fit.muscle, fit, points)?;
-        Ok((found.muscle, found.parameters))
+        let identification = self.identified(fit, points)?;
+        Ok((identification.muscle, identification.parameters))
     }
 }
 
@@ -146,9 +143,9 @@ pub(super) fn compared<'a>(means: &'a [DataPoint], points: &'a [DataPoint]) -> V
     means.chain(points.iter().filter(|p| !p.at.direction().is_mean())).collect()
 }
 
-/// What is left of points: measured less computed.
+/// Errors of a model at some points: measured less computed.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
-pub struct Left {
+pub struct ForceErrors {
     /// How many points.
     pub points: usize,
     /// Root mean square of the differences in N.
@@ -166,14 +163,14 @@ pub struct Left {
     pub blocked_n: f64,
 }
 
-impl Left {
-    pub fn of<'a>(list: impl Iterator<Item = &'a Residual>) -> Self {
+impl ForceErrors {
+    pub fn new<'a>(list: impl Iterator<Item = &'a Residual>) -> Self {
         let (mut out, mut squares, mut judged, mut held) = (Self::default(), 0.0, 0, 0);
         for r in list {
             out.points += 1;
-            squares += r.left_n * r.left_n;
-            out.bias_n += r.left_n;
-            out.largest_n = out.largest_n.max(r.left_n.abs());
+            squares += r.difference_n * r.difference_n;
+            out.bias_n += r.difference_n;
+            out.largest_n = out.largest_n.max(r.difference_n.abs());
             out.blocked_n = out.blocked_n.max(r.blocked_n);
             judged += usize::from(r.covered().is_some());
             held += usize::from(r.covered() == Some(true));

@@ -2,7 +2,6 @@
 
 use super::case::{CaseError, Facts};
 use super::report::ReportError;
-use super::stress::{history, tests};
 use crate::rubber::{Form, Mode, Parameter, ReadOptions, StressErrors, TensionPoint, read_tests};
 use crate::rubber_over_time::{self, TimePoint, read_history};
 use mckibben::progress::Progress;
@@ -28,11 +27,11 @@ enum Points {
 impl RubberCase {
     /// Reads the points: those of a test over time where a fit wants its relaxation.
     pub(super) fn new(facts: Facts, points: &str, fits: Vec<RubberCaseFit>) -> Result<Self, CaseError> {
-        let (bytes, columns) = (points.as_bytes(), Columns::default());
+        let bytes = points.as_bytes();
         let points = if fits.iter().any(|f| f.relaxation.is_some()) {
-            read_history(bytes, &columns).map(Points::History)
+            read_history(bytes, &Columns::default()).map(Points::History)
         } else {
-            read_tests(bytes, ReadOptions::default(), &columns).map(|read| Points::Tests(read.0))
+            read_tests(bytes, &ReadOptions::default()).map(|read| Points::Tests(read.0))
         };
         let points = points.map_err(|error| CaseError::Points(facts.name.clone(), error))?;
         Ok(Self { facts, fits, points })
@@ -46,24 +45,24 @@ impl RubberCase {
         }
     }
 
-    fn run(&self, fit: &RubberCaseFit, progress: &dyn Progress) -> rubber_over_time::Result<RubberFitResult> {
+    fn run(&self, fit: &RubberCaseFit, progress: &dyn Progress) -> rubber_over_time::Result<RubberFit> {
         match &self.points {
-            Points::Tests(points) => tests(fit, points, progress),
-            Points::History(points) => history(fit, points, progress),
+            Points::Tests(points) => fit.to_tests(points, progress),
+            Points::History(points) => fit.to_history(points, progress),
         }
     }
 }
 
 /// Every fit of rubbers.
-pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<RubberFitResult>, ReportError> {
+pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<RubberFit>, ReportError> {
     let mut out = vec![];
     for (number, case) in cases.iter().enumerate() {
         for fit in &case.fits {
             progress.check()?;
-            let found = case.run(fit, progress).map_err(|error| {
+            let result = case.run(fit, progress).map_err(|error| {
                 ReportError::Rubber(format!("{}, fit \"{}\"", case.facts.name, fit.name), error)
             })?;
-            out.push(RubberFitResult { case: number, fit: fit.name.clone(), law: fit.form.name(), ..found });
+            out.push(RubberFit { case: number, fit: fit.name.clone(), law: fit.form.name(), ..result });
         }
     }
     Ok(out)
@@ -85,10 +84,10 @@ pub struct RubberCaseFit {
     pub relaxation: Option<usize>,
 }
 
-/// A law that was fitted, and what was found.
+/// A law that was fitted, with its constants and errors.
 #[derive(Debug, Clone, Default, Serialize, schemars::JsonSchema)]
 #[schemars(rename = "MeasuredRubberFit")]
-pub struct RubberFitResult {
+pub struct RubberFit {
     /// Number of the case.
     #[serde(skip)]
     pub case: usize,
@@ -103,12 +102,12 @@ pub struct RubberFitResult {
     pub prony: Vec<(f64, f64)>,
     /// Whether the law is stable in a muscle.
     pub stable: bool,
-    /// What is left, group by group: fitted points before those that are predicted.
+    /// Errors, group by group: fitted points before those that are predicted.
     #[serde(skip)]
     pub groups: Vec<RubberGroup>,
 }
 
-/// What is left of some nominal stresses: measured less computed.
+/// Errors at some nominal stresses: measured less computed.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct RubberGroup {
     /// The points that are compared: a mode, a mode `further` than the law was fitted, or a branch of a test over time.
@@ -129,9 +128,9 @@ mod tests {
     #[test]
     fn every_rubber_that_is_built_in_is_fitted() {
         let cases = rubbers().unwrap();
-        let found = report(&cases, &Silent).unwrap_or_else(|e| panic!("{e}"));
-        assert_eq!(found.len(), cases.iter().map(|c| c.fits.len()).sum::<usize>());
-        for r in &found {
+        let results = report(&cases, &Silent).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(results.len(), cases.iter().map(|c| c.fits.len()).sum::<usize>());
+        for r in &results {
             let name = format!("{} {}", cases[r.case].facts.name, r.fit);
             assert!(r.groups.iter().any(|g| !g.blind && g.errors.points > 5), "{name}");
             let fit = cases[r.case].fits.iter().find(|f| f.name == r.fit).unwrap();

@@ -1,103 +1,90 @@
-//! A law fitted to measured stresses, and what it leaves of them.
+//! A law fitted to measured stresses, and its errors there.
 
-use super::rubber::{RubberCaseFit, RubberFitResult, RubberGroup};
-use crate::rubber::{FitSettings, Mode, StressErrors, TensionFit, TensionPoint, fit_tension_with, no_fit};
+use super::rubber::{RubberCaseFit, RubberFit, RubberGroup};
+use crate::rubber::{
+    FitSettings, FittedLaw, Mode, StressErrors, TensionFit, TensionPoint, fit_tension_with, no_fit,
+};
 use crate::rubber_over_time::{Bar, Result, TimePoint, fit_prony};
 use mckibben::progress::Progress;
-use mckibben::rubber::Law;
 use mckibben::rubber::over_time::Prony;
 
 /// Strain that tells a move from a hold.
 const MOVE: f64 = 1e-3;
 
-type Found = Result<(TensionFit, Law, RubberFitResult)>;
-
 impl RubberCaseFit {
-    /// The law that it finds: held stable where the free one is not.
-    fn law(&self, points: &[TensionPoint], settings: FitSettings, progress: &dyn Progress) -> Found {
-        let found = fit_tension_with(points, &settings, progress)?;
-        let taken = found.recommended.or(Some(0)).and_then(|i| found.laws.get(i)).cloned();
-        let Some(taken) = taken else {
-            let none = || no_fit(self.form, "no law was left");
-            return Err(found.failed.into_iter().next().unwrap_or_else(none).into());
-        };
-        let (stable, parameters) = (taken.quality.stable, taken.parameters);
-        Ok((found, taken.law, RubberFitResult { stable, parameters, ..RubberFitResult::default() }))
+    /// The recommended law of a fit: held stable where the free one is not.
+    fn law(&self, fit: &TensionFit) -> Result<FittedLaw> {
+        let law = fit.recommended.or(Some(0)).and_then(|i| fit.laws.get(i)).cloned();
+        let failed = || fit.failed.first().cloned().unwrap_or_else(|| no_fit(self.form, "no law was left"));
+        law.ok_or_else(|| failed().into())
     }
 
     fn settings(&self) -> FitSettings {
         let (forms, fit_modes) = (vec![self.form], self.modes.clone());
         FitSettings { forms, fit_modes, up_to_stretch: self.up_to_stretch, ..FitSettings::default() }
     }
-}
 
-pub(super) fn tests(
-    fit: &RubberCaseFit,
-    points: &[TensionPoint],
-    progress: &dyn Progress,
-) -> Result<RubberFitResult> {
-    let (found, law, result) = fit.law(points, fit.settings(), progress)?;
-    let whole = FitSettings { up_to_stretch: None, ..fit.settings() };
-    // What lies behind a rupture is left out of both.
-    let beyond = match fit.up_to_stretch {
-        Some(end) => {
-            let all = fit_tension_with(points, &whole, progress)?;
-            let further = |p: &TensionPoint| p.stretch.max(p.across) > end;
-            all.points.into_iter().chain(all.held_out).filter(further).collect()
-        }
-        None => vec![],
-    };
-    let of = |list: &[TensionPoint], blind: bool, name: &dyn Fn(Mode) -> String| -> Vec<RubberGroup> {
-        let of_mode = |mode: Mode| {
-            let own = list.iter().filter(|p| p.mode == mode);
-            let pairs = own.map(|p| (p.stretch.max(p.across), p.nominal_stress_mpa, p.stress_mpa(&law)));
-            RubberGroup { of: name(mode), blind, errors: StressErrors::of(pairs) }
+    /// Fits the law to tests without time.
+    pub(super) fn to_tests(&self, points: &[TensionPoint], progress: &dyn Progress) -> Result<RubberFit> {
+        let fit = fit_tension_with(points, &self.settings(), progress)?;
+        let fitted = self.law(&fit)?;
+        let whole = FitSettings { up_to_stretch: None, ..self.settings() };
+        // Points behind a rupture are in neither.
+        let beyond = match self.up_to_stretch {
+            Some(end) => {
+                let all = fit_tension_with(points, &whole, progress)?;
+                let further = |p: &TensionPoint| p.stretch.max(p.across) > end;
+                all.points.into_iter().chain(all.held_out).filter(further).collect()
+            }
+            None => vec![],
         };
-        Mode::ALL.into_iter().map(of_mode).filter(|g| g.errors.points > 0).collect()
-    };
-    let plain = |mode: Mode| mode.name().to_owned();
-    let further = |mode: Mode| format!("{}, further", mode.name());
-    let groups =
-        [of(&found.points, false, &plain), of(&found.held_out, true, &plain), of(&beyond, true, &further)];
-    Ok(RubberFitResult { groups: groups.concat(), ..result })
-}
-
-pub(super) fn history(
-    fit: &RubberCaseFit,
-    points: &[TimePoint],
-    progress: &dyn Progress,
-) -> Result<RubberFitResult> {
-    let list: Vec<TensionPoint> = points.iter().map(TimePoint::tension).collect();
-    let elastic = FitSettings { history: true, ..fit.settings() };
-    let (_, mut law, mut result) = fit.law(&list, elastic, progress)?;
-    let mut prony = Prony::default();
-    if let Some(branches) = fit.relaxation {
-        let found = fit_prony(points, fit.form, branches)?;
-        let constants = found.instantaneous.constants();
-        for (parameter, constant) in result.parameters.iter_mut().zip(constants) {
-            (parameter.value, parameter.standard_error) = (constant.value, None);
+        let mut groups = vec![];
+        for (list, blind, further) in
+            [(&fit.points, false, ""), (&fit.held_out, true, ""), (&beyond, true, ", further")]
+        {
+            groups.extend(Mode::ALL.map(|mode| {
+                let points = list.iter().filter(|p| p.mode == mode);
+                let errors = StressErrors::for_law(&fitted.law, points);
+                RubberGroup { of: format!("{mode}{further}"), blind, errors }
+            }));
         }
-        (law, prony) = (found.instantaneous.clone(), found.prony());
-        result.prony = prony.branches.iter().map(|b| (b.share, b.time_constant_s)).collect();
+        groups.retain(|g| g.errors.points > 0);
+        let (stable, parameters) = (fitted.quality.stable, fitted.parameters);
+        Ok(RubberFit { stable, parameters, groups, ..RubberFit::default() })
     }
-    let computed = Bar::new(&law, None, &prony).over(points)?;
-    let mut before = 1.0;
-    let mut branch = vec![];
-    for p in points {
-        let step = p.stretch - before;
-        before = p.stretch;
-        branch.push(if step > MOVE {
-            "loading"
-        } else if step < -MOVE {
-            "unloading"
-        } else {
-            "held"
-        });
+
+    /// Fits the law to a test over time, with a Prony series if it is wanted.
+    pub(super) fn to_history(&self, points: &[TimePoint], progress: &dyn Progress) -> Result<RubberFit> {
+        let list: Vec<TensionPoint> = points.iter().map(TimePoint::tension).collect();
+        let elastic = FitSettings { history: true, ..self.settings() };
+        let fit = fit_tension_with(&list, &elastic, progress)?;
+        let FittedLaw { mut law, quality, mut parameters, .. } = self.law(&fit)?;
+        let mut prony = Prony::default();
+        if let Some(branches) = self.relaxation {
+            let fit = fit_prony(points, self.form, branches)?;
+            for (parameter, constant) in parameters.iter_mut().zip(fit.instantaneous.constants()) {
+                (parameter.value, parameter.standard_error) = (constant.value, None);
+            }
+            prony = fit.prony();
+            law = fit.instantaneous;
+        }
+        let computed = Bar::new(&law, None, &prony).over(points)?;
+        let before = std::iter::once(1.0).chain(points.iter().map(|p| p.stretch));
+        let branch = |step: f64| match step {
+            s if s > MOVE => "loading",
+            s if s < -MOVE => "unloading",
+            _ => "held",
+        };
+        let branches: Vec<&str> = points.iter().zip(before).map(|(p, b)| branch(p.stretch - b)).collect();
+        let group = |name: &str| {
+            let points = points.iter().zip(&computed).zip(&branches).filter(|p| *p.1 == name);
+            let stresses = points.map(|((p, computed), _)| (p.stretch, p.nominal_stress_mpa, *computed));
+            RubberGroup { of: name.into(), blind: false, errors: StressErrors::new(stresses) }
+        };
+        let mut groups = ["loading", "unloading", "held"].map(group).to_vec();
+        groups.retain(|g| g.errors.points > 0);
+        let prony = prony.branches.iter().map(|b| (b.share, b.time_constant_s)).collect();
+        let stable = quality.stable;
+        Ok(RubberFit { stable, parameters, prony, groups, ..RubberFit::default() })
     }
-    let groups = ["loading", "unloading", "held"].map(|name| {
-        let own = points.iter().zip(&computed).zip(&branch).filter(|p| *p.1 == name);
-        let errors = StressErrors::of(own.map(|((p, c), _)| (p.stretch, p.nominal_stress_mpa, *c)));
-        RubberGroup { of: name.into(), blind: false, errors }
-    });
-    Ok(RubberFitResult { groups: groups.into_iter().filter(|g| g.errors.points > 0).collect(), ..result })
 }

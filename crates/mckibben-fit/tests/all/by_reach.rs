@@ -42,7 +42,7 @@ fn same(a: &Law, b: &Law) -> bool {
 }
 
 /// What the file says is what `rubber` finds on the shipped curve cut there: the law that is recommended, those of equal standing,
-/// and each law where it alone is asked for. (Three windows; `cargo xtask golds --check` compares all.)
+/// and each law fitted alone. (Three windows; `cargo xtask golds --check` compares all.)
 #[test]
 fn a_named_rubber_is_what_rubber_fit_recommends_on_its_data() {
     assert_eq!(curves().count(), 6);
@@ -51,10 +51,10 @@ fn a_named_rubber_is_what_rubber_fit_recommends_on_its_data() {
         let window = &entry.windows[place];
         let fit = refitted(entry, window);
         assert!((fit.fitted_to_stretch - window.fitted_to_stretch).abs() < 1e-4);
-        let found = find_up_to(name, window.fitted_to_stretch).unwrap();
+        let rubber = find_up_to(name, window.fitted_to_stretch).unwrap();
         let good = fit.of_equal_standing().into_iter().chain(fit.recommended);
-        assert!(good.map(|i| &fit.laws[i].law).any(|law| same(&found.law, law)), "{found:?}");
-        assert_eq!(found.fitted_to_stretch, Some(window.fitted_to_stretch));
+        assert!(good.map(|i| &fit.laws[i].law).any(|law| same(&rubber.law, law)), "{rubber:?}");
+        assert_eq!(rubber.fitted_to_stretch, Some(window.fitted_to_stretch));
         let equal: Vec<String> = fit.of_equal_standing().iter().map(|&i| fit.laws[i].form.name()).collect();
         for l in &window.laws {
             assert_eq!(l.standing == Standing::Equal, equal.contains(&l.name), "{name} {}", l.name);
@@ -82,7 +82,7 @@ fn windows_are_sound() {
             assert!(w.points >= 10 && w.up_to_stretch.is_none_or(|end| w.fitted_to_stretch <= end));
             for l in &w.laws {
                 l.law.clone().validated().unwrap();
-                assert!(warnings(&Rubber::of(l.law.clone())).is_empty(), "{} {}", entry.name, l.name);
+                assert!(warnings(&Rubber::new(l.law.clone())).is_empty(), "{} {}", entry.name, l.name);
                 if l.standing == Standing::Equal {
                     assert!(l.delta_aicc >= 0.0 && l.delta_aicc < DECIDED_AICC);
                     let (n, k) = (w.points as f64, |l: &WindowLaw| l.law.values().len() as f64);
@@ -105,17 +105,17 @@ fn the_law_follows_the_muscle() {
         let plain = muscle("rtv615", d0, s, angle);
         let rubber = &plain.tube().rubber;
         assert_eq!((rubber.name.as_deref(), rubber.law.name()), (Some("rtv615"), "yeoh"));
-        let found = rubber.fitted_to_stretch.unwrap();
-        assert_eq!(found, (plain.reach() * COVERING).min(2.9318), "{angle}");
+        let end = rubber.fitted_to_stretch.unwrap();
+        assert_eq!(end, (plain.reach() * COVERING).min(2.9318), "{angle}");
         let [from, to] = [first, first + 1].map(|i| &entry("rtv615").unwrap().windows[i]);
         let [low, high] = [from, to].map(|w| w.law(Some("yeoh")).unwrap().law.values());
-        let share = (found - from.fitted_to_stretch) / (to.fitted_to_stretch - from.fitted_to_stretch);
+        let share = (end - from.fitted_to_stretch) / (to.fitted_to_stretch - from.fitted_to_stretch);
         assert!((0.0..=1.0).contains(&share), "{angle}: {share}");
         for (i, value) in rubber.law.values().into_iter().enumerate() {
             assert!((value - low[i] - share * (high[i] - low[i])).abs() < 1e-12, "{angle} {value}");
         }
         let gent = muscle("rtv615:gent", d0, s, angle);
-        assert_eq!(gent.tube().rubber.fitted_to_stretch, Some(found));
+        assert_eq!(gent.tube().rubber.fitted_to_stretch, Some(end));
         assert_eq!(gent.tube().rubber.law.name(), "gent");
     }
     // Beyond the data.
@@ -135,12 +135,12 @@ fn the_law_follows_the_muscle() {
 /// The law is that of the name only while constants and name belong together.
 #[test]
 fn changed_constants_stay() {
-    let own = find("dragon-skin-30").unwrap();
+    let named = find("dragon-skin-30").unwrap();
     for rubber in [
-        Rubber { law: own.law.scaled(1.01), ..own.clone() },
-        Rubber { name: None, ..own.clone() },
-        Rubber { name: Some("my own".into()), ..own.clone() },
-        Rubber { bulk: Bulk::Modulus(800.0), ..own.clone() },
+        Rubber { law: named.law.scaled(1.01), ..named.clone() },
+        Rubber { name: None, ..named.clone() },
+        Rubber { name: Some("my rubber".into()), ..named.clone() },
+        Rubber { bulk: Bulk::Modulus(800.0), ..named.clone() },
     ] {
         let tube =
             Tube { wall_mm: 1.0, outer_diameter_mm: 60.0, rubber: rubber.clone(), ..Tube::prototype() };
@@ -174,7 +174,7 @@ fn files_keep_name_and_law() {
     assert_eq!((&muscle.tube().rubber.law, &muscle.tube().rubber.name), (law, &None));
 }
 
-/// What the data of rubber in one axis do not tell apart, up to these stretches; the muscle's own law is not among them.
+/// What the data of rubber in one axis do not distinguish, up to these stretches, without the law of the muscle.
 #[test]
 fn laws_of_equal_standing_are_those_of_the_window() {
     let names = |name: &str, s: f64, angle: f64| -> Vec<String> {
@@ -186,14 +186,14 @@ fn laws_of_equal_standing_are_those_of_the_window() {
         names("soloplast-150318", 3.0, 28.0),
         ["gent", "arruda-boyce"].map(|l| format!("soloplast-150318:{l}"))
     );
-    // Beside a law that was asked for stand those that the data prefer or do not tell from these.
+    // With a law by name: those that the data prefer, and those of equal standing with these.
     assert_eq!(
         names("soloplast-150318:yeoh", 3.0, 28.0),
         ["gent", "arruda-boyce"].map(|l| format!("soloplast-150318:{l}"))
     );
     assert_eq!(names("rtv615:neo-hookean", 3.0, 28.0), ["rtv615:yeoh"]);
     for other in equal(&muscle("soloplast-150318", 30.0, 3.0, 28.0)) {
-        // They can be asked for by their names, and give the muscle the same law.
+        // Their names can be given, and give the muscle the same law.
         let named = muscle(other.name.as_deref().unwrap(), 30.0, 3.0, 28.0);
         assert_eq!(named.tube().rubber, other);
     }

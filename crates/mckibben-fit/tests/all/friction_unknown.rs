@@ -1,4 +1,4 @@
-//! What points leave of the ±: friction that they did not measure, and the scatter of their own fit.
+//! What points leave of the ±: friction that they did not measure, and the scatter of their fit.
 
 use mckibben::model::{ForceModel, ModelError, ThickWall, Workspace};
 use mckibben::muscle::file::parse_muscle;
@@ -13,7 +13,7 @@ fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
     Ok(Box::new(Axisymmetric::new(muscle)?))
 }
 
-const OWNED: &str = "[tube]\nouter_diameter = \"12 mm\"\nwall_thickness = \"2 mm\"\nlength = \"220 mm\"\nrubber = \"latex\"\n[braid]\nangle = \"28 deg\"\n\
+const MUSCLE: &str = "[tube]\nouter_diameter = \"12 mm\"\nwall_thickness = \"2 mm\"\nlength = \"220 mm\"\nrubber = \"latex\"\n[braid]\nangle = \"28 deg\"\n\
     strands = 144\nstrand_diameter = \"0.25 mm\"\nstrand_modulus = \"8.5 GPa\"\n";
 const PULLS: [(f64, f64, f64); 8] = [
     (1.0, 0.0, 62.0),
@@ -31,15 +31,15 @@ fn at_2_bar(word: impl Fn(usize) -> &'static str) -> (UncertaintyParts, bool) {
     let rows = PULLS.iter().enumerate().map(|(i, (p, e, f))| format!("{p},{e},{f},{}\n", word(i)));
     let table = format!("pressure_bar,contraction,force_n,branch\n{}", rows.collect::<String>());
     let points: Vec<DataPoint> = read_data(table.as_bytes()).unwrap();
-    let muscle = parse_muscle(OWNED).unwrap();
+    let muscle = parse_muscle(MUSCLE).unwrap();
     let free = ["mu", "braid.stiffness"].map(|name| Parameter::parse(name, &muscle).unwrap());
     let request = Request::new(&muscle, &free, &points, &elements);
-    let found = identify(&request).unwrap();
-    let model = elements(&found.muscle.with_bench(found.bench.unwrap())).unwrap();
+    let result = identify(&request).unwrap();
+    let model = elements(&result.with_bench()).unwrap();
     let parts = Evaluation::new(&*model, &mut Workspace::new(), Direction::Mean)
         .uncertainty(0.2, 0.05, 57.0)
         .unwrap();
-    (parts, found.notes.iter().any(|n| n.starts_with("branch not stated")))
+    (parts, result.notes.iter().any(|n| n.starts_with("branch not stated")))
 }
 
 /// 12 % of the 126 N of the blocked muscle are 15 N beside the 1.6 N of the fit: on one branch, and where none is stated in one row or all; not
@@ -60,8 +60,9 @@ fn points_without_a_branch_do_not_measure_friction() {
 fn no_uncertainty_of_a_measured_muscle_is_below_the_scatter_of_its_fit() {
     for (case, muscle) in library().unwrap() {
         let bench = muscle.bench().unwrap();
-        let own = muscle.length_mm();
-        for length_mm in bench.lengths_mm.iter().copied().chain([0.8, 0.95, 1.3].map(|share| share * own)) {
+        let length = muscle.length_mm();
+        for length_mm in bench.lengths_mm.iter().copied().chain([0.8, 0.95, 1.3].map(|share| share * length))
+        {
             let tube = Tube { length_mm, ..muscle.tube().clone() };
             let other = muscle.with_tube(tube).unwrap();
             let measured = bench.lengths_mm.contains(&length_mm);
@@ -70,14 +71,14 @@ fn no_uncertainty_of_a_measured_muscle_is_below_the_scatter_of_its_fit() {
             for pressure_mpa in [0.0, 0.2, 0.4, 0.9] {
                 for contraction in [-0.02, 0.0, 0.05, 0.15, 0.3] {
                     let at = (pressure_mpa, contraction);
-                    let found =
+                    let parts =
                         Evaluation::new(&model, w, Direction::Mean).uncertainty(at.0, at.1, 0.0).unwrap();
                     let name = &case.facts.name;
                     assert!(
-                        found.total() >= bench.scatter_n * (1.0 - 1e-12),
-                        "{name} {length_mm} {at:?}: {found:?}"
+                        parts.total() >= bench.scatter_n * (1.0 - 1e-12),
+                        "{name} {length_mm} {at:?}: {parts:?}"
                     );
-                    assert!(found.length_transfer.is_none() || !measured, "{name} {length_mm}: {found:?}");
+                    assert!(parts.length_transfer.is_none() || !measured, "{name} {length_mm}: {parts:?}");
                 }
             }
         }

@@ -9,9 +9,9 @@ use mckibben_fem::axisymmetric::MeshSpec;
 use mckibben_fem::elements::Elements;
 use mckibben_fit::identify::{Request, identify};
 use mckibben_fit::validation::case::{built_in, muscles};
-use mckibben_fit::validation::coverage::of_first_fit;
+use mckibben_fit::validation::coverage::first_fit_residuals;
 use mckibben_fit::validation::held_out;
-use mckibben_fit::validation::residual::{Fitter, Left, Residual};
+use mckibben_fit::validation::residual::{Fitter, ForceErrors, Residual};
 use std::path::Path;
 
 fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
@@ -45,7 +45,7 @@ fn the_crates_copies_are_the_files_in_data() {
     }
 }
 
-/// The share of measured single branches that the ± holds of a muscle whose friction was identified from both: with no branch asked for, and on
+/// The share of measured single branches that the ± holds of a muscle whose friction was identified from both: with no branch given, and on
 /// the branch of each point. Of Tondu's 20° muscle the loops are ± 37 N.
 #[test]
 fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() {
@@ -59,13 +59,13 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
         // Every third: quick, and of all pressures and contractions.
         let points: Vec<_> = set.points.iter().filter(branch).step_by(3).copied().collect();
         let request = Request::new(&fit.muscle, &fit.free, &points, &elements);
-        let found = identify(&request).unwrap();
-        assert!(found.muscle.friction().is_some());
+        let result = identify(&request).unwrap();
+        assert!(result.muscle.friction().is_some());
         let (mut held, mut judged) = ([0, 0], 0);
         let mut models: Vec<(mckibben_fit::measured::Section, _, Workspace)> = vec![];
         for p in &points {
             if !models.iter().any(|m| m.0 == p.section) {
-                let muscle = found.candidate.of_section(&p.section).unwrap();
+                let muscle = result.candidate.section_muscle(&p.section).unwrap();
                 models.push((p.section, elements(&muscle).unwrap(), Workspace::new()));
             }
             let (_, model, w) = models.iter_mut().find(|m| m.0 == p.section).unwrap();
@@ -89,51 +89,53 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
 /// All numbers are derived from these points; docs/validation.md has them in a table.
 #[test]
 fn friction_estimated_by_one_measured_muscle_holds_the_branches_of_the_other() {
-    let of = |name: &str, share: f64| -> Vec<Residual> {
+    let residuals = |name: &str, share: f64| -> Vec<Residual> {
         let set = muscles().unwrap().into_iter().find(|c| c.facts.name == name).unwrap();
-        of_first_fit(set, share, Fitter { build: &elements, progress: &Silent }).unwrap()
+        first_fit_residuals(set, share, Fitter { build: &elements, progress: &Silent }).unwrap()
     };
     // Means lie at the points of the lower branch, whose pull a c_f of 0.01 reduces by 0.01 T cosθ.
+    let of_blocked = |r: &Residual| r.difference_n / r.blocked_n;
     let constant = |name: &str| {
-        let (none, some) = (of(name, 0.0), of(name, 0.01));
+        let (none, some) = (residuals(name, 0.0), residuals(name, 0.01));
         let (mut xy, mut xx) = (0.0, 0.0);
         for mean in none.iter().filter(|r| r.branch.is_mean() && r.contraction >= 0.02) {
             let at = |r: &&Residual| (r.pressure_mpa, r.contraction) == (mean.pressure_mpa, mean.contraction);
             let lower = |list: &[Residual]| {
-                list.iter().filter(at).find(|r| r.branch == Direction::Contraction).unwrap().of_blocked()
+                list.iter().filter(at).find(|r| r.branch == Direction::Contraction).map(of_blocked).unwrap()
             };
-            let (half, pull) = (mean.of_blocked() - lower(&none), (lower(&some) - lower(&none)) / 0.01);
+            let (half, pull) = (of_blocked(mean) - lower(&none), (lower(&some) - lower(&none)) / 0.01);
             (xy, xx) = (xy + pull * half, xx + pull * pull);
         }
         xy / xx
     };
     let row = |name: &str, other: &str| {
-        let branches = |share| of(name, share).into_iter().filter(|r| !r.branch.is_mean()).collect();
+        let branches = |share| residuals(name, share).into_iter().filter(|r| !r.branch.is_mean()).collect();
         let both: [Vec<Residual>; 2] = [0.0, constant(other)].map(branches);
-        let [held, estimated] = both.each_ref().map(|list| Left::of(list.iter()).held.unwrap());
+        let [held, estimated] = both.each_ref().map(|list| ForceErrors::new(list.iter()).held.unwrap());
         let width = |r: &Residual| r.half_width_n.unwrap() / r.blocked_n;
         let [wide, narrow] = both.map(|list| list.iter().map(width).sum::<f64>() / list.len() as f64);
         [constant(name), held, estimated, narrow / wide]
     };
     let [first, second] = [row("tondu2012", "tondu2012-30"), row("tondu2012-30", "tondu2012")];
     // c_f, share within the ± of the mean, share within that of the branch, its width over that of the mean.
-    for (found, derived) in [(first, [0.079, 0.959, 0.951, 0.549]), (second, [0.084, 0.911, 0.966, 0.668])] {
-        let near = found.iter().zip(derived).all(|(a, b)| (a - b).abs() < 0.002);
-        assert!(near && (found[2] - 0.95).abs() <= 0.03, "{found:?}");
+    for (computed, derived) in [(first, [0.079, 0.959, 0.951, 0.549]), (second, [0.084, 0.911, 0.966, 0.668])]
+    {
+        let near = computed.iter().zip(derived).all(|(a, b)| (a - b).abs() < 0.002);
+        assert!(near && (computed[2] - 0.95).abs() <= 0.03, "{computed:?}");
     }
     assert!(first[3] + second[3] < 4.0 / 3.0);
 }
 
-/// Ten points at the highest pressure and at 0.4 of it, as far as they are there: the ± that they leave over the blocked force, which is what is said of the
-/// suggested test (0.06), and the held-out points at it.
+/// Ten points at the highest pressure and at 0.4 of it, as far as they are there: their ± over the blocked force, which the suggested test
+/// states (0.06), and the held-out points at it.
 #[test]
-fn ten_points_leave_about_the_uncertainty_that_the_smallest_bench_promises() {
+fn ten_points_give_about_the_uncertainty_of_the_suggested_test() {
     let thick = |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m);
     let mut shares = vec![];
     for (name, fit) in [("tondu2012", "Gent, friction; both branches"), ("dmsp-20-300", "modulus, angle")] {
         let set = muscles().unwrap().into_iter().find(|c| c.facts.name == name).unwrap();
         let fit = set.fits.iter().find(|f| f.name == fit).unwrap();
-        let points = held_out::points_of(set, fit);
+        let points = held_out::fit_points(set, fit);
         let top = points.iter().map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
         let five = |pressure: f64| {
             let mut list: Vec<_> = points
@@ -146,9 +148,9 @@ fn ten_points_leave_about_the_uncertainty_that_the_smallest_bench_promises() {
         };
         let ten = [five(top), five(0.4 * top)].concat();
         let others: Vec<_> = points.iter().filter(|p| !ten.contains(p)).copied().collect();
-        let judged =
-            held_out::judged(fit, &ten, &others, Fitter { build: &thick, progress: &Silent }).unwrap();
-        let held = Left::of(judged.iter()).held;
+        let fitter = Fitter { build: &thick, progress: &Silent };
+        let judged = fitter.judged(fit, &ten, &others).unwrap();
+        let held = ForceErrors::new(judged.iter()).held;
         assert!(held.unwrap() >= 0.93, "{name}: {held:?}");
         let blocked = judged.iter().map(|p| p.blocked_n).fold(0.0, f64::max);
         shares.push(
@@ -171,21 +173,22 @@ fn the_uncertainty_of_the_stiffness_holds_the_slopes_of_measured_pulls() {
         for length in lengths {
             let mut one = set.clone();
             one.points.retain(|p| p.section.length_mm == length);
-            let left = of_first_fit(&one, 0.0, Fitter { build: &elements, progress: &Silent }).unwrap();
-            let left: Vec<_> = left.into_iter().filter(|r| r.branch.is_mean()).collect();
+            let residuals =
+                first_fit_residuals(&one, 0.0, Fitter { build: &elements, progress: &Silent }).unwrap();
+            let residuals: Vec<_> = residuals.into_iter().filter(|r| r.branch.is_mean()).collect();
             let mut ratios = vec![];
-            for (i, a) in left.iter().enumerate() {
-                for b in &left[..i] {
+            for (i, a) in residuals.iter().enumerate() {
+                for b in &residuals[..i] {
                     let way = (a.contraction_share - b.contraction_share).abs();
                     if (a.pressure_mpa - b.pressure_mpa).abs() < 1e-3 && way > 0.25 {
                         let half = a.half_width_n.unwrap().max(b.half_width_n.unwrap());
-                        let slope = (a.left_n - b.left_n).abs() / way;
+                        let slope = (a.difference_n - b.difference_n).abs() / way;
                         ratios.push(slope * STIFFNESS_WAY / (2f64.sqrt() * half));
                     }
                 }
             }
-            let own = ratios.iter().filter(|r| **r <= 1.0).count();
-            (held, all) = (held + own, all + ratios.len());
+            let covered = ratios.iter().filter(|r| **r <= 1.0).count();
+            (held, all) = (held + covered, all + ratios.len());
         }
     }
     assert!(all > 300 && 100 * held >= 95 * all, "{held} of {all}");

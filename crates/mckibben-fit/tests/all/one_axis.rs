@@ -31,7 +31,7 @@ fn the_share_for_one_axis_holds_every_pull_of_six_rubbers_measured_in_several() 
         let mut shares: Vec<f64> = vec![];
         for (wall, angle) in [(3.0, 28.0), (1.5, 22.0)] {
             let muscle = |law: &Law| {
-                let rubber = Rubber::of(law.clone());
+                let rubber = Rubber::new(law.clone());
                 let tube = Tube { rubber, wall_mm: wall, ..Muscle::prototype().tube().clone() };
                 let muscle = Muscle::prototype().with_tube(tube).unwrap();
                 let braid = Braid { angle_deg: angle, ..muscle.braid().clone() };

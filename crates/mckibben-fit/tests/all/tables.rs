@@ -9,9 +9,8 @@ fn both(bytes: &[u8]) {
     let columns = Columns::parse("pressure=P:kPa,contraction=#2:%").unwrap_or_default();
     for columns in [Columns::default(), columns] {
         let _ = read_points(bytes, &PointOptions { columns: columns.clone(), rest_length_mm: Some(200.0) });
-        let options =
-            ReadOptions { area_mm2: Some(1.0), gauge_length_mm: Some(1.0), ..ReadOptions::default() };
-        let _ = read_tests(bytes, options, &columns);
+        let (area_mm2, gauge_length_mm) = (Some(1.0), Some(1.0));
+        let _ = read_tests(bytes, &ReadOptions { columns, area_mm2, gauge_length_mm, ..Default::default() });
     }
 }
 

@@ -69,7 +69,7 @@ fn exists() -> Error {
 /// `IsADirectory`, `PermissionDenied` for a file that is read-only, `NotFound` where the folder does not exist, and
 /// whatever the system says.
 pub fn check_writable(path: &Path) -> Result<()> {
-    Destination::of(behind_links(path)?).map(drop)
+    Destination::new(behind_links(path)?).map(drop)
 }
 
 /// Where a file goes: behind links, with what is there.
@@ -79,8 +79,8 @@ struct Destination {
 }
 
 impl Destination {
-    fn of(target: PathBuf) -> Result<Self> {
-        // Of a link inside a folder, which is not followed, nothing is asked.
+    fn new(target: PathBuf) -> Result<Self> {
+        // A link inside a folder is not followed and not checked.
         let old = match std::fs::symlink_metadata(&target) {
             Ok(link) if link.is_symlink() => None,
             Ok(old) => Some(old),
@@ -140,10 +140,10 @@ impl Unfinished {
     /// What names of unfinished files begin with.
     pub const PREFIX: &'static str = ".unfinished-";
 
-    /// Begins a file that is to stand at `path`; where that is a link, at the file that it points to. The mode of an older
+    /// Begins the file at `path`; where that is a link, at the file that it points to. The mode of an older
     /// file is kept, a new one gets the usual one.
     pub fn beside(path: &Path) -> Result<Self> {
-        Self::at(Destination::of(behind_links(path)?)?)
+        Self::at(Destination::new(behind_links(path)?)?)
     }
 
     /// Begins a file of a folder, in which no link is followed.
@@ -154,7 +154,7 @@ impl Unfinished {
         if !overwrite && std::fs::symlink_metadata(path).is_ok_and(|m| !m.is_dir()) {
             return Err(exists());
         }
-        Self::at(Destination::of(path.into())?)
+        Self::at(Destination::new(path.into())?)
     }
 
     fn at(place: Destination) -> Result<Self> {

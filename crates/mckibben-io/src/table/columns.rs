@@ -2,7 +2,7 @@
 
 use super::error::{TableError, short};
 use super::find::Column;
-use super::heading::{self, MINUS, plain};
+use super::heading::{self, Heading, MINUS, plain};
 use super::vocabulary::{Entry, Meaning, Vocabulary};
 use crate::units::nearest::{meant, nearest};
 use serde::{Deserialize, Serialize};
@@ -101,8 +101,8 @@ impl Choice {
         let exact = || headings.iter().any(|h| [self.text.trim(), self.split().0].contains(h));
         if let Some(rest) = self.text.trim().strip_prefix(MINUS).filter(|_| !exact()) {
             let plus = Self { text: rest.trim().to_owned(), ..self.clone() };
-            let found = plus.find(headings)?;
-            return Ok(found.map(|c| Column { negated: !c.negated, ..c }));
+            let column = plus.find(headings)?;
+            return Ok(column.map(|c| Column { negated: !c.negated, ..c }));
         }
         let whole = self.place(headings, &self.text)?;
         let (heading, unit) = if whole.is_some() { (self.text.as_str(), None) } else { self.split() };
@@ -113,7 +113,7 @@ impl Choice {
         };
         let Some(index) = place else { return Ok(None) };
         let stated = vocabulary.unit_in(self.entry, headings[index]);
-        let found = match unit.filter(|u| !u.is_empty()) {
+        let given = match unit.filter(|u| !u.is_empty()) {
             Some(unit) => {
                 let typed = vocabulary.unit_of(self.entry, unit).ok_or_else(|| {
                     let (unit, name, units) = (short(unit), &self.entry.name, vocabulary.units(self.entry));
@@ -136,17 +136,10 @@ impl Choice {
             }
             None => stated,
         };
-        Ok(Some(Column {
-            meaning: found.map_or(self.entry.meaning, |f| f.0),
-            index,
-            heading: short(headings[index]),
-            unit: found.map(|f| f.1),
-            unknown_unit: false,
-            negated: heading::is_negated(headings[index]),
-            chosen: true,
-            label: String::new(),
-            rank: 0,
-        }))
+        let (meaning, unit) =
+            given.map_or((self.entry.meaning, None), |(meaning, unit)| (meaning, Some(unit)));
+        let known = Heading { meaning, unit, unknown_unit: false, label: String::new(), rank: 0 };
+        Ok(Some(Column::new(index, headings[index], known, true)))
     }
 
     /// The heading that is meant: letter by letter, then without regard to case and marks, then without its unit.
@@ -164,9 +157,9 @@ impl Choice {
                 [one] => return Ok(Some(one)),
                 [first, ..] => {
                     return Err(TableError::Refused(format!(
-                        "the columns {found} could all be {name}: select one with `columns` {name}=\"#{example}\"",
+                        "the columns {columns} could all be {name}: select one with `columns` {name}=\"#{example}\"",
                         name = self.entry.name,
-                        found = listed(places.iter().map(|&i| headings[i])),
+                        columns = listed(places.iter().map(|&i| headings[i])),
                         example = first + 1
                     )));
                 }
@@ -178,9 +171,9 @@ impl Choice {
     /// That it is not there.
     pub(crate) fn missing(&self, headings: &[&str]) -> TableError {
         TableError::Refused(format!(
-            "`columns`: there is no column \"{heading}\" (the columns are: {found})",
+            "`columns`: there is no column \"{heading}\" (the columns are: {columns})",
             heading = short(&self.text),
-            found = listed(headings.iter().copied())
+            columns = listed(headings.iter().copied())
         ))
     }
 }

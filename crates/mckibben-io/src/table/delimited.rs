@@ -229,7 +229,7 @@ mod tests {
 
     #[test]
     fn separators_are_found() {
-        for (text, found) in [
+        for (text, separator) in [
             ("a,b\n1.5,2", Separator::Mark(',')),
             ("a;b\n1,5;2,5", Separator::Mark(';')),
             ("a, x\tb\n1,5\t2,5", Separator::Mark('\t')),
@@ -240,7 +240,7 @@ mod tests {
             ("\"sep=;\"\na;b,c\n1;2", Separator::Mark(';')),
             ("", Separator::Mark(',')),
         ] {
-            assert_eq!(Sheet::split(text).unwrap().separator, found, "{text}");
+            assert_eq!(Sheet::split(text).unwrap().separator, separator, "{text}");
         }
         assert_eq!(rows("sep=;\n\na;b\n"), [row(3, &["a", "b"])]);
     }

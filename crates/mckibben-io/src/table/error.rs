@@ -37,24 +37,24 @@ impl TableError {
         Self::Refused(format!("line {line}: the {name} \"{}\" is {known}", short(text)))
     }
 
-    pub(crate) fn missing_column(need: &Need, found: &str, empty: &str, example: &str) -> Self {
+    pub(crate) fn missing_column(need: &Need, columns: &str, empty: &str, example: &str) -> Self {
         let Need { wanted, names, .. } = need;
         let empty = match empty {
             "" => String::new(),
             empty => format!("; without a number in any line: {empty}"),
         };
-        let encoding = if in_two_bytes(found) {
+        let encoding = if in_two_bytes(columns) {
             "; the headings look like GBK or Shift-JIS: save the table as CSV in UTF-8"
         } else {
             ""
         };
         Self::Refused(format!(
-            "no column of {wanted} (the columns are: {found}{empty}); name it {names}, or assign it with `columns` {example}{encoding}"
+            "no column of {wanted} (the columns are: {columns}{empty}); name it {names}, or assign it with `columns` {example}{encoding}"
         ))
     }
 }
 
-/// Whether a text that was read as Windows-1252 has letters of two bytes: most of those beyond ASCII stand side by side.
+/// Whether a text that was read as Windows-1252 has letters of two bytes: most of those beyond ASCII are neighbours.
 fn in_two_bytes(text: &str) -> bool {
     let beyond: Vec<bool> = text.chars().map(|c| !c.is_ascii()).collect();
     let beside = beyond.windows(2).filter(|pair| pair[0] && pair[1]).count();

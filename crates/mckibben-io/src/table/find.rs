@@ -4,7 +4,7 @@ use super::Table;
 use super::columns::{Choice, Columns, listed};
 use super::delimited::{Separator, Sheet, TableRow};
 use super::error::{TableError, short};
-use super::heading;
+use super::heading::{self, Heading};
 use super::number::{self, Decimal};
 use super::vocabulary::{Meaning, Need, Vocabulary};
 use crate::units::Unit;
@@ -21,7 +21,7 @@ pub struct Column {
     pub unit: Option<Unit>,
     /// Whether something else is in place of a unit.
     pub(super) unknown_unit: bool,
-    /// Whether a minus stands before its heading, or before the heading that was chosen: the values have the opposite sign.
+    /// Whether a minus precedes its heading, or before the heading that was chosen: the values have the opposite sign.
     pub(super) negated: bool,
     /// Whether somebody said that it is this one.
     pub chosen: bool,
@@ -31,6 +31,12 @@ pub struct Column {
 }
 
 impl Column {
+    pub(super) fn new(index: usize, text: &str, known: Heading, chosen: bool) -> Self {
+        let Heading { meaning, unit, unknown_unit, label, rank } = known;
+        let (heading, negated) = (short(text), heading::is_negated(text));
+        Self { meaning, index, heading, unit, unknown_unit, negated, chosen, label, rank }
+    }
+
     /// What is wrong with its value in a line.
     pub(super) fn refused(&self, line: u64, what: String) -> TableError {
         TableError::Refused(format!("line {line}, column {}: {what}", self.heading))
@@ -57,12 +63,12 @@ impl Table {
     pub fn read(text: &str, vocabulary: &'static Vocabulary, columns: &Columns) -> Result<Self, TableError> {
         let Sheet { mut rows, comments, separator } = Sheet::split(text)?;
         let mut search = Search { vocabulary, choices: vocabulary.choices(columns)?, dead: vec![] };
-        let mut found = search.find(&rows, &comments)?;
-        search.dead = found.dead(&rows, vocabulary);
+        let mut head = search.find(&rows, &comments)?;
+        search.dead = head.dead(&rows, vocabulary);
         if !search.dead.is_empty() {
-            found = search.find(&rows, &comments)?;
+            head = search.find(&rows, &comments)?;
         }
-        let Found { line, headings, columns, first } = found;
+        let Head { line, headings, columns, first } = head;
         let mut table = Self {
             rows: rows.split_off(first.min(rows.len())),
             left_out: 0,
@@ -90,7 +96,7 @@ impl Table {
     /// The line of units below the heading, where there is one.
     fn take_units(&mut self) -> Result<(), TableError> {
         let (Some(_), Some(row)) = (self.heading_line, self.rows.first()) else { return Ok(()) };
-        let mut found = vec![];
+        let mut units = vec![];
         for (at, column) in
             self.columns.iter().enumerate().filter(|(_, c)| self.vocabulary.is_number(c.meaning))
         {
@@ -103,14 +109,14 @@ impl Table {
                 continue;
             }
             let entry = self.vocabulary.entry(column.meaning);
-            found.push((at, text, entry.and_then(|e| self.vocabulary.unit_of(e, text))));
+            units.push((at, text, entry.and_then(|e| self.vocabulary.unit_of(e, text))));
         }
         let dash = |text: &str| ["-", "–", "[-]", "[ ]", "[]"].contains(&text);
-        if !found.iter().any(|(_, text, unit)| unit.is_some() && !dash(text)) {
+        if !units.iter().any(|(_, text, unit)| unit.is_some() && !dash(text)) {
             return Ok(());
         }
         let mut columns = self.columns.clone();
-        for (at, text, unit) in found {
+        for (at, text, unit) in units {
             let column = &mut columns[at];
             match (unit, column.unit) {
                 (Some((_, unit)), Some(before)) if unit != before => {
@@ -143,9 +149,9 @@ impl Table {
             _ => "; every line needs as many fields as the heading",
         };
         Err(TableError::Refused(format!(
-            "line {line} has {found} fields and the heading {expected}{hint}",
+            "line {line} has {count} fields and the heading {expected}{hint}",
             line = row.line,
-            found = row.len()
+            count = row.len()
         )))
     }
 }
@@ -168,7 +174,7 @@ fn is_number(field: &str) -> bool {
     number::number(field, Decimal::Point) != Err(number::NoNumber::Text)
 }
 
-struct Found {
+struct Head {
     line: Option<u64>,
     headings: Vec<String>,
     columns: Vec<Column>,
@@ -176,7 +182,7 @@ struct Found {
     first: usize,
 }
 
-impl Found {
+impl Head {
     /// Columns that somebody's words call numbers and that hold none in any row, by their place.
     fn dead(&self, rows: &[TableRow], vocabulary: &Vocabulary) -> Vec<usize> {
         let data = rows.get(self.first..).unwrap_or_default();
@@ -198,10 +204,10 @@ struct Search {
 
 impl Search {
     /// The first line from which all that is needed can be understood; a comment above the data where no line is one.
-    fn find(&self, rows: &[TableRow], comments: &[TableRow]) -> Result<Found, TableError> {
+    fn find(&self, rows: &[TableRow], comments: &[TableRow]) -> Result<Head, TableError> {
         let vocabulary = self.vocabulary;
-        if let Some(found) = self.by_numbers(rows)? {
-            return Ok(found);
+        if let Some(head) = self.by_numbers(rows)? {
+            return Ok(head);
         }
         let lines = rows.iter().take(MOST_LINES_ABOVE).enumerate().map(|(i, row)| (row, i + 1));
         let lines = lines.chain(comments.iter().rev().take(MOST_LINES_ABOVE).map(|row| (row, 0)));
@@ -212,7 +218,7 @@ impl Search {
             if guess.missing.is_empty() && guess.lacking.is_empty() {
                 let columns = unambiguous(&guess.columns, vocabulary)?;
                 let headings = headings.into_iter().map(str::to_owned).collect();
-                return Ok(Found { line: Some(row.line), headings, columns, first });
+                return Ok(Head { line: Some(row.line), headings, columns, first });
             }
             let understood = guess.columns.len();
             if best.as_ref().is_none_or(|b| b.0 < understood) {
@@ -252,7 +258,7 @@ impl Search {
     }
 
     /// A table without a heading, whose columns are chosen by number.
-    fn by_numbers(&self, rows: &[TableRow]) -> Result<Option<Found>, TableError> {
+    fn by_numbers(&self, rows: &[TableRow]) -> Result<Option<Head>, TableError> {
         let Some(row) = rows.first().filter(|_| !self.choices.is_empty()) else { return Ok(None) };
         let numbered = self.choices.iter().all(|c| c.by_number().is_some_and(|i| is_number(row.field(i))));
         if !numbered {
@@ -262,7 +268,7 @@ impl Search {
         let names: Vec<&str> = headings.iter().map(String::as_str).collect();
         let guess = self.guess(&names)?;
         let complete = guess.missing.is_empty() && guess.lacking.is_empty();
-        Ok(complete.then_some(Found { line: None, columns: guess.columns, headings, first: 0 }))
+        Ok(complete.then_some(Head { line: None, columns: guess.columns, headings, first: 0 }))
     }
 
     fn guess(&self, headings: &[&str]) -> Result<Guess, TableError> {
@@ -271,13 +277,13 @@ impl Search {
         let mut missing = vec![];
         for (i, choice) in self.choices.iter().enumerate() {
             match choice.find(headings)? {
-                Some(found) if columns.iter().any(|c| c.index == found.index) => {
+                Some(column) if columns.iter().any(|c| c.index == column.index) => {
                     return Err(TableError::Refused(format!(
                         "`columns`: the column \"{}\" is chosen for two quantities",
-                        found.heading
+                        column.heading
                     )));
                 }
-                Some(found) => columns.push(found),
+                Some(column) => columns.push(column),
                 None => missing.push(i),
             }
         }
@@ -287,21 +293,11 @@ impl Search {
             if self.dead.contains(&index) || columns.iter().any(|c| c.index == index && c.chosen) {
                 continue;
             }
-            let Some(found) = vocabulary.understand(text) else { continue };
-            if decided.contains(&found.meaning) {
+            let Some(known) = vocabulary.understand(text) else { continue };
+            if decided.contains(&known.meaning) {
                 continue;
             }
-            columns.push(Column {
-                meaning: found.meaning,
-                index,
-                heading: short(text),
-                unit: found.unit,
-                unknown_unit: found.unknown_unit,
-                negated: heading::is_negated(text),
-                chosen: false,
-                label: found.label,
-                rank: found.rank,
-            });
+            columns.push(Column::new(index, text, known, false));
         }
         // Volts beside bar are no second column of pressures.
         let understood: Vec<Meaning> =
@@ -314,7 +310,7 @@ impl Search {
     }
 }
 
-/// One column for each quantity: our own heading before those of people; the same words in two units are the same quantity.
+/// One column for each quantity: the preferred heading before those of people; the same words in two units are the same quantity.
 fn unambiguous(columns: &[Column], vocabulary: &Vocabulary) -> Result<Vec<Column>, TableError> {
     let mut out: Vec<Column> = vec![];
     for column in columns {
@@ -327,9 +323,9 @@ fn unambiguous(columns: &[Column], vocabulary: &Vocabulary) -> Result<Vec<Column
             Some((first, others)) if !others.iter().all(is_same) => {
                 let numbered = others.iter().any(|c| c.heading == first.heading);
                 return Err(TableError::Refused(format!(
-                    "the columns {found} could all be {name}: select one with `columns` {name}=\"{example}\"",
+                    "the columns {columns} could all be {name}: select one with `columns` {name}=\"{example}\"",
                     name = vocabulary.entry(column.meaning).map_or("", |e| &e.name),
-                    found = listed(best.iter().map(|c| c.heading.as_str())),
+                    columns = listed(best.iter().map(|c| c.heading.as_str())),
                     example = if numbered { format!("#{}", first.index + 1) } else { first.heading.clone() }
                 )));
             }

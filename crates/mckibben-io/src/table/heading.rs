@@ -12,7 +12,7 @@ pub(crate) struct Heading {
     pub(crate) unknown_unit: bool,
     /// Its words without the unit, in plain form.
     pub(crate) label: String,
-    /// Small for our own headings, then those of people, then those with words left out.
+    /// Small for the preferred headings, then those of people, then those with omitted words.
     pub(crate) rank: usize,
 }
 
@@ -118,7 +118,7 @@ fn label(words: &str) -> String {
 
 /// How well a heading with a plain label names a quantity; `None` where it does not.
 fn rank(heading: &str, label: &str, entry: &Entry) -> Option<usize> {
-    if let Some(place) = entry.own.iter().position(|own| own.eq_ignore_ascii_case(heading)) {
+    if let Some(place) = entry.preferred.iter().position(|word| word.eq_ignore_ascii_case(heading)) {
         return Some(place);
     }
     if entry.knows(label) {
@@ -169,12 +169,12 @@ impl Vocabulary {
 
     fn without_unit(&self, heading: &str) -> Option<Heading> {
         let label = plain(heading);
-        let found = self.entries().filter_map(|entry| {
+        let headings = self.entries().filter_map(|entry| {
             let rank = rank(heading, &label, entry)?;
             let (meaning, label) = (entry.meaning, label.clone());
             Some(Heading { meaning, unit: None, unknown_unit: false, label, rank })
         });
-        found.min_by_key(|h| h.rank)
+        headings.min_by_key(|h| h.rank)
     }
 
     /// The unit of a text for a quantity, and the quantity that it then is.
@@ -185,8 +185,8 @@ impl Vocabulary {
 
     /// The words before a unit of a quantity, in plain form.
     pub(crate) fn without_unit_of(&self, entry: &Entry, heading: &str) -> Option<String> {
-        let found = cuts(heading.trim()).find(|(_, behind)| self.unit_of(entry, behind).is_some());
-        found.map(|(words, _)| label(words))
+        let cut = cuts(heading.trim()).find(|(_, behind)| self.unit_of(entry, behind).is_some());
+        cut.map(|(words, _)| label(words))
     }
 
     /// Units of a quantity, for messages.
@@ -208,9 +208,9 @@ mod tests {
     use super::*;
 
     fn said(vocabulary: &Vocabulary, heading: &str) -> Option<(Meaning, Option<&'static str>)> {
-        let found = vocabulary.understand(heading)?;
-        let unit = found.unit.map(|unit| unit.name);
-        Some((found.meaning, unit.or(found.unknown_unit.then_some("?"))))
+        let heading = vocabulary.understand(heading)?;
+        let unit = heading.unit.map(|unit| unit.name);
+        Some((heading.meaning, unit.or(heading.unknown_unit.then_some("?"))))
     }
 
     #[test]

@@ -37,7 +37,7 @@ fn evidence(text: &str) -> Option<Decimal> {
     }
 }
 
-/// One to three digits that may stand before a group of thousands.
+/// One to three digits that may precede a group of thousands.
 fn is_lead(text: &str) -> bool {
     (1..=3).contains(&text.len()) && !text.starts_with('0')
 }

@@ -39,7 +39,7 @@ pub struct UnderstoodColumn {
     pub column: String,
     /// What it means.
     pub quantity: String,
-    /// In which unit it stands; empty for ratios, words and weights.
+    /// Its unit; empty for ratios, words and weights.
     pub unit: String,
     /// From its smallest to its largest value, in MPa, N, mm, deg or as ratio: `0.1..0.3MPa`.
     pub range: Option<String>,

@@ -92,9 +92,9 @@ impl Table {
         let row = &self.rows[at];
         let text = row.field(column.index);
         if text.is_empty() && row.width() <= column.index {
-            let (line, found, expected) = (row.line, row.width(), self.headings.len());
+            let (line, count, expected) = (row.line, row.width(), self.headings.len());
             return Err(TableError::Refused(format!(
-                "line {line} has {found} fields and the heading {expected}; every line needs as many fields as the heading"
+                "line {line} has {count} fields and the heading {expected}; every line needs as many fields as the heading"
             )));
         }
         let not_a_number =
@@ -160,9 +160,9 @@ impl Table {
         if text.is_empty() {
             return Ok(None);
         }
-        let found = words.iter().find(|w| w.0 == plain(text)).map(|w| w.1);
+        let word = words.iter().find(|w| w.0 == plain(text)).map(|w| w.1);
         let name = self.entry(column).map_or("", |e| &e.name);
-        found.map(Some).ok_or_else(|| TableError::word(line, name, text, known))
+        word.map(Some).ok_or_else(|| TableError::word(line, name, text, known))
     }
 
     /// A value that cannot be.

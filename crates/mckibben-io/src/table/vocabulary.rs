@@ -3,10 +3,9 @@
 //! Words are in plain form: lower case, without accents, everything that is no letter or digit as an underscore
 //! ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other spelling (`ue`) is beside them.
 
+use crate::named;
 use crate::units::Dimension;
 use serde::Deserialize;
-use serde::de::IntoDeserializer;
-use serde::de::value::{Error as ValueError, StrDeserializer};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 use std::sync::LazyLock;
@@ -103,8 +102,8 @@ pub(crate) struct Words {
     pub(crate) dimension: Option<Dimension>,
     /// What the same words mean with a unit of another dimension: contraction in mm is a shortening.
     pub(crate) otherwise: Option<Meaning>,
-    /// Headings of our own, the best liked first; they go before all others.
-    pub(crate) own: Vec<String>,
+    /// Headings that this program writes, the best first; they go before all others.
+    pub(crate) preferred: Vec<String>,
     last: Vec<String>,
     /// Words of people for it, by their language; two columns of the same quantity are ambiguous.
     #[serde(flatten)]
@@ -135,7 +134,7 @@ pub struct Vocabulary {
     meanings: Vec<Meaning>,
     /// What a table of this kind is called, for messages.
     pub(crate) what: &'static str,
-    /// What there must be: any one of each group. The first name stands for the group in messages.
+    /// What there must be: any one of each group. Messages name the group by the first.
     pub(crate) needed: Vec<Need>,
 }
 
@@ -153,12 +152,6 @@ pub(crate) struct Need {
 /// As in `ContractionRatio` and `restlength`.
 fn joined(label: &str) -> String {
     label.replace('_', "")
-}
-
-/// What a word of the data files stands for.
-fn named<'a, T: Deserialize<'a>>(word: &'a str) -> Option<T> {
-    let word: StrDeserializer<'a, ValueError> = word.into_deserializer();
-    T::deserialize(word).ok()
 }
 
 /// The words of `data/words.toml`, of all languages together.
@@ -190,9 +183,9 @@ pub(crate) fn is_spoken(value: &str, word: &str) -> bool {
 }
 
 impl Words {
-    /// Our own headings and the words of people.
+    /// The preferred headings and the words of people.
     pub(crate) fn all(&self) -> impl Iterator<Item = &str> {
-        self.own.iter().chain(self.people.values().flatten()).map(String::as_str)
+        self.preferred.iter().chain(self.people.values().flatten()).map(String::as_str)
     }
 
     /// Whether a plain label is a word for it where no other column is it: a weight hangs on a muscle beside a load cell.
@@ -208,7 +201,7 @@ impl Words {
 
 impl Vocabulary {
     /// A kind of `data/tables.txt`.
-    fn of(kind: &str) -> Self {
+    fn named(kind: &str) -> Self {
         let mut lines = include_str!("../../data/tables.txt").lines().map(cells);
         let head = lines.find(|(_, cells)| cells[0] == kind).unwrap_or_default().1;
         let needed = lines.map_while(|(below, [wanted, any_of, names])| {
@@ -242,16 +235,16 @@ fn meanings(words: &str) -> Vec<Meaning> {
 }
 
 /// A rubber strip over time.
-pub static HISTORIES: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("histories"));
+pub static HISTORIES: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("histories"));
 /// Measured points of a muscle.
-pub static POINTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("points"));
+pub static POINTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("points"));
 /// Tension tests of a rubber.
-pub static TESTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("tests"));
+pub static TESTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("tests"));
 /// A load over the shortening of the muscle that meets it.
-pub(crate) static LOADS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("loads"));
+pub(crate) static LOADS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("loads"));
 /// A quantity over time, in the order of [`OverTime`](super::OverTime).
 pub(crate) static OVER_TIME: LazyLock<[Vocabulary; 5]> =
-    LazyLock::new(|| ["pressures", "openings", "volumes", "contractions", "angles"].map(Vocabulary::of));
+    LazyLock::new(|| ["pressures", "openings", "volumes", "contractions", "angles"].map(Vocabulary::named));
 
 #[cfg(test)]
 mod tests {
@@ -266,7 +259,7 @@ mod tests {
                 assert!(vocabulary.entry(entry.meaning).is_some_and(|e| e.name == entry.name));
                 for word in entry.all() {
                     assert_eq!(plain(word), word, "{word}");
-                    // `deformation` is a mode in our own tables, a strain with a unit in French ones.
+                    // `deformation` is a mode in this program's tables, a strain with a unit in French ones.
                     assert!(!seen.contains(&word) || word == "deformation", "{word} is there twice");
                     seen.push(word);
                 }

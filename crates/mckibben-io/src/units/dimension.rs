@@ -1,6 +1,6 @@
 //! The kinds of quantities, and the units of each.
 
-use serde::de::{IntoDeserializer, value::Error as ValueError};
+use crate::named;
 use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
 
@@ -80,16 +80,8 @@ fn read(text: &'static str) -> Vec<Kind> {
             }
             (&[name, noun, expectation, end], _) => {
                 let end_of_name = Some(end).filter(|end| !end.is_empty());
-                let dimension: Result<Dimension, ValueError> =
-                    Dimension::deserialize(name.into_deserializer());
-                let units = vec![];
-                kinds.extend(dimension.map(|dimension| Kind {
-                    dimension,
-                    units,
-                    noun,
-                    expectation,
-                    end_of_name,
-                }));
+                let kind = |dimension| Kind { dimension, units: vec![], noun, expectation, end_of_name };
+                kinds.extend(named(name).map(kind));
             }
             _ => {}
         }

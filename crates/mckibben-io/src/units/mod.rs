@@ -17,5 +17,5 @@ pub use dimension::Dimension;
 pub use name::NamedUnit;
 pub use quantity::{BOUNDS, QuantityError, parse_quantity, plausible};
 pub use range::{MAX_POINTS, RangeError, Values, parse_values};
-pub use short::short_numbers;
+pub use short::{short_numbers, trimmed};
 pub use unit::Unit;

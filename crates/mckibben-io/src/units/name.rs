@@ -28,12 +28,12 @@ const STIFFNESS: &str = "stiffness";
 pub struct NamedUnit {
     /// The unit's usual spelling; empty for a plain ratio.
     pub unit: &'static str,
-    /// What it measures, where a text with another unit may stand in its place.
+    /// What it measures, where a text with another unit is accepted too.
     pub dimension: Option<Dimension>,
 }
 
 impl NamedUnit {
-    fn of(dimension: Dimension) -> Self {
+    fn inside(dimension: Dimension) -> Self {
         Self { unit: dimension.unit_inside().name, dimension: Some(dimension) }
     }
 
@@ -46,16 +46,16 @@ impl NamedUnit {
     /// assert_eq!(NamedUnit::of_field("turns"), None);
     /// ```
     pub fn of_field(name: &str) -> Option<Self> {
-        let typed = Dimension::all().filter_map(|d| Some((d.end_of_name()?, Self::of(d))));
+        let typed = Dimension::all().filter_map(|d| Some((d.end_of_name()?, Self::inside(d))));
         let answered = ANSWERED.iter().map(|&(end, unit)| (end, Self { unit, dimension: None }));
         let ends = |end: &str| name.strip_suffix(end).is_some_and(|rest| rest.ends_with('_'));
         // The longest: `_n_per_mm` ends with `_mm` too.
-        let found = typed.chain(answered).filter(|(end, _)| ends(end)).max_by_key(|(end, _)| end.len());
-        found.map(|(_, unit)| unit).or_else(|| {
+        let end = typed.chain(answered).filter(|(end, _)| ends(end)).max_by_key(|(end, _)| end.len());
+        end.map(|(_, unit)| unit).or_else(|| {
             let last = name.rsplit('_').find(|word| word.parse::<u32>().is_err()).unwrap_or_default();
             match last {
-                _ if name == STIFFNESS => Some(Self::of(Dimension::Stiffness)),
-                last if RATIOS.contains(&last) => Some(Self::of(Dimension::Ratio)),
+                _ if name == STIFFNESS => Some(Self::inside(Dimension::Stiffness)),
+                last if RATIOS.contains(&last) => Some(Self::inside(Dimension::Ratio)),
                 _ => None,
             }
         })
@@ -72,9 +72,9 @@ mod tests {
     fn every_kind_of_quantity_is_found_by_the_end_of_a_name() {
         for dimension in Dimension::all() {
             let name = dimension.end_of_name().map_or("contraction".to_owned(), |end| format!("some_{end}"));
-            let found = NamedUnit::of_field(&name).unwrap();
-            assert_eq!(found.dimension, Some(dimension), "{name}");
-            assert_eq!(parse_quantity(&format!("1.5 {}", found.unit), dimension), Ok(1.5), "{name}");
+            let named = NamedUnit::of_field(&name).unwrap();
+            assert_eq!(named.dimension, Some(dimension), "{name}");
+            assert_eq!(parse_quantity(&format!("1.5 {}", named.unit), dimension), Ok(1.5), "{name}");
         }
     }
 

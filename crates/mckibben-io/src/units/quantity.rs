@@ -4,7 +4,7 @@ use super::convert::convert;
 use super::dimension::Dimension;
 use thiserror::Error;
 
-/// Why a text is not the quantity that was asked for.
+/// Why a text is not the expected quantity.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{subject}{problem}")]
 pub struct QuantityError {
@@ -15,13 +15,13 @@ pub struct QuantityError {
 }
 
 impl QuantityError {
-    fn of(text: &str, problem: String) -> Self {
+    fn about(text: &str, problem: String) -> Self {
         Self { subject: format!("\"{}\" ", text.trim()), problem }
     }
 
     /// A text that is something else than what was expected.
     pub(super) fn is(text: &str, what: &str, expected: Dimension) -> Self {
-        Self::of(text, format!("{what}; expected {}", expected.expectation()))
+        Self::about(text, format!("{what}; expected {}", expected.expectation()))
     }
 
     /// `NaN`, `inf`, or a number too large for a double.
@@ -110,12 +110,12 @@ pub(super) fn factor(unit: &str, text: &str, expected: Dimension) -> Result<(f64
     if unit.is_empty() {
         return Ok((1.0, 1.0));
     }
-    if let Some(found) = expected.unit(unit) {
-        return Ok(found.fraction);
+    if let Some(unit) = expected.unit(unit) {
+        return Ok(unit.fraction);
     }
-    let found = Dimension::all().find(|d| d.unit(unit).is_some());
-    let what = match found {
-        Some(found) => format!("is {}", found.noun()),
+    let other = Dimension::all().find(|d| d.unit(unit).is_some());
+    let what = match other {
+        Some(other) => format!("is {}", other.noun()),
         None => format!("has the unknown unit \"{unit}\""),
     };
     Err(QuantityError::is(text, &what, expected))
@@ -134,7 +134,7 @@ fn comma(text: &str, behind: &str) -> Result<(), QuantityError> {
         _ => text.replacen(',', ".", 1),
     };
     let why = "is not one number: a point begins the decimals and a comma separates the values of a list";
-    Err(QuantityError::of(text, format!("{why}; write {meant}")))
+    Err(QuantityError::about(text, format!("{why}; write {meant}")))
 }
 
 /// Reads a quantity and returns it in the unit used inside (mm, MPa, degrees, N, ratio, N/mm, mm²).

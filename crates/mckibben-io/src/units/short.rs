@@ -73,6 +73,13 @@ fn number_at(text: &str) -> &str {
     &text[..end]
 }
 
+/// A number with at most so many decimals, without zeros at the end.
+pub fn trimmed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    if text == "-0" { "0".into() } else { text.into() }
+}
+
 /// Seven significant digits, without zeros at the end; with an exponent below 1e-5 and from 1e15 on.
 fn short(value: f64) -> String {
     const DIGITS: i32 = 7;
@@ -82,11 +89,7 @@ fn short(value: f64) -> String {
     let magnitude = value.abs().log10().floor() as i32;
     if (-5..15).contains(&magnitude) {
         let decimals = (DIGITS - 1 - magnitude).max(0) as usize;
-        let text = format!("{value:.decimals$}");
-        return match text.contains('.') {
-            true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-            false => text,
-        };
+        return trimmed(value, decimals);
     }
     let text = format!("{value:.6e}");
     let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));

@@ -1,4 +1,4 @@
-//! Units by themselves, as they stand in the headings of tables.
+//! Units by themselves, as written in the headings of tables.
 
 use super::convert::convert;
 use super::dimension::{Dimension, Spelled};
@@ -13,7 +13,7 @@ pub struct Unit {
 }
 
 impl Unit {
-    pub(super) fn of(spelled: &Spelled) -> Self {
+    pub(super) fn new(spelled: &Spelled) -> Self {
         Self { name: spelled.0.first().copied().unwrap_or_default(), fraction: (spelled.1, spelled.2) }
     }
 
@@ -51,15 +51,15 @@ impl Dimension {
     /// The unit of a spelling: exact first, then without regard to case where that leaves one meaning (`mPa` and `MN`
     /// would not, and are refused).
     pub fn unit(self, name: &str) -> Option<Unit> {
-        let exact = |d: Dimension| d.units().iter().find(|u| u.0.contains(&name)).map(Unit::of);
-        if let Some(found) = exact(self) {
-            return Some(found);
+        let exact = |d: Dimension| d.units().iter().find(|u| u.0.contains(&name)).map(Unit::new);
+        if let Some(unit) = exact(self) {
+            return Some(unit);
         }
         let careful = ["mPa", "MN", "mn", "Mm", "MBAR", "Mbar"];
         if careful.contains(&name) || Dimension::all().any(|d| exact(d).is_some()) {
             return None;
         }
-        self.units().iter().find(|u| u.0.iter().any(|s| s.eq_ignore_ascii_case(name))).map(Unit::of)
+        self.units().iter().find(|u| u.0.iter().any(|s| s.eq_ignore_ascii_case(name))).map(Unit::new)
     }
 
     /// The unit that a word means in the heading of a column of this dimension: what people type as a quantity, and
@@ -83,7 +83,7 @@ impl Dimension {
 
     /// The unit used inside.
     pub fn unit_inside(self) -> Unit {
-        let usual = self.units().iter().find(|u| u.1 == u.2).map(Unit::of);
+        let usual = self.units().iter().find(|u| u.1 == u.2).map(Unit::new);
         usual.unwrap_or(RATIO)
     }
 

@@ -29,10 +29,10 @@ pub(super) fn valve(
     if let Some(key) = of_air.into_iter().find(|key| section.has(key)) {
         return Err(section.error(key, "is of a valve of air; a liquid needs flow_coefficient alone"));
     }
-    let way = |key: &str| section.get(key).map(|kv| section.valid(key, Restriction::new(kv))).transpose();
-    let supply = way("flow_coefficient")?
+    let path = |key: &str| section.get(key).map(|kv| section.valid(key, Restriction::new(kv))).transpose();
+    let supply = path("flow_coefficient")?
         .ok_or_else(|| section.missing("flow_coefficient", None, "the valve's Kv, such as \"0.1 m3/h\""))?;
-    Ok(LiquidValve { kind, supply, tank: way("return_coefficient")?.unwrap_or(supply), line })
+    Ok(LiquidValve { kind, supply, tank: path("return_coefficient")?.unwrap_or(supply), line })
 }
 
 /// [syringe].

@@ -68,7 +68,7 @@ pub struct DriveFile {
     pub target: Target,
     /// The end in s.
     pub until_s: f64,
-    /// Time between two points of the series in s; a thousandth of the run where it is not said.
+    /// Time between two points of the series in s; a thousandth of the run where it is not given.
     pub output_step_s: f64,
 }
 
@@ -192,7 +192,7 @@ pub fn with_value(text: &str, dotted: &str, value: &str) -> Result<String, FileE
 fn presliding(section: &Section<'_>) -> Result<Option<Presliding>, FileError> {
     const KEY: &str = "presliding";
     let Some(pairs) = section.get::<Vec<(f64, f64)>>(KEY) else {
-        return Ok(section.get(KEY).map(Presliding::of));
+        return Ok(section.get(KEY).map(Presliding::from_length));
     };
     let elements = pairs.into_iter().map(|(share, length_mm)| PreslidingElement { share, length_mm });
     let presliding = Presliding(elements.collect());
@@ -255,6 +255,7 @@ mod tests {
     use crate::liquid::Syringe;
     use crate::orifice::Orifice;
 
+    const MUSCLE: &str = "muscle = 'm.toml'\n";
     const HEAD: &str = "muscle = 'm.toml'\n[valve]\nsonic_conductance = '0.5 L/(s bar)'\n";
     const TAIL: &str = "[command]\npressure = '3 bar'\nuntil = '1 s'\n";
 
@@ -305,10 +306,10 @@ mod tests {
     fn files_say_where_they_are_wrong() {
         for (text, words) in [
             (format!("[valve]\nname = 'x'\n{TAIL}"), "muscle"),
-            (format!("muscle = 'm.toml'\n{TAIL}"), "[regulator]"),
+            (format!("{MUSCLE}{TAIL}"), "[regulator]"),
             (format!("{HEAD}[regulator]\ntime_constant = '20 ms'\n{TAIL}"), "conflicts with [valve]"),
-            (format!("muscle = 'm.toml'\n[valve]\nsonic_conductance = '0 L/(s bar)'\n{TAIL}"), "above zero"),
-            (format!("muscle = 'm.toml'\n[valve]\nname = 'festo-mh3'\n{TAIL}"), "festo-mh2"),
+            (format!("{MUSCLE}[valve]\nsonic_conductance = '0 L/(s bar)'\n{TAIL}"), "above zero"),
+            (format!("{MUSCLE}[valve]\nname = 'festo-mh3'\n{TAIL}"), "festo-mh2"),
             (format!("{HEAD}critical_ratio = 1.5\n{TAIL}"), "critical"),
             (
                 format!("{HEAD}[friction]\npresliding = [[0.6, '0.5 mm'], [0.3, '3 mm']]\n{TAIL}"),
@@ -330,19 +331,10 @@ mod tests {
             (format!("{HEAD}[command]\nposition = '10%'\nuntil = '1 s'\n"), "proportional"),
             (format!("{HEAD}[liquid]\nname = 'water'\n{TAIL}"), "flow_coefficient alone"),
             (format!("{HEAD}flow_coefficient = '0.1 m3/h'\n{TAIL}"), "no [liquid]"),
-            (
-                format!("muscle = 'm.toml'\n[liquid]\nname = 'beer'\n[pump]\nflow = '1 L/min'\n{TAIL}"),
-                "glycol",
-            ),
-            (
-                format!("muscle = 'm.toml'\n[liquid]\nname = 'oil'\n[air]\nheat = 'adiabatic'\n{TAIL}"),
-                "keep one",
-            ),
-            (
-                format!("muscle = 'm.toml'\n[pump]\nflow = '1 L/min'\n[syringe]\nvolume = '1 mL'\n{TAIL}"),
-                "keep one",
-            ),
-            (format!("muscle = 'm.toml'\n[liquid]\nname = 'oil'\n[pump]\n{TAIL}"), "Largest flow"),
+            (format!("{MUSCLE}[liquid]\nname = 'beer'\n[pump]\nflow = '1 L/min'\n{TAIL}"), "glycol"),
+            (format!("{MUSCLE}[liquid]\nname = 'oil'\n[air]\nheat = 'adiabatic'\n{TAIL}"), "keep one"),
+            (format!("{MUSCLE}[pump]\nflow = '1 L/min'\n[syringe]\nvolume = '1 mL'\n{TAIL}"), "keep one"),
+            (format!("{MUSCLE}[liquid]\nname = 'oil'\n[pump]\n{TAIL}"), "Largest flow"),
             (
                 format!("joint = 'j.toml'\n[valve]\nname = 'festo-mh2'\n[load]\nmass = '1 kg'\n{TAIL}"),
                 "own file",

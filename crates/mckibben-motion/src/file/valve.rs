@@ -56,22 +56,22 @@ fn read_valve(section: &Section<'_>, is_liquid: bool) -> Result<Actuator, FileEr
     Ok(Actuator::Valve(Valve { kind, hose, ..of_air(section)? }))
 }
 
-/// A valve; a named one has its own ways where the file says nothing of them.
+/// A valve; of a named one the file overrides what it states.
 fn of_air(section: &Section<'_>) -> Result<Valve, FileError> {
     let unknown = |name| section.error("name", format!("is not a known valve: {}", known(name)));
     let named = section.get("name").map(|name| valve_named(name).ok_or_else(|| unknown(name)));
     let named = named.transpose()?;
-    let path = |c: &str, b: &str, own: Option<Orifice>| -> Result<Option<Orifice>, FileError> {
-        let conductance = section.get(c).or(own.map(|o| o.conductance_l_per_s_bar));
-        let ratio = section.get(b).or(own.map(|o| o.critical_ratio)).unwrap_or(CRITICAL_RATIO);
+    let path = |c: &str, b: &str, default: Option<Orifice>| -> Result<Option<Orifice>, FileError> {
+        let conductance = section.get(c).or(default.map(|o| o.conductance_l_per_s_bar));
+        let ratio = section.get(b).or(default.map(|o| o.critical_ratio)).unwrap_or(CRITICAL_RATIO);
         let key = if section.has(b) { b } else { c };
         conductance.map(|conductance| section.valid(key, Orifice::new(conductance, ratio))).transpose()
     };
     let supply = path("sonic_conductance", "critical_ratio", named.map(|v| v.supply))?.ok_or_else(|| {
         section.missing("sonic_conductance", None, "the valve's C, such as \"0.5 L/(s bar)\", or a name")
     })?;
-    let own = named.filter(|_| !section.has("sonic_conductance")).map_or(supply, |v| v.exhaust);
-    let exhaust = path("exhaust_conductance", "exhaust_critical_ratio", Some(own))?.unwrap_or(supply);
+    let same = named.filter(|_| !section.has("sonic_conductance")).map_or(supply, |v| v.exhaust);
+    let exhaust = path("exhaust_conductance", "exhaust_critical_ratio", Some(same))?.unwrap_or(supply);
     Ok(Valve { supply, exhaust, ..Valve::new(supply) })
 }
 

@@ -1,5 +1,5 @@
 //! Liquids: a rigid vessel on a valve and on a pump, and a muscle on a syringe and with the liquid shut in against the static filling of the same
-//! muscle ([`mckibben::load::fill`]), which solves for the volume and knows nothing of motion.
+//! muscle ([`mckibben::load::fill`]), which solves for the volume, without equations of motion.
 //!
 //! With Q = a⁻¹ … of a restriction Δp = a Q² + b Q, and K = V dp/dV of the liquid in a vessel V, the time from Q0 to Q1 is
 //! t = (V/K) (2 a (Q0 − Q1) + b ln(Q0/Q1)).
@@ -49,9 +49,9 @@ fn vessel(actuator: Actuator, until_s: f64) -> Option<f64> {
 
 /// A valve as wide in both directions.
 fn valve() -> Option<Actuator> {
-    let way = Restriction::new(KV_MM3_PER_S).ok()?;
+    let restriction = Restriction::new(KV_MM3_PER_S).ok()?;
     let kind = ValveKind::DEFAULT;
-    Some(Actuator::LiquidValve(LiquidValve { kind, supply: way, tank: way, line: None }))
+    Some(Actuator::LiquidValve(LiquidValve { kind, supply: restriction, tank: restriction, line: None }))
 }
 
 /// The muscle with 10 kg of both comparisons.
@@ -66,7 +66,7 @@ impl Hanging {
         Self { model, load: Load::Mass { mass_kg: 10.0, level: false } }
     }
 
-    /// Where the volume of the syringe brings it; what is left in the syringe counts as dead volume.
+    /// Where the volume of the syringe brings it; the rest in the syringe counts as dead volume.
     fn filled(&self) -> Option<Fill> {
         let liquid = Liquid::named("water", 0.0).ok()?;
         let filling = Filling {
@@ -126,10 +126,10 @@ pub fn liquid() -> Vec<VerificationRow> {
     let pumped_s = 0.3 * VOLUME_MM3 / (STIFF_MPA * 2.0);
     let hanging = Hanging::new();
     let (filled, pushed) = (hanging.filled(), hanging.pushed());
-    let last = |of: &dyn Fn(&Motion) -> Option<f64>| pushed.as_ref().and_then(of);
+    let last = |value: &dyn Fn(&Motion) -> Option<f64>| pushed.as_ref().and_then(value);
     let first = |m: &Motion| m.series.muscles.first().cloned();
-    let at = |of: &dyn Fn(&Fill) -> f64| filled.as_ref().map(of);
-    let still = |of: &dyn Fn(&Response) -> f64| at(&|f| of(&f.answer.response));
+    let at = |value: &dyn Fn(&Fill) -> f64| filled.as_ref().map(value);
+    let still = |value: &dyn Fn(&Response) -> f64| at(&|f| value(&f.answer.response));
     let pressure = last(&|m| first(m)?.pressure_mpa.last().copied());
     let contraction = last(&|m| first(m)?.contraction.last().copied());
     let work = last(&|m| Some(m.energies.exergy_j));

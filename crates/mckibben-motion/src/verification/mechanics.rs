@@ -46,15 +46,15 @@ fn balances() -> Option<Vec<VerificationRow>> {
     {
         let mut muscle = Actuated::new(&*model, Actuator::Valve(valve()?));
         muscle.fluid = Fluid::Air(Air { heat, dead_volume_mm3: 10e3, ..Air::default() });
-        muscle.friction = Some(Hysteresis::of(&Friction::power_law(20.0, 0.7), None));
+        muscle.friction = Some(Hysteresis::new(&Friction::power_law(20.0, 0.7), None));
         muscle.rubber = Prony(vec![Branch { share: 0.2, time_constant_s: 0.05 }]);
         let steps = Command::Steps(vec![(0.0, 0.0), (0.1, 0.2), (0.8, 0.05)]);
         let motion = ran(&driven(&load, muscle, Target::Pressure(vec![steps]), (1.5, 1e-9)));
-        let of = |value: &dyn Fn(&crate::motion::Energies) -> f64| {
+        let share = |value: &dyn Fn(&crate::motion::Energies) -> f64| {
             motion.as_ref().map(|m| (value(&m.energies) / m.energies.work_j).abs())
         };
-        let air = of(&|e| e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j);
-        let work = of(&|e| {
+        let air = share(&|e| e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j);
+        let work = share(&|e| {
             let pulled = e.static_work_j + e.viscoelastic_j - e.friction_j;
             pulled - e.load_j - e.kinetic_j - e.damper_j - e.impacts_j
         });
@@ -114,7 +114,7 @@ fn crossings(drive: &Drive<'_>, linear: &Linear, periods: f64) -> Option<f64> {
     let (f, _) = linear.oscillation()?;
     let mut drive = drive.clone();
     drive.initial_coordinate = Some(linear.coordinate() + 0.01);
-    drive.tolerance.relative = 1e-9;
+    drive.tolerance = 1e-9;
     (drive.until_s, drive.output_step_s) = ((periods + 0.5) / f, 0.002 / f);
     let motion = ran(&drive)?;
     let x: Vec<f64> = motion.series.coordinate.iter().map(|x| x - linear.coordinate()).collect();
@@ -140,7 +140,7 @@ fn loops() -> Vec<VerificationRow> {
         let until = |periods: f64| {
             let mut muscle = Actuated::new(&model, Actuator::Regulator { time_constant_s: 0.02 });
             let level = Friction::power_law(LEVEL_N, 0.0);
-            muscle.friction = Some(Hysteresis::of(&level, Some(&Presliding::of(PRESLIDING_MM))));
+            muscle.friction = Some(Hysteresis::new(&level, Some(&Presliding::from_length(PRESLIDING_MM))));
             let sine = Command::Sine { mean: 0.15, amplitude: 0.08, frequency_hz: hz, phase_rad: 0.0 };
             ran(&driven(&spring, muscle, Target::Pressure(vec![sine]), (periods / hz, 1e-8)))
         };

@@ -33,7 +33,7 @@ fn driven<'a>(
     (until_s, relative): (f64, f64),
 ) -> Drive<'a> {
     let mut drive = Drive::new(load, vec![muscle], target, until_s);
-    drive.tolerance.relative = relative;
+    drive.tolerance = relative;
     drive
 }
 

@@ -104,8 +104,8 @@ pub fn vessel() -> Vec<VerificationRow> {
     ];
     let heats = [Heat::Isothermal, Heat::Polytropic(1.2), Heat::Adiabatic, Heat::Transfer(30.0)];
     let motions = heats.map(|heat| charge(heat, 0.3));
-    let largest = |of: &dyn Fn(&Motion) -> f64| -> Option<f64> {
-        motions.iter().try_fold(0.0, |most: f64, m| m.as_ref().map(|m| most.max(of(m).abs())))
+    let largest = |value: &dyn Fn(&Motion) -> f64| -> Option<f64> {
+        motions.iter().try_fold(0.0, |most: f64, m| m.as_ref().map(|m| most.max(value(m).abs())))
     };
     let energy = largest(&|m| {
         let e = m.energies;

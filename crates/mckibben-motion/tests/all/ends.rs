@@ -67,7 +67,7 @@ fn without_a_damper_a_load_swings_and_with_one_it_rests() {
 fn the_largest_speed_does_not_follow_the_points_of_the_series() {
     let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
     let load = damped(&*model, 5.0, 100.0, (0.0, 90.0));
-    let of = |until_s: f64, output_step_s: f64| {
+    let moved = |until_s: f64, output_step_s: f64| {
         let target = steps(&[(0.0, 0.0), (0.1, 0.3)]);
         let drive = Drive {
             output_step_s,
@@ -75,11 +75,11 @@ fn the_largest_speed_does_not_follow_the_points_of_the_series() {
         };
         ran(&drive)
     };
-    let fine = of(2.0, 1e-4);
+    let fine = moved(2.0, 1e-4);
     let sampled = fine.series.velocity.iter().fold(0.0_f64, |a, v| a.max(v.abs()));
     close(fine.largest_speed, sampled, 1e-4);
     for (until_s, step_s) in [(2.0, 2.0), (20.0, 0.02), (200.0, 0.2), (1000.0, 1.0)] {
-        let motion = of(until_s, step_s);
+        let motion = moved(until_s, step_s);
         close(motion.largest_speed, fine.largest_speed, 2e-3);
         close(motion.rise_time_s.unwrap(), fine.rise_time_s.unwrap(), 1e-2);
     }
@@ -91,7 +91,7 @@ fn what_ends_early_gives_what_was_computed() {
     let load = SingleMuscle { stops_mm: (0.0, 90.0), ..SingleMuscle::hanging(&*model, 5.0) };
     let target = steps(&[(0.0, 0.0), (0.1, 0.2)]);
     let mut drive = Drive::new(&load, vec![Actuated::new(&*model, regulator(0.05))], target, 1.0);
-    drive.tolerance.steps = 60;
+    drive.most_steps = 60;
     let motion = run_as_far(&drive, &Silent).unwrap();
     assert!(
         motion.ended.as_ref().is_some_and(|e| e.to_string().contains(" after 61 steps")),
@@ -103,7 +103,7 @@ fn what_ends_early_gives_what_was_computed() {
     assert!(motion.end.is_none() && motion.steps.is_empty());
     assert!(motion.series.time_s.windows(2).all(|w| w[1] > w[0]));
     // The same figures as the whole run, as far as it goes.
-    drive.tolerance.steps = 1_000_000;
+    drive.most_steps = 1_000_000;
     let whole = ran(&drive);
     for (i, t) in motion.series.time_s.iter().enumerate().take(count - 1) {
         assert_eq!((*t, motion.series.coordinate[i]), (whole.series.time_s[i], whole.series.coordinate[i]));
@@ -117,7 +117,7 @@ fn measures_without_bounds_are_refused() {
     {
         assert!(matches!(Hose::new(diameter, length), Err(MotionError::Refused(_))), "{diameter} {length}");
     }
-    // A valve that is nearly closed has the flow of its own small opening, and no overflow of its cube.
+    // A valve that is nearly closed has the flow of its small opening, and no overflow of its cube.
     let small = Orifice::new(1e-9, 0.3).unwrap().scaled(1e-110);
     let both = in_series(&[small, Hose::new(4.0, 500.0).unwrap().orifice()]).unwrap();
     close(both.conductance_l_per_s_bar, 1e-119, 1e-9);

@@ -13,7 +13,7 @@ const RELEASE: &str = include_str!("../../../../data/tondu2012_motion/quick_rele
 
 /// The static muscle of the same paper, 14 mm and 20°, of a modulus and length.
 fn muscle(outer_diameter_mm: f64, mu_mpa: f64, length_mm: f64) -> Muscle {
-    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa }));
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
     let tube = Tube::new(outer_diameter_mm, 0.49, length_mm, rubber);
     let braid = Braid { angle_deg: 20.0, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
@@ -56,8 +56,8 @@ fn lifted(model: &ThickWall, mass_kg: f64, pressure_mpa: f64, conductance: f64) 
 fn steps_against_loads_have_the_measured_shape() {
     let rows = rayon(STEPS);
     let curve = |load: f64| -> Vec<(f64, f64)> {
-        let own = rows.iter().filter(|r| r[0] == load).map(|r| (r[1], r[2]));
-        std::iter::once((0.0, 0.0)).chain(own).collect()
+        let points = rows.iter().filter(|r| r[0] == load).map(|r| (r[1], r[2]));
+        std::iter::once((0.0, 0.0)).chain(points).collect()
     };
     let loads = [2.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0];
     let ends = loads.map(|kg| curve(kg).last().unwrap().1);
@@ -105,7 +105,7 @@ fn release_speeds_fall_with_the_load_as_measured() {
         let mut muscle = Actuated::new(&model, Actuator::Valve(Valve::new(Orifice::new(0.5, 0.3).unwrap())));
         muscle.fluid = Fluid::Air(Air { heat: Heat::Adiabatic, ..Air::default() });
         muscle.initial_pressure_mpa = Some(0.5);
-        muscle.friction = Some(Hysteresis::of(&FRICTION, None));
+        muscle.friction = Some(Hysteresis::new(&FRICTION, None));
         let mut drive = Drive::new(&load, vec![muscle], Target::Opening(vec![Command::Constant(0.0)]), 0.5);
         drive.initial_coordinate = Some(0.0);
         let motion = ran(&drive);

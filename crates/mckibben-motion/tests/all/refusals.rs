@@ -39,7 +39,7 @@ fn what_cannot_be_is_said_with_its_values() {
     let heavy = SingleMuscle { stops_mm: (0.0, 90.0), ..SingleMuscle::hanging(&*model, 60.0) };
     let drive = Drive { mechanism: &heavy, ..drive(steps(&[(0.0, 0.0), (0.1, 0.1)]), valve()) };
     let error = refused(&drive);
-    let MotionError::NeverLifted { net, pressure_mpa, .. } = error else { panic!("{error}") };
+    let MotionError::NeverLifted(OnStop { net, pressure_mpa, .. }) = error else { panic!("{error}") };
     assert!(net < -100.0 && (pressure_mpa - 0.1).abs() < 1e-3);
 
     let mut none = Vessel::default();
@@ -62,7 +62,7 @@ fn a_run_ends_where_it_is_cancelled_too_long_or_too_slow() {
     }
     let many = Drive { output_step_s: 1e-12, ..drive.clone() };
     assert!(matches!(run(&many, &Silent), Err(MotionError::Large(_))));
-    drive.tolerance.steps = 20;
+    drive.most_steps = 20;
     let error = run(&drive, &Silent).unwrap_err();
     assert!(error.to_string().contains(" after 21 steps"), "{error}");
 }

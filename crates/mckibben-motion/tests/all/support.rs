@@ -24,7 +24,7 @@ pub fn last(list: &[f64]) -> f64 {
 pub fn note_muscle() -> Muscle {
     use mckibben::muscle::{Braid, BraidStiffness, Rubber, Terminals, Tube};
     use mckibben::rubber::{Law, MooneyRivlin};
-    let rubber = Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.0 }));
+    let rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.0 }));
     let tube = Tube::new(20.0, 1.5, 220.0, rubber);
     let stiffness = BraidStiffness::NewtonPerMm(900.0);
     let braid = Braid { angle_deg: 24.0, stiffness, ..Braid::paper() };

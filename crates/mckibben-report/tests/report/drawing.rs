@@ -35,14 +35,14 @@ fn one(series: Vec<Series>) -> Figure {
 /// Every text lies on the paper, and none covers another.
 fn check_texts(name: &str, figure: &Figure) {
     let svg = figure.to_svg().unwrap();
-    let (tree, found) = (parse(&svg), texts(&svg));
+    let (tree, labels) = (parse(&svg), texts(&svg));
     let (w, h) = (tree.size().width(), tree.size().height());
-    for (words, b, _) in &found {
+    for (words, b, _) in &labels {
         let within = b.left() >= 1.0 && b.top() >= 1.0 && b.right() <= w - 1.0 && b.bottom() <= h - 1.0;
         assert!(within, "{name}: \"{words}\" leaves the paper: {b:?}");
     }
     // boxes of turned texts are larger than the texts, so only upright ones can be told
-    let upright: Vec<_> = found.iter().filter(|t| t.2).collect();
+    let upright: Vec<_> = labels.iter().filter(|t| t.2).collect();
     assert!(upright.len() > 5, "{name}");
     for (i, (a, ra, _)) in upright.iter().enumerate() {
         for (b, rb, _) in &upright[..i] {
@@ -233,8 +233,8 @@ fn many_and_long_entries_stay_on_the_paper() {
             Series::new(format!("{i} {long} {long}"), vec![(0.0, 0.0), (0.5, f64::from(i)), (1.0, 1.0)])
         });
         let svg = one(series.collect()).to_svg().unwrap();
-        let (tree, found) = (parse(&svg), texts(&svg));
-        assert!(!found.is_empty() && found.iter().all(|t| t.1.right() <= tree.size().width()), "{count}");
+        let (tree, labels) = (parse(&svg), texts(&svg));
+        assert!(!labels.is_empty() && labels.iter().all(|t| t.1.right() <= tree.size().width()), "{count}");
     }
 }
 

@@ -109,8 +109,8 @@ pub fn ends() -> Figure {
     Figure::new("Direct labels at the right edge").panel(panel)
 }
 
-/// Panels that need legends of their own, below them.
-pub fn own_legends() -> Figure {
+/// Panels that need separate legends, below them.
+pub fn panel_legends() -> Figure {
     let mut figure = Figure::new("Four panels with legends of their own").caption("Synthetic sines.");
     for k in 0..4 {
         let mut panel = Panel::new(Axis::new("pressure p [Pa]"), Axis::new("pull F [N]"));
@@ -150,7 +150,7 @@ pub fn all() -> Vec<(&'static str, Figure)> {
         ("grid", grid()),
         ("crowded", crowded()),
         ("ends", ends()),
-        ("own", own_legends()),
+        ("own", panel_legends()),
         ("markers", markers()),
     ]
 }

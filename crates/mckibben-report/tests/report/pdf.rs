@@ -18,12 +18,12 @@ fn text(bytes: &[u8]) -> String {
 }
 
 fn paths(group: &Group) -> usize {
-    let of = |node: &Node| match node {
+    let count = |node: &Node| match node {
         Node::Group(inner) => paths(inner),
         Node::Path(_) => 1,
         _ => 0,
     };
-    group.children().iter().map(of).sum()
+    group.children().iter().map(count).sum()
 }
 
 /// 1 in is 25.4 mm and 72 points.

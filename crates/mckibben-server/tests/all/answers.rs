@@ -116,7 +116,7 @@ async fn status(headers: &[(&str, &str)]) -> u16 {
 }
 
 #[tokio::test]
-async fn only_names_of_this_computer_its_own_page_and_json_are_answered() {
+async fn only_names_of_this_computer_its_page_and_json_are_answered() {
     let json = ("content-type", "application/json");
     for host in ["localhost", "LOCALHOST:1", "127.0.0.1:8080", "[::1]", "[::1]:8080"] {
         assert_eq!(status(&[("host", host), json]).await, 200, "{host}");

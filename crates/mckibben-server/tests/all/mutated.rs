@@ -1,4 +1,4 @@
-//! Files and requests as nobody means them: an answer or a reason, in good time, and never the program's own fault. `MCKIBBEN_TIMES`
+//! Files and requests as nobody means them: an answer or a reason, in good time, and never a fault of the program. `MCKIBBEN_TIMES`
 //! takes more.
 
 use crate::Client;

@@ -1,7 +1,9 @@
 //! Why a question about a model has no answer.
 
+use crate::cancel::Cancelled;
 use crate::model::ModelError;
 use crate::status::Status;
+use crate::units::trimmed as short;
 use thiserror::Error;
 
 /// The answer to a question about a model, or why it has none.
@@ -72,6 +74,12 @@ pub enum AnalysisError {
     },
 }
 
+impl From<Cancelled> for AnalysisError {
+    fn from(cancelled: Cancelled) -> Self {
+        Self::Model(cancelled.into())
+    }
+}
+
 impl AnalysisError {
     /// Where the pull is nearest to the one that is sought, and that pull in N.
     pub(crate) fn nearest(&self) -> Option<(f64, f64)> {
@@ -87,13 +95,6 @@ impl AnalysisError {
     }
 }
 
-/// A number with at most so many decimals, without trailing zeros.
-fn short(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    if text == "-0" { "0".into() } else { text.to_owned() }
-}
-
 fn percent(contraction: f64) -> String {
     format!("{} %", short(100.0 * contraction, 2))
 }
@@ -105,18 +106,18 @@ fn no_pressure(
     (nearest_mpa, nearest_n): (f64, f64),
     braid_stops_at: Option<f64>,
 ) -> String {
-    let asked =
+    let problem =
         format!("no pressure gives {} N at a contraction of {}", short(force_n, 4), percent(contraction));
     match braid_stops_at {
         Some(end) => format!(
-            "{asked}: this braid contracts by {:.1} % at most (its angle is 54.7° there, and the pull is zero); reduce the contraction, or take a braid with a smaller angle",
+            "{problem}: this braid contracts by {:.1} % at most (its angle is 54.7° there, and the pull is zero); reduce the contraction, or take a braid with a smaller angle",
             100.0 * end
         ),
         None if nearest_n <= 0.0 && force_n > 0.0 => format!(
-            "{asked}: at that contraction the muscle is slack at every pressure that the {model} model accepts; reduce the contraction"
+            "{problem}: at that contraction the muscle is slack at every pressure that the {model} model accepts; reduce the contraction"
         ),
         None => format!(
-            "{asked}: the nearest the {model} model reaches is {} N at {} MPa",
+            "{problem}: the nearest the {model} model reaches is {} N at {} MPa",
             short(nearest_n, 4),
             short(nearest_mpa, 6)
         ),
@@ -130,13 +131,13 @@ fn no_contraction(
     (nearest, nearest_n): (f64, f64),
     at_rest_n: Option<f64>,
 ) -> String {
-    let asked = format!("no contraction gives {} N at {} MPa", short(force_n, 4), short(pressure_mpa, 6));
+    let problem = format!("no contraction gives {} N at {} MPa", short(force_n, 4), short(pressure_mpa, 6));
     let rest = match at_rest_n {
         Some(f) if nearest < 0.0 => format!("at its length at rest the muscle pulls {} N, and ", short(f, 1)),
         _ => String::new(),
     };
     format!(
-        "{asked}: {rest}the nearest the {model} model reaches is {} N at a contraction of {}",
+        "{problem}: {rest}the nearest the {model} model reaches is {} N at a contraction of {}",
         short(nearest_n, 4),
         percent(nearest)
     )

@@ -1,4 +1,4 @@
-//! A model with its memory and how it is asked, and what it says on a branch of the hysteresis loop.
+//! A model with its memory and options, and what it says on a branch of the hysteresis loop.
 
 use crate::cancel;
 use crate::model::{ForceModel, ModelError, Response, Result, ThickWall, Workspace, pivoting_n_per_mm};
@@ -21,7 +21,7 @@ pub struct Options {
 
 impl Options {
     /// The same for a muscle: one that extends pushes, and is not slack where it does.
-    pub fn of(self, muscle: &Muscle) -> Self {
+    pub fn for_muscle(self, muscle: &Muscle) -> Self {
         Self { two_sided: self.two_sided || muscle.is_extensile(), ..self }
     }
 
@@ -51,7 +51,7 @@ pub struct Evaluation<'a> {
 impl<'a> Evaluation<'a> {
     /// A model with its memory, and options or a branch of the hysteresis loop.
     pub fn new(model: &'a dyn ForceModel, workspace: &'a mut Workspace, options: impl Into<Options>) -> Self {
-        Self { model, workspace, options: options.into().of(model.muscle()) }
+        Self { model, workspace, options: options.into().for_muscle(model.muscle()) }
     }
 
     /// The same with other options.
@@ -95,9 +95,9 @@ impl<'a> Evaluation<'a> {
         /// Of the pressure (relative) and the contraction, for differences of the friction.
         const STEP: f64 = 1e-4;
         cancel::check().map_err(ModelError::Cancelled)?;
-        let found = self.model.response(self.workspace, pressure_mpa, contraction)?;
-        // The point is the one that was asked for, to the last bit: a model may compute with 1 − ε.
-        let mut response = Response { pressure_mpa, contraction, ..found };
+        let response = self.model.response(self.workspace, pressure_mpa, contraction)?;
+        // The point is the given one, to the last bit: a model may compute with 1 − ε.
+        let mut response = Response { pressure_mpa, contraction, ..response };
         if self.has_friction() && pressure_mpa > 0.0 {
             response.force_n += self.friction_n(pressure_mpa, contraction)?;
             let mut slope = |by_mpa: f64, by: f64| -> Result<f64> {
@@ -193,7 +193,7 @@ mod tests {
         use crate::model::ThickWall;
         use crate::muscle::{Braid, BraidStiffness, Rubber, Tube};
         use crate::rubber::{Law, NeoHookean};
-        let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 1e-9 }));
+        let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1e-9 }));
         let m = Muscle::prototype();
         let m = m.with_tube(Tube { rubber, ..m.tube().clone() }).unwrap();
         let braid = Braid { stiffness: BraidStiffness::Inextensible, ..m.braid().clone() };

@@ -2,100 +2,77 @@
 //! ([`ForceModel::pressure_at_pull`]); else samples of the range, with the extrema between them, up to the first two that enclose the answer
 //! ([`Sweep`]).
 //!
-//! Friction is no part of a model: with it only samples are left.
+//! Friction is no part of a model: with it only samples remain.
 
 use super::error::{AnalysisError, Result};
 use super::evaluation::{Evaluation, Options};
-use super::sweep::{Sweep, places};
+use super::sweep::{Sweep, Zero, places};
 use crate::cancel;
 use crate::model::root::rising_root;
-use crate::model::{ForceModel, ModelError, Workspace};
+use crate::model::{ModelError, Workspace};
 use crate::muscle::Muscle;
+use std::cmp::Ordering::Equal;
 
 /// Where the search for a pressure ends if the model sets no limit, in MPa.
 pub(crate) const HIGHEST_PRESSURE_MPA: f64 = 20.0;
-/// Where the search for a contraction ends if the model sets no limit.
-const LARGEST_CONTRACTION: f64 = 0.999;
-/// The same for the extension of a muscle that extends.
-const LARGEST_EXTENSION: f64 = 1.5;
+/// Where the search for a contraction ends if the model sets no limit: of a muscle that extends, and of one that shortens.
+const WIDEST: (f64, f64) = (-1.5, 0.999);
 /// A model and its companion differ by less than this share of the pull.
 const NEARLY: f64 = 0.05;
-/// A pull this near to what is wanted, as a share of it (or of 1 N), is that.
-const SAME: f64 = 1e-9;
 /// The last bits by which an inverse may lie outside of the range.
 const LAST_BITS: f64 = 1e-11;
 
-/// How finely a model is searched.
-struct Fineness {
-    /// The first step of the pressure as a share of its way or of 1 MPa, and what each is of the one before.
-    pressure: (f64, f64),
-    /// Steps of the falling branch.
-    branch: usize,
-    /// Steps of what lies beyond it.
-    beyond: usize,
-    /// Steps towards an extremum or an edge.
-    closing: usize,
-}
-
-impl Fineness {
-    fn of(model: &dyn ForceModel) -> Self {
-        match model.info().costly {
-            true => Self { pressure: (0.02, 1.5), branch: 24, beyond: 6, closing: 12 },
-            false => Self { pressure: (2e-4, 1.25), branch: 80, beyond: 40, closing: 60 },
-        }
-    }
-}
-
-/// A place that a model's own inverse found, where it lies in a range.
-fn within((low, high): (f64, f64), place: f64) -> Option<f64> {
-    let bits = LAST_BITS * place.abs().max(1.0);
-    (place >= low - bits && place <= high + bits).then(|| place.clamp(low, high.max(low)))
-}
-
-/// The refusal of a companion for a pull that is further from the nearest than the models are apart, in the model's name.
-fn refused<T>(by_companion: Result<T>, name: &str) -> Result<()> {
-    let Err(mut error) = by_companion else { return Ok(()) };
-    let (AnalysisError::NoPressure { model, force_n, nearest_force_n, .. }
-    | AnalysisError::NoContraction { model, force_n, nearest_force_n, .. }) = &mut error
-    else {
-        return Ok(());
-    };
-    *model = name.to_string();
-    let far = (*force_n - *nearest_force_n).abs() > NEARLY * nearest_force_n.abs();
-    if far { Err(error) } else { Ok(()) }
-}
-
-/// The pull of a muscle of which the model says so much; one that would push hangs slack.
-fn pulled(options: Options, force_n: f64) -> f64 {
-    if options.two_sided { force_n } else { force_n.max(0.0) }
-}
-
-/// The place whose pull is nearest to what is wanted, and that pull where it is another; `start` where none has one.
+/// The place whose pull is nearest to the wanted one, and that pull; a muscle that would push hangs slack. `start` where none has a pull.
 ///
 /// # Errors
-/// The model's, where it has no answer at all or none where its pull passes what is wanted.
+/// The model's, where it has no answer at all or none where its pull passes the wanted one.
 fn nearest<F: FnMut(f64) -> Result<f64, ModelError>>(
-    sweep: Sweep<F>,
+    sweep: Sweep<F, ModelError>,
     options: Options,
     force_n: f64,
     start: f64,
-) -> Result<(f64, Option<f64>), ModelError> {
-    let nearest = sweep.least(|v| (pulled(options, v + force_n) - force_n).abs());
-    if let Some((place, v)) = nearest
-        && v.abs() <= SAME * force_n.abs().max(1.0)
-    {
-        return Ok((place, None));
-    }
+) -> Result<(f64, f64), ModelError> {
+    let pull = |v: f64| if options.two_sided { v + force_n } else { (v + force_n).max(0.0) };
+    let nearest = sweep.least(|v| (pull(v) - force_n).abs());
     match (nearest, sweep.lost, sweep.refused) {
         (_, Some(error), _) | (None, _, Some(error)) => Err(error),
-        (Some((place, v)), ..) => Ok((place, Some(pulled(options, v + force_n)))),
-        (None, ..) => Ok((start, Some(0.0))),
+        (nearest, ..) => Ok(nearest.map_or((start, 0.0), |(place, v)| (place, pull(v)))),
     }
 }
 
 impl Evaluation<'_> {
+    /// The refusal of the model's companion, in the model's name, where the pull is further from the companion's nearest than both models are apart.
+    fn check_companion(&self, inverse: impl FnOnce(&mut Evaluation<'_>) -> Result<f64>) -> Result<()> {
+        let Some(companion) = self.model.companion() else { return Ok(()) };
+        let answer = inverse(&mut Evaluation::new(companion, &mut Workspace::new(), self.options));
+        let Err(mut error) = answer else { return Ok(()) };
+        match &mut error {
+            AnalysisError::NoPressure { model, force_n, nearest_force_n, .. }
+            | AnalysisError::NoContraction { model, force_n, nearest_force_n, .. }
+                if (*force_n - *nearest_force_n).abs() > NEARLY * nearest_force_n.abs() =>
+            {
+                *model = self.model.info().name.to_string();
+                Err(error)
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The answer of the model's own inverse, where it lies in a range. Where friction is added to the model's pull, it has none.
+    fn closed(
+        &mut self,
+        (low, high): (f64, f64),
+        inverse: impl FnOnce(&mut Workspace) -> Option<f64>,
+    ) -> Result<Option<f64>> {
+        let place = if self.has_friction() { None } else { inverse(self.workspace) };
+        cancel::check().map_err(ModelError::from)?;
+        let bits = LAST_BITS * place.map_or(1.0, |x| x.abs().max(1.0));
+        let inside = place.filter(|x| *x >= low - bits && *x <= high + bits);
+        Ok(inside.map(|x| x.clamp(low, high.max(low))))
+    }
+
     /// The smallest pressure in MPa at which the pull is `force_n` at a contraction, within the model's range (with
-    /// `extrapolate`, or where the model sets no limit, up to 20 MPa). Soft strands let a pull rise and fall again with the pressure, and a
+    /// `extrapolate` from zero and, as where the model sets no limit, up to 20 MPa). Soft strands let a pull rise and fall again with the pressure, and a
     /// muscle that pushes pushes harder: both are searched.
     ///
     /// # Errors
@@ -103,56 +80,37 @@ impl Evaluation<'_> {
     /// the model's error where it has no answer at all.
     pub fn pressure_at(&mut self, force_n: f64, contraction: f64) -> Result<f64> {
         let (model, info, options) = (self.model, self.model.info(), self.options);
-        let (lowest, limit) = info.range.pressure_mpa;
-        let highest =
-            if options.extrapolate { HIGHEST_PRESSURE_MPA } else { limit.min(HIGHEST_PRESSURE_MPA) };
-        if let Some(companion) = model.extensions().companion {
-            let nearly =
-                Evaluation::new(companion, &mut Workspace::new(), options).pressure_at(force_n, contraction);
-            refused(nearly, &info.name)?;
+        let (lowest, limit) =
+            if options.extrapolate { (0.0, f64::INFINITY) } else { info.range.pressure_mpa };
+        let highest = limit.min(HIGHEST_PRESSURE_MPA);
+        self.check_companion(|companion| companion.pressure_at(force_n, contraction))?;
+        let closed = |ws: &mut Workspace| model.pressure_at_pull(ws, force_n, contraction);
+        if let Some(p) = self.closed((lowest, highest), closed)? {
+            return Ok(p);
         }
-        // Where friction is added to its pull, the model's own inverse is none.
-        if !self.has_friction() {
-            let own = model.pressure_at_pull(self.workspace, force_n, contraction);
-            cancel::check().map_err(ModelError::from)?;
-            if let Some(p) = own.and_then(|p| within((lowest, highest), p)) {
-                return Ok(p);
-            }
-        }
-        let fineness = Fineness::of(model);
-        let mut sweep = Sweep::new(fineness.closing, |p| Ok(self.force_n(p, contraction)? - force_n));
+        let scale = force_n.abs().max(1.0);
+        let mut sweep = Sweep::new(info.costly, scale, |p| Ok(self.force_n(p, contraction)? - force_n));
         // A shortened muscle may have no equilibrium before its strands are taut; it does not pull there either.
-        let first = sweep.sample(lowest)?;
+        if sweep.sample(lowest)? == Some(0.0) {
+            return Ok(lowest);
+        }
         if let Some(error @ (ModelError::OutOfRange { .. } | ModelError::Geometry { .. })) = sweep.refused {
             return Err(error.into());
         }
-        if first.is_some_and(|f| f.abs() <= 1e-12 * force_n.abs().max(1.0)) {
-            return Ok(lowest);
-        }
-        let (share, growth) = fineness.pressure;
+        let (share, growth) = if info.costly { (0.02, 1.5) } else { (2e-4, 1.25) };
         let mut step = (share * highest.min(1.0)).max(1e-6);
         let upwards = std::iter::successors(Some(lowest), |p| {
             let next = (p + step).min(highest);
             step *= growth;
             (next > *p).then_some(next)
         });
-        // Beyond the last equilibrium of a branch a costly model is not asked.
-        let ended =
-            |before: Option<f64>, value: Option<f64>| info.costly && before.is_some() && value.is_none();
-        if let Some(p) = sweep.first(upwards, false, ended)? {
+        if let Some(p) = sweep.first(upwards, false, f64::NEG_INFINITY)? {
             return Ok(p);
-        }
-        if !info.costly {
-            if options.extrapolate && lowest > 0.0 {
-                sweep.fill((0.0, lowest), fineness.beyond)?;
-            }
-            sweep.finer((0, 5))?;
         }
         if let Some(zero) = sweep.all()?.first() {
             return Ok(zero.at);
         }
-        let (nearest_pressure_mpa, pull) = nearest(sweep, options, force_n, lowest)?;
-        let Some(nearest_force_n) = pull else { return Ok(nearest_pressure_mpa) };
+        let (nearest_pressure_mpa, nearest_force_n) = nearest(sweep, options, force_n, lowest)?;
         let ideal = model.muscle().max_ideal_contraction();
         let stopped = ideal > 0.0 && nearest_force_n <= 0.0 && force_n >= 0.0 && contraction >= ideal;
         Err(AnalysisError::NoPressure {
@@ -190,103 +148,71 @@ impl Evaluation<'_> {
     }
 
     /// [`Evaluation::contraction_at`] of a muscle that may be stretched: a pull above the blocked force has a contraction below zero, wherever the model's
-    /// range goes there, down to where the strands are straight and give way a little (with `two_sided` down to the end of the range).
+    /// range goes there, down to where the strands are straight and stretch a little (with `two_sided` down to the end of the range).
     pub fn contraction_or_stretch_at(&mut self, force_n: f64, pressure_mpa: f64) -> Result<f64> {
         self.contraction_down_to(force_n, pressure_mpa, true)
     }
 
     fn contraction_down_to(&mut self, force_n: f64, pressure_mpa: f64, stretches: bool) -> Result<f64> {
         let (model, info, options) = (self.model, self.model.info(), self.options);
-        let longest = if model.muscle().is_extensile() { -LARGEST_EXTENSION } else { -LARGEST_CONTRACTION };
-        let range = match (info.range.contraction, options.extrapolate) {
-            (range, false) => (range.0.max(longest), range.1.min(LARGEST_CONTRACTION)),
-            (_, true) => (longest, LARGEST_CONTRACTION),
-        };
+        let (low, high) = if options.extrapolate { WIDEST } else { info.range.contraction };
+        let (low, high) = (low.max(WIDEST.0), high.min(WIDEST.1));
         let start = info.range.contraction.0.max(0.0);
         // Past the ideal maximum nothing pulls, and strands that are straight hold; those that stretch reach a little further.
         let shortest =
-            (model.muscle().max_ideal_contraction() * 1.3 + 0.05).min(0.95).clamp(start, range.1.max(start));
-        let straight = straight_strands(model.muscle()).max(range.0).min(start);
+            (model.muscle().max_ideal_contraction() * 1.3 + 0.05).min(0.95).clamp(start, high.max(start));
+        let straight = straight_strands(model.muscle()).max(low).min(start);
         let lowest = match (options.two_sided, stretches) {
-            (true, _) => range.0.min(start),
+            (true, _) => low.min(start),
             (false, true) => straight,
             (false, false) => start,
         };
-        if let Some(companion) = model.extensions().companion {
-            let ws = &mut Workspace::new();
-            let nearly =
-                Evaluation::new(companion, ws, options).contraction_down_to(force_n, pressure_mpa, stretches);
-            refused(nearly, &info.name)?;
-        }
-        let fineness = Fineness::of(model);
-        let mut pull = |e: f64| {
-            let found = self.force_n(pressure_mpa, e);
-            cancel::check().map_err(ModelError::from)?;
-            Ok::<_, AnalysisError>(found.map(|force| force - force_n))
-        };
-        let at_start = match pull(start)? {
+        self.check_companion(|companion| companion.contraction_down_to(force_n, pressure_mpa, stretches))?;
+        let at_start_n = match self.force_n(pressure_mpa, start) {
             Err(error) if info.costly => return Err(error.into()),
-            found => found.ok(),
+            force => force.ok(),
         };
-        if at_start.is_some_and(|f| f.abs() <= 1e-12 * force_n.abs().max(1.0)) {
-            return Ok(start);
+        let closed = |ws: &mut Workspace| model.contraction_at_pull(ws, force_n, pressure_mpa);
+        if let Some(e) = self.closed((lowest, high), closed)? {
+            return Ok(e);
         }
-        let taut = at_start.is_some_and(|f| f > 0.0);
+        let (branch, beyond) = if info.costly { (24, 6) } else { (80, 40) };
+        let mut sweep =
+            Sweep::new(info.costly, force_n.abs().max(1.0), |e| Ok(self.force_n(pressure_mpa, e)? - force_n));
+        let at_start = sweep.sample(start)?;
         // Whether the branch that falls through the start has the pull where the muscle is longer.
-        let longer = match at_start.filter(|_| !taut && lowest < start) {
-            Some(f) => {
-                let beside = start + (shortest - start) / fineness.branch as f64;
-                pull(beside)?.map_or(true, |next| next < f)
-            }
-            None => false,
-        };
-        if (taut || longer) && !self.has_friction() {
-            let found = model.contraction_at_pull(self.workspace, force_n, pressure_mpa);
-            let reach = if taut { (start, range.1) } else { (lowest, start) };
-            if let Some(e) = found.and_then(|e| within(reach, e)) {
-                return Ok(e);
-            }
-        }
-        let mut sweep = Sweep::new(fineness.closing, |e| Ok(self.force_n(pressure_mpa, e)? - force_n));
-        if longer {
-            sweep.fill((straight, start), fineness.branch)?;
+        if let Some(f) = at_start.filter(|f| *f < 0.0 && lowest < start)
+            && sweep.sample(start + (shortest - start) / branch as f64)?.is_none_or(|next| next < f)
+        {
+            sweep.fill((straight, start), branch)?;
             if let Some(zero) = sweep.zeros(0)?.iter().rfind(|zero| zero.falls) {
                 return Ok(zero.at);
             }
         }
         // What has ceased to pull does not pull again as it shortens.
         let least = if info.costly && force_n >= 0.0 { -force_n } else { f64::NEG_INFINITY };
-        let beyond = places((shortest, range.1.max(shortest)), fineness.beyond);
-        let upwards =
-            places((start, shortest), fineness.branch).chain(beyond.filter(|_| least.is_infinite()));
-        let ended = |_, value: Option<f64>| info.costly && value.is_none_or(|v| v < least);
-        if let Some(e) = sweep.first(upwards, true, ended)? {
+        let further = places((shortest, high.max(shortest)), beyond).filter(|_| least.is_infinite());
+        if let Some(e) = sweep.first(places((start, shortest), branch).chain(further), true, least)? {
             return Ok(e);
         }
         if lowest < start {
-            sweep.fill((straight, start), fineness.branch)?;
-            sweep.fill((lowest, straight), fineness.beyond)?;
-        }
-        if !info.costly {
-            sweep.finer((1, 5))?;
+            sweep.fill((straight, start), branch)?;
+            sweep.fill((lowest, straight), beyond)?;
         }
         let zeros = sweep.all()?;
-        let falling = || zeros.iter().filter(|zero| zero.falls).map(|zero| zero.at);
-        let shortened = falling().find(|e| *e >= start);
-        let stretched = || falling().rfind(|e| *e < start);
-        let any = || zeros.iter().map(|zero| zero.at).min_by(|a, b| a.abs().total_cmp(&b.abs()));
-        if let Some(e) = shortened.or_else(stretched).or_else(any) {
-            return Ok(e);
+        let order = |zero: &Zero| (!zero.falls, zero.falls && zero.at < start, (zero.at - start).abs());
+        if let Some(zero) = zeros.iter().min_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(Equal)) {
+            return Ok(zero.at);
         }
-        let (nearest_contraction, pull) = nearest(sweep, options, force_n, start)?;
-        let Some(nearest_force_n) = pull else { return Ok(nearest_contraction) };
+        let (nearest_contraction, nearest_force_n) = nearest(sweep, options, force_n, start)?;
+        let at_rest_n = at_start_n.filter(|_| start == 0.0);
         Err(AnalysisError::NoContraction {
             model: info.name.to_string(),
             force_n,
             pressure_mpa,
             nearest_force_n,
             nearest_contraction,
-            at_rest_n: at_start.filter(|_| start == 0.0).map(|v| pulled(options, v + force_n)),
+            at_rest_n: at_rest_n.map(|pull| if options.two_sided { pull } else { pull.max(0.0) }),
         })
     }
 }

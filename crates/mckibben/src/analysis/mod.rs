@@ -1,4 +1,4 @@
-//! What can be asked of any [`ForceModel`](crate::model::ForceModel): inverses, blocked force, free contraction, dead pressure, work, air, burst and what wears.
+//! What any [`ForceModel`](crate::model::ForceModel) gives: inverses, blocked force, free contraction, dead pressure, work, air, burst and what wears.
 
 mod air;
 pub mod burst;
@@ -17,3 +17,4 @@ pub use evaluation::{Evaluation, Options, source_of};
 pub use golden::{Abscissa, golden};
 pub(crate) use inverse::{HIGHEST_PRESSURE_MPA, straight_strands};
 pub use root::find_root;
+pub(crate) use sweep::Sweep;

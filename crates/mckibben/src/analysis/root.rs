@@ -73,7 +73,7 @@ mod tests {
         ];
         for (f, low, high, root) in cases {
             let mut calls = 0;
-            let found = find_root(
+            let solution = find_root(
                 |x| {
                     calls += 1;
                     Ok::<_, ()>(f(x))
@@ -84,7 +84,7 @@ mod tests {
             )
             .unwrap()
             .unwrap();
-            assert!((found - root).abs() < 1e-10 && calls < 60, "{found} {root} {calls}");
+            assert!((solution - root).abs() < 1e-10 && calls < 60, "{solution} {root} {calls}");
         }
     }
 

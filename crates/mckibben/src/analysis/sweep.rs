@@ -6,25 +6,28 @@
 
 use super::golden::golden;
 use super::root::find_root;
-use crate::cancel;
-use crate::model::{ModelError, Result};
+use crate::cancel::{self, Cancelled};
 
-/// Halvings towards the edge of the places that have a value.
-const HALVINGS: usize = 40;
-/// Shares of the way to its neighbour at which more samples are taken beside an end.
-const BESIDE: [f64; 4] = [0.01, 0.1, 0.3, 0.6];
+/// Steps towards an extremum or the edge of the places that have a value, of a model that is cheap and of one that is costly.
+const CLOSING: (usize, usize) = (40, 12);
 /// Between samples a function is looked at again where it is further from a straight line than this share of its distance from zero.
 const CURVED: f64 = 0.03;
+/// How often.
+const PASSES: usize = 5;
+/// Shares of the way to its neighbour at which more samples are taken beside an end of the whole.
+const BESIDE: [f64; 3] = [0.01, 0.1, 0.3];
+/// A value this near to zero, as a share of the scale, is zero.
+const SAME: f64 = 1e-9;
 /// A zero is known to this.
 const TOLERANCE: f64 = 1e-13;
-/// What is left at a zero, as a share of the values around it; more is left where the function jumps.
-const LEFT: f64 = 1e-6;
+/// What remains at a zero, as a share of the values around it; more remains where the function jumps.
+const REMAINDER: f64 = 1e-6;
 
 /// A place and the value there; no value where the function has none.
 type Sample = (f64, Option<f64>);
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Zero {
+pub(crate) struct Zero {
     /// Where.
     pub at: f64,
     /// Whether the function falls there.
@@ -32,30 +35,35 @@ pub(super) struct Zero {
 }
 
 /// Samples of a function, by rising place. A search that is cancelled ends with an error.
-pub(super) struct Sweep<F> {
+pub(crate) struct Sweep<F, E> {
     at: F,
     samples: Vec<Sample>,
-    /// Steps of each golden section.
-    steps: usize,
+    costly: bool,
+    /// Steps towards an extremum or an edge.
+    closing: usize,
+    /// A value below this is zero.
+    tiny: f64,
     /// Why the first place without a value has none.
-    pub refused: Option<ModelError>,
+    pub refused: Option<E>,
     /// Why a place between values on both sides of zero has none.
-    pub lost: Option<ModelError>,
+    pub lost: Option<E>,
 }
 
-impl<F: FnMut(f64) -> Result<f64>> Sweep<F> {
-    /// No samples yet; `steps` of each search for an extremum.
-    pub fn new(steps: usize, at: F) -> Self {
-        Self { at, samples: vec![], steps, refused: None, lost: None }
+impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
+    /// No samples yet of a function whose errors are a share of `scale`.
+    pub fn new(costly: bool, scale: f64, at: F) -> Self {
+        let closing = if costly { CLOSING.1 } else { CLOSING.0 };
+        Self { at, samples: vec![], costly, closing, tiny: SAME * scale, refused: None, lost: None }
     }
 
     /// Takes a sample.
-    pub fn sample(&mut self, place: f64) -> Result<Option<f64>> {
+    pub fn sample(&mut self, place: f64) -> Result<Option<f64>, E> {
         let i = self.samples.partition_point(|s| s.0 < place);
         if let Some(known) = self.samples.get(i).filter(|s| s.0 == place) {
             return Ok(known.1);
         }
         let value = match (self.at)(place) {
+            Ok(value) if value.abs() <= self.tiny => Some(0.0),
             Ok(value) => Some(value).filter(|v| v.is_finite()),
             Err(error) => {
                 cancel::check()?;
@@ -67,24 +75,23 @@ impl<F: FnMut(f64) -> Result<f64>> Sweep<F> {
         Ok(value)
     }
 
-    /// Samples at `parts` + 1 places from one end to another.
-    pub fn fill(&mut self, ends: (f64, f64), parts: usize) -> Result<()> {
+    /// Samples that cut an interval into so many parts, with its ends.
+    pub fn fill(&mut self, ends: (f64, f64), parts: usize) -> Result<(), E> {
         places(ends, parts).try_for_each(|place| self.sample(place).map(|_| ()))
     }
 
-    /// The first zero on the way through rising places, with the extrema between them; `falling` ones alone where only they count. The way ends where
-    /// `ends` says so of a value and that before it.
+    /// The first zero of rising places, sampled one by one; with `falling` the first at which the function falls. Of a costly function the samples end behind
+    /// the last place with a value, and with a value below `least`.
     pub fn first(
         &mut self,
         places: impl Iterator<Item = f64>,
         falling: bool,
-        ends: impl Fn(Option<f64>, Option<f64>) -> bool,
-    ) -> Result<Option<f64>> {
+        least: f64,
+    ) -> Result<Option<f64>, E> {
         let mut before = None;
         for place in places {
             let from = self.samples.len().saturating_sub(2);
             let value = self.sample(place)?;
-            // Where the values begin they may be smaller.
             if value.is_some_and(|v| v >= 0.0) {
                 self.edges(from)?;
             }
@@ -93,7 +100,7 @@ impl<F: FnMut(f64) -> Result<f64>> Sweep<F> {
             if let Some(zero) = zeros.iter().find(|zero| zero.falls || !falling) {
                 return Ok(Some(zero.at));
             }
-            if ends(before, value) {
+            if self.costly && before.is_some() && value.is_none_or(|v| v < least) {
                 break;
             }
             before = value;
@@ -101,53 +108,37 @@ impl<F: FnMut(f64) -> Result<f64>> Sweep<F> {
         Ok(None)
     }
 
-    /// Halves the way from each sample to the next: `least` times, and up to `most` times where the function is so curved that it may reach zero
-    /// between two of them. With `least` 0 ways are left out whose ends are further from zero than from each other.
-    pub fn finer(&mut self, (least, most): (usize, usize)) -> Result<()> {
-        let near = |pair: &&[Sample]| match (pair[0].1, pair[1].1) {
-            (Some(a), Some(b)) => least > 0 || a.abs().min(b.abs()) <= (a - b).abs(),
-            _ => true,
-        };
-        let mut left: Vec<(Sample, Sample, usize)> =
-            self.samples.windows(2).filter(near).map(|pair| (pair[0], pair[1], 0)).collect();
-        while let Some((low, high, halved)) = left.pop() {
-            let middle = 0.5 * (low.0 + high.0);
-            if halved == most || middle <= low.0 || middle >= high.0 {
-                continue;
+    /// Every zero of the whole, by rising place, once samples are taken at the edges, the extrema and, of a function that is cheap, beside the ends and
+    /// where it is curved.
+    pub fn all(&mut self) -> Result<Vec<Zero>, E> {
+        if let [first, second, .., last_but_one, last] = self.samples[..]
+            && !self.costly
+        {
+            for (share, (end, next)) in
+                BESIDE.iter().flat_map(|s| [(s, (first.0, second.0)), (s, (last.0, last_but_one.0))])
+            {
+                self.sample(end + share * (next - end))?;
             }
-            let value = self.sample(middle)?;
-            let curved = match (low.1, value, high.1) {
-                (Some(a), Some(m), Some(b)) => {
-                    let nearest = a.abs().min(m.abs()).min(b.abs());
-                    (m - 0.5 * (a + b)).abs() > CURVED * nearest
-                }
-                _ => false,
+        }
+        for _ in 0..if self.costly { 0 } else { PASSES } {
+            let curved = |three: &[Sample]| {
+                let [(left, Some(a)), (middle, Some(b)), (right, Some(c))] = *three else { return false };
+                let straight = a + (c - a) * (middle - left) / (right - left);
+                (b - straight).abs() > CURVED * a.abs().min(b.abs()).min(c.abs())
             };
-            if halved + 1 < least || curved {
-                left.push((low, (middle, value), halved + 1));
-                left.push(((middle, value), high, halved + 1));
-            }
+            let curved = self.samples.windows(3).filter(|three| curved(three));
+            let between = |three: &[Sample]| [0, 1].map(|i| 0.5 * (three[i].0 + three[i + 1].0));
+            let middles: Vec<f64> = curved.flat_map(between).collect();
+            middles.into_iter().try_for_each(|middle| self.sample(middle).map(|_| ()))?;
         }
-        Ok(())
-    }
-
-    /// All zeros, with more samples where the function may reach zero between those there are: at the edges of what has a value, beside the
-    /// ends of each run of values, and at extrema towards zero.
-    pub fn all(&mut self) -> Result<Vec<Zero>> {
         self.edges(0)?;
-        for (end, next) in self.ends() {
-            if (end.1 > 0.0) == (next.1 > 0.0) && end.1.abs() <= next.1.abs() {
-                for share in BESIDE {
-                    self.sample(end.0 + share * (next.0 - end.0))?;
-                }
-            }
-        }
         self.extrema(0)?;
         self.zeros(0)
     }
 
-    /// Samples towards each edge of what has a value, from a sample on; of few steps none where the values move away from zero.
-    fn edges(&mut self, from: usize) -> Result<()> {
+    /// Samples at both sides of the edge between a place that has a value and its neighbour that has none, from an index on; of a costly function only
+    /// where the values come nearer to zero towards the edge.
+    fn edges(&mut self, from: usize) -> Result<(), E> {
         let samples = self.samples.clone();
         for i in from + 1..samples.len() {
             let (mut with, mut without, end, next) = match (samples[i - 1], samples[i]) {
@@ -156,37 +147,19 @@ impl<F: FnMut(f64) -> Result<f64>> Sweep<F> {
                 _ => continue,
             };
             let next = next.and_then(|i| samples.get(i)?.1);
-            if self.steps < HALVINGS && next.is_some_and(|next| next.abs() < end.abs()) {
+            if self.costly && next.is_some_and(|next| next.abs() < end.abs()) {
                 continue;
             }
-            for _ in 0..HALVINGS.min(self.steps) {
+            for _ in 0..self.closing {
                 let middle = 0.5 * (with + without);
-                if middle == with || middle == without {
-                    break;
-                }
-                match self.sample(middle)? {
-                    Some(_) => with = middle,
-                    None => without = middle,
-                }
+                *(if self.sample(middle)?.is_some() { &mut with } else { &mut without }) = middle;
             }
         }
         Ok(())
     }
 
-    /// Ends of the runs of values, each with its neighbour.
-    fn ends(&self) -> Vec<((f64, f64), (f64, f64))> {
-        let mut ends = vec![];
-        for run in self.samples.split(|s| s.1.is_none()) {
-            let value = |s: &Sample| s.1.map(|v| (s.0, v));
-            let pair = |a: Option<&Sample>, b: Option<&Sample>| Some((value(a?)?, value(b?)?));
-            ends.extend(pair(run.first(), run.get(1)));
-            ends.extend(pair(run.last(), run.len().checked_sub(2).and_then(|i| run.get(i))));
-        }
-        ends
-    }
-
-    /// A sample at each extremum towards zero, from a sample on.
-    fn extrema(&mut self, from: usize) -> Result<()> {
+    /// Samples at the extrema that come nearest to zero, from an index on. Whether the function may reach zero there is seen only at the extremum.
+    fn extrema(&mut self, from: usize) -> Result<(), E> {
         for three in self.samples[from..].to_vec().windows(3) {
             let [(left, Some(a)), (middle, Some(b)), (right, Some(c))] = *three else { continue };
             let sign = b.signum();
@@ -194,20 +167,26 @@ impl<F: FnMut(f64) -> Result<f64>> Sweep<F> {
             if !towards || a == b && b == c {
                 continue;
             }
+            let steps = self.closing;
             let mut tried = |x: f64| (x, (self.at)(x).unwrap_or(sign * f64::INFINITY));
-            let best = golden(left, (middle, b), right, self.steps, |s| sign * s.1, &mut tried);
+            let best = golden(left, (middle, b), right, steps, |s| sign * s.1, &mut tried);
             cancel::check()?;
             self.sample(best.0)?;
         }
         Ok(())
     }
 
-    /// The zeros between samples of different sign, from a sample on.
-    pub fn zeros(&mut self, from: usize) -> Result<Vec<Zero>> {
+    /// The zeros between the samples from an index on, by rising place.
+    pub fn zeros(&mut self, from: usize) -> Result<Vec<Zero>, E> {
         let mut zeros: Vec<Zero> = vec![];
         for pair in self.samples[from..].windows(2) {
             let [(a, Some(va)), (b, Some(vb))] = *pair else { continue };
-            if (va > 0.0) == (vb > 0.0) && va != 0.0 && vb != 0.0 {
+            let falls = va >= vb;
+            if va == 0.0 || vb == 0.0 {
+                zeros.push(Zero { at: if va == 0.0 { a } else { b }, falls });
+                continue;
+            }
+            if (va > 0.0) == (vb > 0.0) {
                 continue;
             }
             let mut closest = f64::INFINITY;
@@ -217,8 +196,8 @@ impl<F: FnMut(f64) -> Result<f64>> Sweep<F> {
                 Ok(value)
             };
             match find_root(value, a, b, TOLERANCE) {
-                Ok(Some(at)) if closest <= LEFT * (va.abs() + vb.abs()) => {
-                    zeros.push(Zero { at, falls: va > vb })
+                Ok(Some(at)) if closest <= REMAINDER * (va.abs() + vb.abs()) => {
+                    zeros.push(Zero { at, falls })
                 }
                 Err(error) => {
                     cancel::check()?;
@@ -231,14 +210,14 @@ impl<F: FnMut(f64) -> Result<f64>> Sweep<F> {
         Ok(zeros)
     }
 
-    /// The sample whose value is least by a measure; the first of equals.
+    /// The sample that is the least by a measure of its value, with the value.
     pub fn least(&self, measure: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
         let values = self.samples.iter().filter_map(|s| s.1.map(|v| (s.0, v)));
         values.reduce(|best, s| if measure(s.1) < measure(best.1) { s } else { best })
     }
 }
 
-/// `parts` + 1 places from one end to another.
+/// Rising places that cut an interval into so many parts, with its ends.
 pub(super) fn places((from, to): (f64, f64), parts: usize) -> impl Iterator<Item = f64> {
     (0..=parts).map(move |i| if i == parts { to } else { from + (to - from) * i as f64 / parts as f64 })
 }
@@ -246,12 +225,13 @@ pub(super) fn places((from, to): (f64, f64), parts: usize) -> impl Iterator<Item
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::ModelError;
 
     const NONE: ModelError = ModelError::Geometry { contraction: 0.0, lowest: 0.0, highest: 0.0 };
 
     /// The zeros within 0 to 1, and the least |f|.
     fn swept(f: impl Fn(f64) -> Option<f64>, parts: usize) -> (Vec<Zero>, (f64, f64)) {
-        let mut sweep = Sweep::new(60, |x| f(x).ok_or(NONE));
+        let mut sweep = Sweep::new(false, 0.0, |x| f(x).ok_or(NONE));
         sweep.fill((0.0, 1.0), parts).unwrap();
         let zeros = sweep.all().unwrap();
         (zeros, sweep.least(f64::abs).unwrap())
@@ -284,13 +264,9 @@ mod tests {
     #[test]
     fn a_narrow_dip_between_samples_is_found_where_they_are_halved() {
         let f = |x: f64| Some(0.03 + 0.01 * (x - 0.3) - 0.05 * (-((x - 0.3275) / 0.02).powi(2)).exp());
-        let at = |x: f64| f(x).ok_or(NONE);
-        let mut sweep = Sweep::new(60, at);
+        let mut sweep = Sweep::new(false, 0.0, |x| f(x).ok_or(NONE));
         sweep.fill((0.0, 1.0), 20).unwrap();
         assert!(sweep.zeros(0).unwrap().is_empty());
-        let mut sweep = Sweep::new(60, at);
-        sweep.fill((0.0, 1.0), 5).unwrap();
-        sweep.finer((2, 6)).unwrap();
         let zeros = sweep.all().unwrap();
         assert_eq!(zeros.iter().map(|z| z.falls).collect::<Vec<_>>(), [true, false]);
     }

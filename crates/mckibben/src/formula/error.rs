@@ -38,7 +38,7 @@ impl FormulaError {
     }
 
     /// What serde says of the value at a path.
-    pub(super) fn of(path: &str, error: &serde_json::Error) -> Self {
+    pub(super) fn at_path(path: &str, error: &serde_json::Error) -> Self {
         if !error.is_data() {
             return Self::json(error);
         }

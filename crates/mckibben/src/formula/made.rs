@@ -69,7 +69,7 @@ fn constants(muscle: &Muscle) -> IndexMap<String, f64> {
 
 impl Made {
     /// What a muscle says, but for its diameter and wall.
-    pub fn of(muscle: &Muscle) -> Self {
+    pub fn from_muscle(muscle: &Muscle) -> Self {
         let rubber = muscle.rubber();
         let braid = match (muscle.braid().stiffness, muscle.family_stiffness_n_per_mm()) {
             (BraidStiffness::Paper, _) => MadeBraid::Named(NamedBraid::Paper),

@@ -107,7 +107,7 @@ impl Section {
         let (a, b, c) = self.at(pressure_mpa);
         let c = c - force_n;
         let root = (b * b - 4.0 * a * c).sqrt();
-        // ε = (−b − √(b² − 4ac))/(2a), where 2aε + b = −√… < 0. For b < 0 this form stands a = 0 and does not cancel.
+        // ε = (−b − √(b² − 4ac))/(2a), where 2aε + b = −√… < 0. For b < 0 this form allows a = 0 and does not cancel.
         let e = if b < 0.0 { 2.0 * c / (root - b) } else { (-b - root) / (2.0 * a) };
         e.is_finite().then_some(e)
     }

@@ -24,10 +24,10 @@ pub struct Scales {
 
 /// One term c · xᵃ pᵇ eᶜ dᵈ of a `global` formula.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Term {
-    /// a, b, c, d: powers of s/D0, P, ε and D0.
-    pub powers: [u8; 4],
-    /// c in MPa.
+pub struct Term<const N: usize = 4> {
+    /// Powers of the variables; a, b, c, d of s/D0, P, ε and D0.
+    pub powers: [u8; N],
+    /// The coefficient; c in MPa.
     pub value: f64,
 }
 

@@ -11,7 +11,7 @@ fn formula(body: Body) -> Formula {
     Formula {
         name: "mine".into(),
         body,
-        made_for: Made::of(&Muscle::prototype()),
+        made_for: Made::from_muscle(&Muscle::prototype()),
         range: FormulaRange {
             outer_diameter_mm: (30.0, 50.0),
             wall_mm: (1.0, 5.0),
@@ -74,11 +74,11 @@ fn the_published_numbers_as_a_file_answer_like_the_model_paper() {
                 paper.response(&mut Workspace::new(), p, e).unwrap()
             );
         }
-        let own = |model: &dyn ForceModel| {
+        let answers = |model: &dyn ForceModel| {
             let w = &mut Workspace::new();
             (model.pressure_at_pull(w, 300.0, 0.1), model.contraction_at_pull(w, 100.0, 0.2))
         };
-        assert_eq!(own(&ours), own(&paper));
+        assert_eq!(answers(&ours), answers(&paper));
     }
 }
 

@@ -2,7 +2,6 @@
 
 use crate::analysis::AnalysisError;
 use crate::cancel::Cancelled;
-use crate::model::ModelError;
 use thiserror::Error;
 
 /// The answer of a joint, or why it has none.
@@ -72,16 +71,12 @@ pub enum JointError {
 }
 
 impl JointError {
-    pub(super) fn model(muscle: usize) -> impl Fn(ModelError) -> Self {
+    pub(super) fn in_muscle<E: Into<AnalysisError>>(muscle: usize) -> impl Fn(E) -> Self {
         move |error| Self::Muscle { muscle: muscle + 1, error: error.into() }
     }
 
-    /// Whether a muscle has no state at the pressures and the angle asked for: others may have one.
+    /// Whether a muscle has no state at the pressures and the angle of the question: others may have one.
     pub fn is_of_point(&self) -> bool {
         matches!(self, Self::Muscle { error: AnalysisError::Model(error), .. } if error.is_of_point())
-    }
-
-    pub(super) fn analysis(muscle: usize) -> impl Fn(AnalysisError) -> Self {
-        move |error| Self::Muscle { muscle: muscle + 1, error }
     }
 }

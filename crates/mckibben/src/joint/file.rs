@@ -4,7 +4,7 @@ use super::{Joint, JointError, JointMuscle, JointSpring, Link, Path, PulleyFrict
 use crate::muscle::Muscle;
 use crate::muscle::file::{FileError, Section, Source};
 
-/// A joint file: everything but the muscles themselves, which stand in files of their own.
+/// A joint file: everything but the muscles themselves, which have their own files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointFile {
     /// File, way about the joint and contraction at the neutral angle of each muscle.

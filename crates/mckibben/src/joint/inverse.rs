@@ -1,7 +1,7 @@
 //! Pressures for an angle, a torque and a stiffness.
 
 use super::{JointError, JointModel, JointPoint, Result, Turning};
-use crate::analysis::find_root;
+use crate::analysis::Sweep;
 use crate::model::Workspace;
 use crate::muscle::Direction;
 
@@ -9,7 +9,6 @@ use crate::muscle::Direction;
 const SCAN: usize = 40;
 /// Share of the pulls' range by which both muscles are kept taut at its ends.
 const TAUT: f64 = 1e-9;
-const TOLERANCE: f64 = 1e-12;
 
 /// What a joint shall do.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,7 +17,7 @@ pub struct JointTarget {
     pub angle_deg: f64,
     /// τ in N m that it shall have for the world outside: muscles, spring and weight together; 0 where it shall rest there.
     pub torque_nm: f64,
-    /// −dτ/dφ in N m/rad; the lowest pressures where it is left open.
+    /// −dτ/dφ in N m/rad; the lowest pressures where it is not given.
     pub stiffness_nm_per_rad: Option<f64>,
 }
 
@@ -77,29 +76,25 @@ impl JointModel<'_> {
             (Some(_), [_]) => return Err(JointError::OneMuscle),
             (Some(stiffness), _) => {
                 let (low, high) = (low + TAUT * (high - low), high - TAUT * (high - low));
-                let mut at = |pull: f64| line.stiffness(workspaces, pull).map(|k| k - passive_slope);
-                let mut reach = (f64::INFINITY, f64::NEG_INFINITY);
-                let mut before = (low, at(low)?);
-                let mut found = None;
-                for i in 0..=SCAN {
-                    let pull = low + (high - low) * i as f64 / SCAN as f64;
-                    let k = at(pull)?;
-                    reach = (reach.0.min(k), reach.1.max(k));
-                    if (before.1 - stiffness) * (k - stiffness) <= 0.0 && found.is_none() {
-                        let root = find_root(|f| at(f).map(|k| k - stiffness), before.0, pull, TOLERANCE);
-                        found = root?.or((k == stiffness).then_some(pull));
-                    }
-                    before = (pull, k);
+                let excess = |pull| -> Result<f64> {
+                    Ok(line.stiffness(workspaces, pull)? - passive_slope - stiffness)
+                };
+                let mut sweep = Sweep::new(true, 0.0, excess);
+                sweep.fill((low, high), SCAN)?;
+                let zero = sweep.zeros(0)?.first().copied();
+                if let Some(error) = sweep.refused.take().or(sweep.lost.take()) {
+                    return Err(error);
                 }
-                let pull = found.ok_or_else(|| JointError::OutOfReach {
+                let end = |sign: f64| sweep.least(|k| sign * k).map_or(f64::NAN, |(_, k)| k + stiffness);
+                let zero = zero.ok_or_else(|| JointError::OutOfReach {
                     sought: format!("{stiffness} N m/rad with {} N m", wanted.torque_nm),
                     angle_deg: wanted.angle_deg,
                     max_pressure_mpa,
-                    least: reach.0,
-                    most: reach.1,
+                    least: end(1.0),
+                    most: end(-1.0),
                     unit: "N m/rad",
                 })?;
-                line.pressures(workspaces, pull)?
+                line.pressures(workspaces, zero.at)?
             }
         };
         self.at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)
@@ -146,7 +141,7 @@ impl Line<'_, '_> {
             }
             let pull = pull.min(here.most_n);
             let mut muscle = self.model.evaluation(i, workspace, Direction::Mean);
-            muscle.pressure_at(pull, here.contraction).map_err(JointError::analysis(i))
+            muscle.pressure_at(pull, here.contraction).map_err(JointError::in_muscle(i))
         })
         .collect()
     }
@@ -157,9 +152,9 @@ impl Line<'_, '_> {
         let mut sum = 0.0;
         for (i, (here, p)) in self.here.iter().zip(pressures).enumerate() {
             let mut muscle = self.model.evaluation(i, &mut workspaces[i], Direction::Mean);
-            let r = muscle.response(p, here.contraction).map_err(JointError::model(i))?;
+            let r = muscle.response(p, here.contraction).map_err(JointError::in_muscle(i))?;
             if r.force_n > 0.0 {
-                let k = muscle.stiffness_n_per_mm(&r).map_err(JointError::model(i))?;
+                let k = muscle.stiffness_n_per_mm(&r).map_err(JointError::in_muscle(i))?;
                 sum += k * here.arm_mm * here.arm_mm - r.force_n * here.arm_by_angle_mm;
             }
         }

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 /// Steps of Newton's method from the neighbour's angle before all rests are sought.
 const STEPS: usize = 8;
-/// Newton's step with which it ends, in rad: what is left of the angle is of the order of its square, and of the stiffness, which
+/// Newton's step with which it ends, in rad: the error of the angle is of the order of its square, and of the stiffness, which
 /// the last two points give at the angle found, as well. A first step has no point before it and must be smaller.
 const SMALL: f64 = 1e-6;
 const SMALL_FIRST: f64 = 1e-9;
@@ -55,7 +55,7 @@ pub struct JointMap {
     /// The rests along the border of the pressures: P1 up at P2 = 0, P2 up at the highest P1, P1 down, P2 down.
     pub border: Vec<MapPoint>,
     /// At angles over the range: (φ in degrees, least torque, largest torque in N m), one muscle at the supply's pressure and the other
-    /// without. Angles at which a muscle has no state are left out.
+    /// without. Angles at which a muscle has no state are omitted.
     pub torques: Vec<(f64, f64, f64)>,
 }
 
@@ -90,21 +90,21 @@ impl JointModel<'_> {
                         pressures_mpa: pressures_mpa.clone(),
                         free: free.iter().zip([i, j]).map(|(list, k)| list[k]).collect(),
                     };
-                    let found = self.rest_near(&mut fixed, start);
-                    let at = |found: &Rest| found.as_ref().ok()?.as_ref().map(|p| p.angle_deg);
-                    let found = match found {
+                    let rest = self.rest_near(&mut fixed, start);
+                    let at = |rest: &Rest| rest.as_ref().ok()?.as_ref().map(|p| p.angle_deg);
+                    let rest = match rest {
                         Err(error) if !error.is_of_point() => return Err(error),
-                        found => found.map_err(|error| (pressures_mpa, error)),
+                        rest => rest.map_err(|error| (pressures_mpa, error)),
                     };
-                    (near, before) = (at(&found), near);
-                    Ok(found)
+                    (near, before) = (at(&rest), near);
+                    Ok(rest)
                 })
                 .collect()
         };
         let places: Vec<usize> = (0..count).collect();
         let rows = Threads::shared().map(&places, row).into_iter().collect::<Result<Vec<_>, _>>()?;
         let all = || rows.iter().flatten();
-        let missing = all().filter_map(|found| found.as_ref().err());
+        let missing = all().filter_map(|rest| rest.as_ref().err());
         if let Some((_, error)) = missing.clone().next().filter(|_| all().all(Result::is_err)) {
             return Err(error.clone());
         }
@@ -114,7 +114,7 @@ impl JointModel<'_> {
         };
         let gaps = missing.map(gap).collect();
         let rows: Vec<Vec<Option<MapPoint>>> =
-            rows.into_iter().map(|row| row.into_iter().map(|found| found.ok().flatten()).collect()).collect();
+            rows.into_iter().map(|row| row.into_iter().map(|rest| rest.ok().flatten()).collect()).collect();
         let border = if two { around(&rows) } else { rows.iter().flatten().flatten().cloned().collect() };
         Ok(JointMap {
             torques: self.torques(max_pressure_mpa)?,
@@ -138,7 +138,7 @@ impl JointModel<'_> {
             let all = || (0..ANGLES).filter_map(|k| Some(self.joint().contraction(i, angle(k))?.0));
             let (least, most) =
                 (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
-            let range = &self.of(i).info().range;
+            let range = &self.model(i).info().range;
             let mut violations = range.violations(max_pressure_mpa, least);
             let beyond = Interval::new(Quantity::CONTRACTION, range.contraction).violation(most, 1e-12);
             let beyond = beyond.filter(|v| !violations.contains(v));
@@ -151,10 +151,10 @@ impl JointModel<'_> {
             if violations.is_empty() && range.make.is_empty() {
                 continue;
             }
-            let model = self.of(i).info().name.to_string();
+            let model = self.model(i).info().name.to_string();
             let error = ModelError::OutOfRange { model, violations, make: range.make.clone() };
             if !self.extrapolate {
-                return Err(JointError::model(i)(error));
+                return Err(JointError::in_muscle(i)(error));
             }
             said.push(format!("extrapolated: {error}"));
         }
@@ -184,7 +184,7 @@ impl JointModel<'_> {
             let (torque, slope, shut) = match self.torque(fixed, angle) {
                 // A neighbour's rest may lie across angles without a state.
                 Err(error) if error.is_of_point() => break,
-                found => found?,
+                torque => torque?,
             };
             if slope >= 0.0 {
                 break;

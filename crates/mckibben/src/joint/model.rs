@@ -108,7 +108,7 @@ impl<'m> JointModel<'m> {
         self.joint
     }
 
-    pub(super) fn of(&self, muscle: usize) -> &'m dyn ForceModel {
+    pub(super) fn model(&self, muscle: usize) -> &'m dyn ForceModel {
         self.models[muscle]
     }
 
@@ -188,13 +188,13 @@ impl<'m> JointModel<'m> {
             let mut muscle = self.evaluation(i, workspace, direction);
             let answer = muscle
                 .point_beyond(pressures_mpa[i], contraction, &mut hanging[i])
-                .map_err(JointError::model(i))?;
+                .map_err(JointError::in_muscle(i))?;
             let force = answer.response.force_n;
             let k = if answer.slack {
                 0.0
             } else {
                 shut.add(&answer.response, muscle.model.muscle().length_mm(), s.arm_mm);
-                muscle.stiffness_n_per_mm(&answer.response).map_err(JointError::model(i))?
+                muscle.stiffness_n_per_mm(&answer.response).map_err(JointError::in_muscle(i))?
             };
             let (share, by_angle) = self.joint.arriving(i, angle, s.arm_mm, direction);
             torque += share * (1e-3 * force * s.arm_mm);
@@ -237,7 +237,7 @@ impl<'m> JointModel<'m> {
     }
 
     /// The free contraction of a muscle at a pressure; `None` where it pulls up to the end of its model's range, or has no state on the way to it: whether it
-    /// is slack is then asked at each angle.
+    /// is slack is then computed at each angle.
     pub(super) fn free(
         &self,
         muscle: usize,
@@ -248,7 +248,7 @@ impl<'m> JointModel<'m> {
             Ok(e) => Ok(Some(e)),
             Err(AnalysisError::NoContraction { .. }) => Ok(None),
             Err(AnalysisError::Model(error)) if error.is_of_point() => Ok(None),
-            Err(error) => Err(JointError::analysis(muscle)(error)),
+            Err(error) => Err(JointError::in_muscle(muscle)(error)),
         }
     }
 
@@ -262,11 +262,11 @@ impl<'m> JointModel<'m> {
                 continue;
             }
             let mut muscle = self.evaluation(i, &mut fixed.workspaces[i], Direction::Mean);
-            let r = muscle.response(fixed.pressures_mpa[i], contraction).map_err(JointError::model(i))?;
+            let r = muscle.response(fixed.pressures_mpa[i], contraction).map_err(JointError::in_muscle(i))?;
             if r.force_n <= 0.0 {
                 continue;
             }
-            let k = muscle.stiffness_n_per_mm(&r).map_err(JointError::model(i))?;
+            let k = muscle.stiffness_n_per_mm(&r).map_err(JointError::in_muscle(i))?;
             torque += 1e-3 * r.force_n * s.arm_mm;
             slope += 1e-3 * (r.force_n * s.arm_by_angle_mm - k * s.arm_mm * s.arm_mm);
             shut.add(&r, self.models[i].muscle().length_mm(), s.arm_mm);

@@ -11,7 +11,7 @@ pub enum Path {
         /// r in mm.
         radius_mm: f64,
     },
-    /// Between a point a of the fixed link and a point c of the moving one; the axis is the origin, x and y in mm as they stand at
+    /// Between a point a of the fixed link and a point c of the moving one; the axis is the origin, x and y in mm at
     /// φ = 0, angles counterclockwise. l² = |a|² + |c|² − 2 a·R(φ)c, Δ = l(0) − l(φ).
     Points {
         /// a

@@ -79,7 +79,7 @@ impl JointModel<'_> {
         let (low, high) = self.joint().range_deg();
         let (low, high) = (low.to_radians(), high.to_radians());
         let mut at = |angle: f64| Ok::<_, JointError>(self.torque(fixed, angle)?.0 + outside_nm);
-        let (mut found, mut without) = (vec![], None);
+        let (mut rests, mut without) = (vec![], None);
         let mut before: Option<(f64, f64)> = None;
         // Start of a stretch in which nothing acts.
         let mut loose: Option<f64> = None;
@@ -88,37 +88,37 @@ impl JointModel<'_> {
             let torque = match at(angle) {
                 Err(error) if error.is_of_point() => {
                     let ended = loose.take().zip(before.take());
-                    found.extend(ended.map(|(from, (to, _))| stretch(from, to, 0.0)));
+                    rests.extend(ended.map(|(from, (to, _))| stretch(from, to, 0.0)));
                     without = without.or(Some(error));
                     continue;
                 }
                 torque => torque?,
             };
             if i == 0 && torque < 0.0 {
-                found.push(Rest::Limit { angle_deg: low.to_degrees() });
+                rests.push(Rest::Limit { angle_deg: low.to_degrees() });
             }
             match (before, loose) {
                 (None, _) => loose = (torque == 0.0).then_some(angle),
                 (Some((last, _)), None) if torque == 0.0 => loose = Some(edge(&mut at, angle, last)?),
                 (Some((last, _)), Some(from)) if torque != 0.0 => {
-                    found.push(stretch(from, edge(&mut at, last, angle)?, torque));
+                    rests.push(stretch(from, edge(&mut at, last, angle)?, torque));
                     loose = None;
                 }
                 _ => {}
             }
             if let Some((last, _)) = before.filter(|(_, was)| was * torque < 0.0) {
                 let root = find_root(&mut at, last, angle, TOLERANCE)?;
-                found.extend(
+                rests.extend(
                     root.map(|at| Rest::Balance { angle_deg: at.to_degrees(), stable: torque < 0.0 }),
                 );
             }
             before = Some((angle, torque));
         }
-        found.extend(loose.map(|from| stretch(from, high, 0.0)));
+        rests.extend(loose.map(|from| stretch(from, high, 0.0)));
         if before.is_some_and(|(_, torque)| torque > 0.0) {
-            found.push(Rest::Limit { angle_deg: high.to_degrees() });
+            rests.push(Rest::Limit { angle_deg: high.to_degrees() });
         }
-        Ok((found, without))
+        Ok((rests, without))
     }
 }
 

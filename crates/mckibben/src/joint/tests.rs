@@ -72,17 +72,17 @@ fn what_was_sought_has_the_uncertainty_of_the_torque_over_its_slope() {
     let models = models(&joint, ModelKind::Universal);
     let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
     let wanted = JointTarget { angle_deg: 10.0, torque_nm: 2.0, stiffness_nm_per_rad: Some(8.0) };
-    let found = model.pressures(w, wanted, 0.3).unwrap();
-    let halves = model.pressure_uncertainties_mpa(w, &found);
+    let point = model.pressures(w, wanted, 0.3).unwrap();
+    let halves = model.pressure_uncertainties_mpa(w, &point);
     assert_eq!(halves.len(), 2);
     for (i, sought) in halves.into_iter().enumerate() {
         let mut torque = |step: f64| {
-            let mut pressures = found.pressures_mpa.clone();
+            let mut pressures = point.pressures_mpa.clone();
             pressures[i] += step;
             model.at(w, &pressures, 10.0, Turning::Mean).unwrap().torque_nm
         };
         let slope = (torque(1e-5) - torque(-1e-5)) / 2e-5;
-        let half = found.uncertainty_nm.unwrap() / slope.abs();
+        let half = point.uncertainty_nm.unwrap() / slope.abs();
         assert!((sought.unwrap() / half - 1.0).abs() < 1e-6, "{sought:?}, by differences {half}");
     }
     let pressures = [0.2, 0.15];
@@ -126,7 +126,7 @@ fn the_uncertainty_of_the_torque_is_that_of_the_pulls_on_their_arms() {
 /// Strands known within a factor of 2: the torque of two runs with both muscles' strands twice and half as stiff, less that of the first.
 #[test]
 fn an_unknown_that_both_muscles_share_shifts_both_pulls_at_once() {
-    let of = |k: f64, factor: f64| {
+    let joint_of = |k: f64, factor: f64| {
         let muscles = [25.0, -25.0].map(|radius_mm| {
             let joint_muscle = muscle(Path::Pulley { radius_mm }, 0.1);
             let braid = crate::muscle::Braid {
@@ -143,14 +143,14 @@ fn an_unknown_that_both_muscles_share_shifts_both_pulls_at_once() {
         let w = &mut [Workspace::new(), Workspace::new()][..];
         bound(joint, &models).at(w, &[0.25, 0.15], 15.0, Turning::Mean).unwrap()
     };
-    let [known, stiffer, softer] = [1000.0, 2000.0, 500.0].map(|k| point(&of(k, 1.0)).torque_nm);
-    let found = point(&of(1000.0, 2.0));
-    let braid = found.uncertainty_parts_nm.unwrap().braid.unwrap();
+    let [known, stiffer, softer] = [1000.0, 2000.0, 500.0].map(|k| point(&joint_of(k, 1.0)).torque_nm);
+    let pair = point(&joint_of(1000.0, 2.0));
+    let braid = pair.uncertainty_parts_nm.unwrap().braid.unwrap();
     let expected = (stiffer - known).abs().max((softer - known).abs());
     assert!((braid / expected - 1.0).abs() < 1e-9, "{braid} {expected}");
     // Less than the muscles' own, of which it is the difference.
-    let own = found.muscles.iter().map(|m| 0.025 * m.answer.uncertainty_parts_n.unwrap().braid.unwrap());
-    assert!(braid < own.fold(0.0, f64::max));
+    let single = pair.muscles.iter().map(|m| 0.025 * m.answer.uncertainty_parts_n.unwrap().braid.unwrap());
+    assert!(braid < single.fold(0.0, f64::max));
 }
 
 #[test]

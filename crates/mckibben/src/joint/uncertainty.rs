@@ -56,11 +56,11 @@ impl JointModel<'_> {
         if apart || !self.alike {
             return None;
         }
-        let mut of = |i: usize, m: &MuscleState| {
+        let mut shifts = |i: usize, m: &MuscleState| {
             let r = &m.answer.response;
-            Some(Shifts::of(workspaces.get_mut(i)?, self.of(i).muscle(), (r.pressure_mpa, r.contraction)))
+            Some(Shifts::of(workspaces.get_mut(i)?, self.model(i).muscle(), (r.pressure_mpa, r.contraction)))
         };
-        Some(of(0, first)?.combined(one.1, &of(1, second)?, other.1))
+        Some(shifts(0, first)?.combined(one.1, &shifts(1, second)?, other.1))
     }
 
     /// 95 % half-width of the stiffness in N m/rad; `None` where that of a muscle's pull is not known. A slack muscle has no part in it.
@@ -68,8 +68,8 @@ impl JointModel<'_> {
         let (mut stiffness, mut pull) = (0.0, 0.0);
         for (i, m) in muscles.iter().enumerate().filter(|(_, m)| !m.answer.slack) {
             let parts = m.answer.uncertainty_parts_n?;
-            let own = stiffness_uncertainty_n_per_mm(self.of(i).muscle(), &parts);
-            stiffness += 1e-3 * own * m.arm_mm * m.arm_mm;
+            let of_muscle = stiffness_uncertainty_n_per_mm(self.model(i).muscle(), &parts);
+            stiffness += 1e-3 * of_muscle * m.arm_mm * m.arm_mm;
             pull += 1e-3 * parts.total() * m.arm_by_angle_mm.abs();
         }
         Some(f64::hypot(stiffness, pull))

@@ -60,14 +60,14 @@ fn virtual_work() -> Option<Vec<VerificationRow>> {
     };
     let work = |deg: f64| {
         let angle = deg.to_radians();
-        let of = |i: usize| {
+        let work = |i: usize| {
             let (e, _) = joint.contraction(i, angle)?;
             Evaluation::new(&models[i], &mut Workspace::new(), Options::default())
                 .work_per_stroke_j(pressures[i], 0.0, e)
                 .ok()
         };
         let height = 1e-3 * (1.2 * 150.0 + 0.5 * 300.0) * (angle - 20f64.to_radians()).sin();
-        Some(of(0)? + of(1)? - GRAVITY_M_PER_S2 * height - (0.2 * angle + 0.75 * angle * angle))
+        Some(work(0)? + work(1)? - GRAVITY_M_PER_S2 * height - (0.2 * angle + 0.75 * angle * angle))
     };
     let slope = |f: &dyn Fn(f64) -> Option<f64>, deg: f64| {
         Some((f(deg + STEP_DEG)? - f(deg - STEP_DEG)?) / (2.0 * STEP_DEG.to_radians()))
@@ -130,7 +130,7 @@ fn inverses() -> VerificationRow {
     )
 }
 
-/// The error of one random joint, `Some(None)` where the inverse has no answer; `None` where it cannot be asked.
+/// The error of one random joint, `Some(None)` where the inverse has no answer; `None` where it has no model.
 fn round_trip(random: &mut Random) -> Option<Option<f64>> {
     let mut uniform = |low: f64, high: f64| random.between(low, high);
     let lengths = [uniform(150.0, 400.0), uniform(150.0, 400.0)];

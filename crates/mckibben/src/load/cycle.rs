@@ -75,11 +75,11 @@ mod tests {
         };
         let (low, high) = (at(0.1, w), at(0.3, w));
         let r = low.answer.response;
-        let found = cycle(&load, 285.0, (0.1, r.contraction, r.volume_mm3), &high);
-        assert!((found.work_j - 1e-3 * 98.0665 * found.stroke_mm).abs() < 1e-9);
+        let cycle = super::cycle(&load, 285.0, (0.1, r.contraction, r.volume_mm3), &high);
+        assert!((cycle.work_j - 1e-3 * 98.0665 * cycle.stroke_mm).abs() < 1e-9);
         // ∫P dV by the rule of Simpson over the way of the weight.
         let n = 200;
-        let (a, b) = (found.from_contraction, found.to_contraction);
+        let (a, b) = (cycle.from_contraction, cycle.to_contraction);
         let power = |e: f64, w: &mut Workspace| {
             let p = model.pressure_at_pull(&mut Workspace::new(), 98.0665, e).unwrap();
             p * model.response(w, p, e).unwrap().volume_per_contraction_mm3.unwrap()
@@ -97,7 +97,7 @@ mod tests {
                 weight * power(a + h * i as f64, w)
             })
             .sum();
-        assert!((1e-3 * sum * h / 3.0 / found.work_j - 1.0).abs() < 1e-9);
-        assert!((0.0..1.0).contains(&found.efficiency.unwrap()), "{found:?}");
+        assert!((1e-3 * sum * h / 3.0 / cycle.work_j - 1.0).abs() < 1e-9);
+        assert!((0.0..1.0).contains(&cycle.efficiency.unwrap()), "{cycle:?}");
     }
 }

@@ -1,7 +1,7 @@
 //! Where muscle and load are in balance.
 
 use super::Load;
-use crate::analysis::{AnalysisError, Evaluation, Options, find_root, straight_strands};
+use crate::analysis::{AnalysisError, Evaluation, Options, Sweep, straight_strands};
 use crate::answer::Answer;
 use crate::model::ModelError;
 use serde::Serialize;
@@ -9,8 +9,6 @@ use thiserror::Error;
 
 /// Parts into which the way of the muscle is cut in search of every crossing.
 const SCAN: usize = 48;
-/// A contraction is known to this.
-const TOLERANCE: f64 = 1e-12;
 
 /// An equilibrium with the load.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -95,47 +93,35 @@ impl Evaluation<'_> {
             (0.95, "what any muscle reaches"),
         ];
         let (end, limit) = ends.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, ""));
-        let mut left_n = |e: f64| -> Result<f64, ModelError> {
+        let excess_n = |e: f64| {
             let pull = if Some(e) == free { 0.0 } else { self.force_n(pressure_mpa, e)? };
             let pull = if extends { pull } else { pull.max(0.0) };
-            Ok(pull - load.force_n(e * length))
+            Ok::<_, ModelError>(pull - load.force_n(e * length))
         };
-        // Past straight strands there may be no answer.
-        let at_start = if options.two_sided { left_n(start).unwrap_or(f64::NAN) } else { left_n(start)? };
-        if at_start < 0.0 && !options.two_sided {
-            let load_n = load.force_n(start * length);
-            return Err(LoadError::NotLifted { pressure_mpa, pull_n: at_start + load_n, load_n });
+        let mut sweep = Sweep::new(false, 0.0, excess_n);
+        let not_lifted = |excess_n: f64, e: f64| {
+            let load_n = load.force_n(e * length);
+            LoadError::NotLifted { pressure_mpa, pull_n: excess_n + load_n, load_n }
+        };
+        match (sweep.sample(start)?, sweep.refused.take()) {
+            (None, Some(error)) if !options.two_sided => return Err(error.into()),
+            (Some(excess), _) if excess < 0.0 && !options.two_sided => return Err(not_lifted(excess, start)),
+            _ => {}
         }
-        let mut roots = vec![];
-        let mut before = (start, at_start);
-        if at_start == 0.0 {
-            roots.push(start);
-        }
-        for i in 1..=SCAN {
-            let e = if i == SCAN { end } else { start + (end - start) * i as f64 / SCAN as f64 };
-            // Where the model has no answer no crossing is sought.
-            let left = left_n(e).unwrap_or(f64::NAN);
-            if left == 0.0 {
-                roots.push(e);
-            } else if before.1 * left < 0.0
-                && let Ok(Some(root)) = find_root(&mut left_n, before.0, e, TOLERANCE)
-            {
-                roots.push(root);
-            }
-            before = (e, left);
-        }
-        if roots.is_empty() {
-            let (at_rest, load_n) = (left_n(0.0)?, load.force_n(0.0));
-            return Err(if at_rest < 0.0 {
-                LoadError::NotLifted { pressure_mpa, pull_n: at_rest + load_n, load_n }
-            } else {
-                LoadError::Beyond { pressure_mpa, contraction: end, limit }
+        sweep.fill((start, end), SCAN)?;
+        let zeros = sweep.zeros(0)?;
+        if zeros.is_empty() {
+            return Err(match (sweep.sample(0.0)?, sweep.refused) {
+                (Some(excess), _) if excess < 0.0 => not_lifted(excess, 0.0),
+                (None, Some(error)) => error.into(),
+                _ => LoadError::Beyond { pressure_mpa, contraction: end, limit },
             });
         }
         let mass = load.moving_mass_kg();
-        roots
+        zeros
             .into_iter()
-            .map(|e| {
+            .map(|zero| {
+                let e = zero.at;
                 let answer = self.answer(pressure_mpa, e)?;
                 // A muscle at its free contraction is as stiff as one that pulls a little.
                 let response = self.response(pressure_mpa, e)?;
@@ -171,14 +157,14 @@ mod tests {
     fn a_weight_hangs_where_the_inverse_formula_says() {
         let (model, w) = (ideal(), &mut Workspace::new());
         let load = Load::Mass { mass_kg: 20.0, level: false };
-        let found = Evaluation::new(&model, w, Options::default()).balances(&load, 0.25).unwrap();
+        let balances = Evaluation::new(&model, w, Options::default()).balances(&load, 0.25).unwrap();
         let exact = model.contraction_at_pull(&mut Workspace::new(), 20.0 * 9.80665, 0.25).unwrap();
-        assert_eq!(found.len(), 1);
-        assert!((found[0].answer.response.contraction - exact).abs() < 1e-11 && found[0].stable);
+        assert_eq!(balances.len(), 1);
+        assert!((balances[0].answer.response.contraction - exact).abs() < 1e-11 && balances[0].stable);
         // f = √(K/M)/2π with the formula's own K.
         let k = model.response(w, 0.25, exact).unwrap().stiffness_n_per_mm.unwrap();
         let f = (1e3 * k / 20.0).sqrt() / std::f64::consts::TAU;
-        assert!((found[0].frequency_hz.unwrap() / f - 1.0).abs() < 1e-9);
+        assert!((balances[0].frequency_hz.unwrap() / f - 1.0).abs() < 1e-9);
     }
 
     #[test]
@@ -186,9 +172,9 @@ mod tests {
         let (model, w) = (ideal(), &mut Workspace::new());
         // Its pull falls faster than the muscle's, from above 300 N at rest.
         let load = Load::Lever(Lever::new(30.0, 50.0, 14.0, -60.0).unwrap());
-        let found = Evaluation::new(&model, w, Options::default()).balances(&load, 0.2).unwrap();
-        let signs: Vec<bool> = found.iter().map(|b| b.stable).collect();
-        for b in &found {
+        let balances = Evaluation::new(&model, w, Options::default()).balances(&load, 0.2).unwrap();
+        let signs: Vec<bool> = balances.iter().map(|b| b.stable).collect();
+        for b in &balances {
             let left = b.answer.response.force_n - load.force_n(b.shortening_mm);
             assert!(left.abs() < 1e-7, "{b:?}");
         }
@@ -204,11 +190,11 @@ mod tests {
         assert!(matches!(error, LoadError::NotLifted { load_n, .. } if load_n == blocked + 1.0), "{error}");
         // It stretches the muscle instead.
         let options = Options { two_sided: true, extrapolate: true, ..Options::default() };
-        let found = Evaluation::new(&model, w, options).balances(&load, 0.1).unwrap();
-        assert!(found[0].answer.response.contraction < 0.0);
+        let balances = Evaluation::new(&model, w, options).balances(&load, 0.1).unwrap();
+        assert!(balances[0].answer.response.contraction < 0.0);
     }
 
-    /// What holds the load is the slope of (load − pull) in x = ε L0, on the branch that is asked for: on one of shortening or lengthening the
+    /// What holds the load is the slope of (load − pull) in x = ε L0, on the chosen branch: on one of shortening or lengthening the
     /// friction of the strands' contact, μw G(P, ε), has its part, ∂G/∂ε. Against differences of both lines.
     #[test]
     fn the_stiffness_is_the_slope_of_load_less_pull_on_every_branch() {
@@ -231,8 +217,8 @@ mod tests {
         for load in &loads {
             for direction in Direction::ALL {
                 let options = Options { direction, ..Options::default() };
-                let found = Evaluation::new(&model, w, options).balances(load, p).unwrap();
-                for b in found {
+                let balances = Evaluation::new(&model, w, options).balances(load, p).unwrap();
+                for b in balances {
                     let mut left = |x: f64| {
                         load.force_n(x)
                             - Evaluation::new(&model, w, direction).force_n(p, x / length).unwrap()
@@ -255,8 +241,8 @@ mod tests {
     fn without_a_load_the_muscle_ends_at_its_free_contraction() {
         let (model, w) = (ideal(), &mut Workspace::new());
         let load = Load::Mass { mass_kg: 3.0, level: true };
-        let found = Evaluation::new(&model, w, Options::default()).balances(&load, 0.2).unwrap();
+        let balances = Evaluation::new(&model, w, Options::default()).balances(&load, 0.2).unwrap();
         let free = Muscle::prototype().max_ideal_contraction();
-        assert!((found[0].answer.response.contraction - free).abs() < 1e-9, "{found:?}");
+        assert!((balances[0].answer.response.contraction - free).abs() < 1e-9, "{balances:?}");
     }
 }

@@ -143,19 +143,19 @@ impl Evaluation<'_> {
         let stop = filling.held_at.filter(|e| sign * e <= sign * most);
         let mut legs = vec![(Leg::At(0.0), 0.0, lifted_mpa.unwrap_or(highest_mpa))];
         legs.extend(lifted_mpa.map(|_| (Leg::Load, 0.0, stop.unwrap_or(most))));
-        let (mut walked, mut found) = (vec![], None);
+        let (mut walked, mut reached) = (vec![], None);
         for (leg, from, to) in legs {
             match way.seek(leg, (from, to))? {
                 Ok(at) => {
                     walked.push((leg, from, at));
-                    found = Some((leg, at));
+                    reached = Some((leg, at));
                     break;
                 }
                 Err(at) => walked.push((leg, from, at)),
             }
         }
         let mut last = walked.last().map_or((Leg::At(0.0), 0.0), |&(leg, _, to)| (leg, to));
-        if found.is_none()
+        if reached.is_none()
             && let Some(e) = stop.filter(|e| last == (Leg::Load, *e))
         {
             let from = way.place(Leg::Load, e)?.0;
@@ -163,11 +163,11 @@ impl Evaluation<'_> {
             let (Ok(at) | Err(at)) = held;
             last = (Leg::At(e), at);
             walked.push((last.0, from, at));
-            found = held.ok().map(|_| last);
+            reached = held.ok().map(|_| last);
         }
-        let (leg, at) = found.unwrap_or(last);
+        let (leg, at) = reached.unwrap_or(last);
         let (pressure_mpa, contraction) = way.place(leg, at)?;
-        if found.is_none() {
+        if reached.is_none() {
             let largest_mm3 = way.pushed_mm3(leg, at)?;
             return Err(FillError::TooLarge { volume_mm3, largest_mm3, pressure_mpa, contraction });
         }

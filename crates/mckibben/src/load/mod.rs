@@ -15,11 +15,17 @@ pub use cycle::{Cycle, cycle};
 pub use equilibrium::{Balance, LoadError};
 pub use fill::{Fill, FillError, FillState, Filling, LiquidStroke};
 pub use lever::Lever;
-pub use parse::LoadTextError;
-pub use table::{LoadTable, LoadTableError};
+pub use table::LoadTable;
+
+use crate::refused::Refused;
 
 /// Standard gravity in m/s² (CGPM 1901).
 pub const GRAVITY_M_PER_S2: f64 = 9.806_65;
+
+/// That a load is invalid.
+fn refused(message: String) -> Refused {
+    Refused::new(["load"], message)
+}
 
 /// A pull in N over the shortening x of the muscle in mm.
 ///
@@ -96,14 +102,8 @@ impl Load {
     pub fn slope_n_per_mm(&self, shortening_mm: f64) -> f64 {
         let x = shortening_mm;
         match self {
-            Self::Force { .. } | Self::Mass { .. } => 0.0,
-            Self::Spring { rate_n_per_mm, preload_n } => {
-                if preload_n + rate_n_per_mm * x > 0.0 {
-                    *rate_n_per_mm
-                } else {
-                    0.0
-                }
-            }
+            Self::Spring { rate_n_per_mm: c, preload_n: f } if f + c * x > 0.0 => *c,
+            Self::Force { .. } | Self::Mass { .. } | Self::Spring { .. } => 0.0,
             Self::Lever(lever) => lever.slope_n_per_mm(x),
             Self::Table(table) => table.slope_n_per_mm(x),
             Self::Sum(loads) => loads.iter().map(|l| l.slope_n_per_mm(x)).sum(),
@@ -118,8 +118,8 @@ impl Load {
             Self::Mass { .. } => self.force_n(0.0) * x,
             Self::Spring { rate_n_per_mm: c, preload_n: f } => {
                 // Of the part in which it pulls.
-                let of = |x: f64| 0.5 * (f + c * x).max(0.0).powi(2) / c;
-                if *c > 0.0 { of(x) - of(0.0) } else { f.max(0.0) * x }
+                let energy = |x: f64| 0.5 * (f + c * x).max(0.0).powi(2) / c;
+                if *c > 0.0 { energy(x) - energy(0.0) } else { f.max(0.0) * x }
             }
             Self::Lever(lever) => lever.energy_n_mm(x),
             Self::Table(table) => table.energy_n_mm(x),

@@ -1,13 +1,8 @@
 //! Loads as people write them.
 
-use super::{Lever, Load, LoadTable};
+use super::{Lever, Load, LoadTable, refused};
+use crate::refused::Refused;
 use crate::units::{Dimension, parse_quantity};
-use thiserror::Error;
-
-/// Why a text is no load.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[error("{0}")]
-pub struct LoadTextError(String);
 
 impl Load {
     /// Reads a load; `table` gives the points of a table by the name behind `table:`.
@@ -16,9 +11,9 @@ impl Load {
     /// use mckibben::load::Load;
     /// let load = Load::parse("mass:2kg+spring:12N/mm@50N", &|_| None)?;
     /// assert!((load.force_n(10.0) - (2.0 * 9.80665 + 170.0)).abs() < 1e-9);
-    /// # Ok::<(), mckibben::load::LoadTextError>(())
+    /// # Ok::<(), mckibben::refused::Refused>(())
     /// ```
-    pub fn parse(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Self, LoadTextError> {
+    pub fn parse(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Self, Refused> {
         let mut loads = parts(text).map(|part| one(part.trim(), table)).collect::<Result<Vec<_>, _>>()?;
         match (loads.pop(), loads.is_empty()) {
             (Some(only), true) => Ok(only),
@@ -44,25 +39,21 @@ fn parts(text: &str) -> impl Iterator<Item = &str> {
     starts.zip(cuts.into_iter().chain([text.len()])).map(|(a, b)| &text[a..b])
 }
 
-fn not_a_load(text: &str) -> LoadTextError {
-    LoadTextError(format!(
+fn not_a_load(text: &str) -> Refused {
+    refused(format!(
         "\"{text}\" is not a valid load: write force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg or table:load.csv, several joined by +"
     ))
 }
 
-fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, LoadTextError> {
+fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Refused> {
     let (kind, rest) = text.split_once(':').ok_or_else(|| not_a_load(text))?;
     let quantity = |part: &str, dimension| {
-        parse_quantity(part, dimension).map_err(|error| LoadTextError(format!("load {text}: {error}")))
+        parse_quantity(part, dimension).map_err(|error| refused(format!("load {text}: {error}")))
     };
     let above = |value: f64, what: &'static str| {
-        if value > 0.0 {
-            Ok(value)
-        } else {
-            Err(LoadTextError(format!("load {text}: {what} must be above zero")))
-        }
+        if value > 0.0 { Ok(value) } else { Err(refused(format!("load {text}: {what} must be above zero"))) }
     };
-    let wrong = |expected| LoadTextError(format!("load {text}: expected {expected}"));
+    let wrong = |expected| refused(format!("load {text}: expected {expected}"));
     let (main, behind) = match rest.split_once('@') {
         Some((main, behind)) => (main, Some(behind)),
         None => (rest, None),
@@ -70,7 +61,7 @@ fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Lo
     match (kind.trim(), behind) {
         ("table", _) => table(rest)
             .map(Load::Table)
-            .ok_or_else(|| LoadTextError(format!("load {text}: there is no such table"))),
+            .ok_or_else(|| refused(format!("load {text}: there is no such table"))),
         ("force", None) => {
             let force_n = above(quantity(main, Dimension::Force)?, "the force")?;
             Ok(Load::Force { force_n })
@@ -111,7 +102,7 @@ fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Lo
 mod tests {
     use super::*;
 
-    fn read(text: &str) -> Result<Load, LoadTextError> {
+    fn read(text: &str) -> Result<Load, Refused> {
         Load::parse(text, &|_| None)
     }
 

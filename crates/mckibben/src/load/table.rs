@@ -1,6 +1,7 @@
 //! A load as points.
 
-use thiserror::Error;
+use super::refused;
+use crate::refused::Refused;
 
 /// Points (x in mm, F in N), straight lines between them; known from the first to the last x.
 #[derive(Debug, Clone, PartialEq)]
@@ -8,23 +9,18 @@ pub struct LoadTable {
     points: Vec<(f64, f64)>,
 }
 
-/// Why points are no load.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[error("{0}")]
-pub struct LoadTableError(String);
-
 impl LoadTable {
     /// A table of points in any order.
-    pub fn new(mut points: Vec<(f64, f64)>) -> Result<Self, LoadTableError> {
+    pub fn new(mut points: Vec<(f64, f64)>) -> Result<Self, Refused> {
         if points.len() < 2 {
-            return Err(LoadTableError(format!(
+            return Err(refused(format!(
                 "a table of a load needs two points or more, and there are {}",
                 points.len()
             )));
         }
         if let Some(i) = points.iter().position(|(x, f)| !(x.is_finite() && f.is_finite())) {
             let (shortening_mm, force_n) = points[i];
-            return Err(LoadTableError(format!(
+            return Err(refused(format!(
                 "point {point} of the load is {shortening_mm} mm, {force_n} N: both must be finite numbers",
                 point = i + 1
             )));
@@ -32,7 +28,7 @@ impl LoadTable {
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         match points.windows(2).find(|w| w[0].0 == w[1].0) {
             Some(twice) => {
-                Err(LoadTableError(format!("the load has two points at a shortening of {} mm", twice[0].0)))
+                Err(refused(format!("the load has two points at a shortening of {} mm", twice[0].0)))
             }
             None => Ok(Self { points }),
         }

@@ -3,7 +3,7 @@
 //!   (3)   F = P (3L² − b²)/(4π n²),   V = (b² − L²) L/(4π n²),   D = √(b² − L²)/(π n),   L = (1 − ε) L0
 //!
 //! b: length of one strand, n: its turns. Source: the paper's (3) after Belforte et al. The printed form has lost its
-//! squares (its dimension is force/length) and stands for one turn; this is F = −P dV/dL.
+//! squares (its dimension is force/length) and holds for one turn; this is F = −P dV/dL.
 
 use super::proportional::{PerPressure, Proportional};
 use super::{ModelEntry, ModelError, ModelInfo, Result};
@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_not_measured_is_asked_for_and_short_strands_are_refused() {
+    fn what_was_not_measured_is_required_and_short_strands_are_refused() {
         assert!(matches!(Belforte::new(&Muscle::prototype()), Err(ModelError::Missing { .. })));
         let measured = Some(MeasuredStrand { strand_length_mm: 284.0, turns: 1.6 });
         let refused = Muscle::prototype().with_braid(Braid { measured, ..Braid::paper() });

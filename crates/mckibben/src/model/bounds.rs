@@ -51,8 +51,8 @@ pub fn pulls_within(
     bounds: &Bounds,
     out: &mut [f64],
 ) -> bool {
-    if let Some(own) = model.extensions().lists {
-        return own.pulls_within(BatchPath::widest(), bounds, lists, out);
+    if let Some(batch) = model.lists() {
+        return batch.pulls_within(BatchPath::widest(), bounds, lists, out);
     }
     let [pressures_mpa, contractions] = lists;
     let mut points = pressures_mpa.iter().zip(contractions);

@@ -46,7 +46,7 @@ impl ConicalEnds {
         })?;
         let range = ModelRange { contraction: (0.0, muscle.max_ideal_contraction()), ..ModelRange::open() };
         let info = ModelInfo { range, ..ModelInfo::new(&ENTRY, muscle) };
-        Ok(Self { info, braid: Pantograph::of(muscle), kc })
+        Ok(Self { info, braid: Pantograph::from_muscle(muscle), kc })
     }
 
     /// Volume of the cylinder with two cones, up to the braid, in mm³.
@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn the_cone_factor_is_asked_for_and_bounded() {
+    fn the_cone_factor_is_required_and_bounded() {
         assert!(matches!(model(None), Err(ModelError::Missing { .. })));
         let e_max = Muscle::prototype().max_ideal_contraction();
         let largest = (1.0 - e_max) / (2.0 * e_max);

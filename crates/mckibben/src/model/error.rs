@@ -52,7 +52,7 @@ pub enum ModelError {
         "at a contraction of {contraction} the muscle has no shape: it must lie above {lowest:.6} (strands straight) and below {highest:.6}"
     )]
     Geometry {
-        /// The contraction asked for.
+        /// The requested contraction.
         contraction: f64,
         /// The contraction at which the strands are straight.
         lowest: f64,
@@ -99,7 +99,7 @@ pub enum ModelError {
         /// Contraction ratio.
         contraction: f64,
     },
-    /// A path of equilibria ended before the one that was asked for.
+    /// A path of equilibria ended before the requested one.
     #[error("{reason}")]
     Stopped {
         /// How: not converged, collapsed, or on another branch.

@@ -96,14 +96,10 @@ impl FestoHunt {
         pressure(self.e_max, force, e)
     }
 
-    fn error(&self, pressure_mpa: f64, contraction: f64) -> ModelError {
-        ModelError::NotFinite { model: ENTRY.name.into(), pressure_mpa, contraction }
-    }
-
     /// The force in N.
     fn solve(&self, pressure_mpa: f64, e: f64) -> Result<f64> {
         let kpa = KPA_PER_MPA * pressure_mpa;
-        let error = || self.error(pressure_mpa, e);
+        let error = || ModelError::not_finite(ENTRY.name, pressure_mpa, e);
         if !(e >= 0.0 && e.is_finite() && kpa.is_finite()) {
             return Err(error());
         }

@@ -50,7 +50,7 @@ impl ForceBalance {
     pub fn new(muscle: &Muscle) -> Self {
         let accuracy = Accuracy::share(0.77, Reference::SOFT_STRANDS);
         let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
-        Self { info, braid: Pantograph::of(muscle) }
+        Self { info, braid: Pantograph::from_muscle(muscle) }
     }
 }
 

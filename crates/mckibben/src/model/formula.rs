@@ -1,8 +1,8 @@
 //! A formula as a force model.
 
 use super::{
-    Accuracy, BlockedAt, Extensions, ForceModel, Interval, ModelError, ModelInfo, ModelRange, Quantity,
-    Reference, Response, Result, Workspace, notes,
+    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelInfo, ModelRange, Quantity, Reference,
+    Response, Result, Workspace, notes,
 };
 use crate::formula::{Body, Formula, GlobalSection, Made, Section};
 use crate::muscle::Muscle;
@@ -65,7 +65,7 @@ impl FormulaModel {
         if all.iter().all(|v| v.is_finite()) {
             Ok(all)
         } else {
-            Err(ModelError::NotFinite { model: self.info.name.to_string(), pressure_mpa, contraction })
+            Err(ModelError::not_finite(&self.info.name, pressure_mpa, contraction))
         }
     }
 }
@@ -99,8 +99,8 @@ impl ForceModel for FormulaModel {
         self.section()?.contraction(force_n, pressure_mpa)
     }
 
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { lists: self.section(), ..Extensions::default() }
+    fn lists(&self) -> Option<&Section> {
+        self.section()
     }
 }
 
@@ -123,7 +123,7 @@ fn range(formula: &Formula, m: &Muscle) -> ModelRange {
 
 /// What of a muscle's parts differs from those of a formula, in words.
 fn differences(made: &Made, muscle: &Muscle) -> Vec<String> {
-    let theirs = Made::of(muscle);
+    let theirs = Made::from_muscle(muscle);
     let mut parts = vec![];
     if !made.rubber.is_like(&theirs.rubber, TOLERANCE) {
         let (ours, theirs) = (made.rubber.text(), theirs.rubber.text());

@@ -45,7 +45,7 @@ impl ModelInfo {
             name: entry.name.into(),
             source: entry.source.into(),
             muscle: Arc::new(muscle.clone()),
-            range: ModelRange::of(muscle),
+            range: ModelRange::for_muscle(muscle),
             accuracy: Accuracy::UNKNOWN,
             costly: false,
         }

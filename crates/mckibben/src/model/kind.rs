@@ -3,27 +3,18 @@
 use super::*;
 use crate::formula::UniversalFormula;
 use crate::nearest::{meant, nearest};
+use crate::refused::Refused;
 use std::fmt;
 use std::str::FromStr;
-use thiserror::Error;
 
-/// A word that names no model.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("there is no model `{given}`{}; the models are {}", meant(*.nearest), names.join(", "))]
-pub struct UnknownModel {
-    /// What was given.
-    pub given: String,
-    /// The name that was probably meant.
-    pub nearest: Option<&'static str>,
-    /// The names that there are.
-    pub names: Vec<&'static str>,
-}
-
-impl UnknownModel {
-    /// A word that is none of some names.
-    pub fn new(word: &str, names: Vec<&'static str>) -> Self {
-        Self { given: word.chars().take(60).collect(), nearest: nearest(word, names.iter().copied()), names }
-    }
+/// That no model has a name: the nearest, and all that there are.
+pub fn unknown_model(name: &str, names: &[&'static str]) -> Refused {
+    let (given, meant): (String, _) =
+        (name.chars().take(60).collect(), meant(nearest(name, names.iter().copied())));
+    Refused::new(
+        ["model"],
+        format!("there is no model `{given}`{meant}; the models are {}", names.join(", ")),
+    )
 }
 
 /// What is known of a kind, and how it is made of a muscle between its ends.
@@ -123,11 +114,11 @@ impl fmt::Display for ModelKind {
 }
 
 impl FromStr for ModelKind {
-    type Err = UnknownModel;
+    type Err = Refused;
 
-    fn from_str(s: &str) -> Result<Self, UnknownModel> {
+    fn from_str(s: &str) -> Result<Self, Refused> {
         let kind = Self::ALL.into_iter().find(|k| k.name() == s);
-        kind.ok_or_else(|| UnknownModel::new(s, Self::ALL.map(Self::name).to_vec()))
+        kind.ok_or_else(|| unknown_model(s, &Self::ALL.map(Self::name)))
     }
 }
 

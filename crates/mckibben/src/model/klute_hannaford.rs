@@ -54,7 +54,7 @@ impl KluteHannaford {
         let (c10, c01) = (law.c10_mpa, law.c01_mpa);
         let accuracy = Accuracy::share(0.55, Reference::SOFT_STRANDS);
         let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
-        Ok(Self { info, ideal: Ideal::new(muscle), braid: Pantograph::of(muscle), c10, c01 })
+        Ok(Self { info, ideal: Ideal::new(muscle), braid: Pantograph::from_muscle(muscle), c10, c01 })
     }
 
     fn elastic(&self, l: f64) -> Elastic {
@@ -114,7 +114,7 @@ mod tests {
     use crate::rubber::{Law, MooneyRivlin, Yeoh};
 
     fn muscle(wall_mm: f64) -> Muscle {
-        let rubber = Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 }));
+        let rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 }));
         let braid = Braid { stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
         Muscle::prototype()
             .with_tube(Tube { wall_mm, rubber, ..Tube::prototype() })
@@ -153,7 +153,7 @@ mod tests {
     #[test]
     fn other_laws_are_sent_to_the_thick_wall() {
         let law = Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: 0.01, c30_mpa: 0.0 });
-        let tube = Tube { rubber: Rubber::of(law), ..Tube::prototype() };
+        let tube = Tube { rubber: Rubber::new(law), ..Tube::prototype() };
         let m = Muscle::prototype().with_tube(tube).unwrap();
         assert!(matches!(KluteHannaford::new(&m), Err(ModelError::Missing { .. })));
     }

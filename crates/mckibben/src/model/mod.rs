@@ -2,7 +2,7 @@
 //!
 //! [`ForceModel`] is the hinge of the library: inverses, curves, comparison and design are written against it.
 //! A new model: one file with its equation and its [`ModelEntry`], one line in [`ModelKind`]'s list, one row in the test battery
-//! (`tests/all/models.rs`). What only some models can do is in [`Extensions`].
+//! (`tests/all/models.rs`). What only some models can do has a default.
 
 mod accuracy;
 mod belforte;
@@ -10,7 +10,6 @@ mod bounds;
 mod chou_hannaford;
 mod conical_ends;
 mod error;
-mod extensions;
 mod festo_hunt;
 mod festo_sarosi;
 mod force_balance;
@@ -45,7 +44,6 @@ pub use bounds::{Bounds, pulls_within};
 pub use chou_hannaford::ChouHannaford;
 pub use conical_ends::ConicalEnds;
 pub use error::{ModelError, Result};
-pub use extensions::{Contact, Extensions, Mesh, Slopes, blocked_scale_n, notes_of, pivoting_n_per_mm};
 pub use festo_hunt::FestoHunt;
 pub use festo_sarosi::FestoSarosi;
 pub use force_balance::ForceBalance;
@@ -53,7 +51,7 @@ pub use formula::FormulaModel;
 pub use ideal::Ideal;
 pub use info::{ModelEntry, ModelInfo};
 pub use interval::{Interval, Quantity, RangeViolation};
-pub use kind::{ModelKind, UnknownModel};
+pub use kind::{ModelKind, unknown_model};
 pub use klute_hannaford::KluteHannaford;
 pub use range::ModelRange;
 pub use response::Response;
@@ -66,6 +64,7 @@ pub use wall::Wall;
 pub use wall_energy::WallEnergy;
 pub use workspace::{ModelId, Workspace};
 
+use crate::formula::Section;
 use crate::muscle::Muscle;
 
 /// Gauss–Legendre points and weights on [−1, 1].
@@ -78,7 +77,7 @@ pub(crate) fn gauss(points: usize) -> &'static [(f64, f64)] {
 /// A model is bound to its muscle when it is built. Answers are two-sided: where the muscle would have to push, the
 /// force is negative; [`crate::answer`] turns that into slack. A model never answers NaN: it answers a finite force
 /// or a [`ModelError`]. It is immutable: what changes while it answers lies in the [`Workspace`] that the caller holds, and an
-/// answer does not depend on the questions asked with it before.
+/// answer does not depend on the questions before.
 pub trait ForceModel: Send + Sync {
     /// What it is: name, source, range, error.
     fn info(&self) -> &ModelInfo;
@@ -120,8 +119,56 @@ pub trait ForceModel: Send + Sync {
         None
     }
 
-    /// What it can do besides.
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions::default()
+    /// Whether it has ∂F by constants and measures of its muscle.
+    fn has_slopes(&self) -> bool {
+        false
     }
+
+    /// ∂F at fixed pressure and contraction by constants and measures of the muscle, named as in the muscle file
+    /// (`tube.material.c10`, `braid.stiffness`, `tube.outer_diameter`), all others held. `None` where the model does not
+    /// know one of them; whoever needs it then takes differences.
+    fn force_by(&self, _: &mut Workspace, _p: f64, _e: f64, _names: &[String]) -> Option<Result<Vec<f64>>> {
+        None
+    }
+
+    /// The pull at rest length in N, of which errors of the model are a share: by a faster model where this one is slow.
+    fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64> {
+        self.force_n(workspace, pressure_mpa, 0.0)
+    }
+
+    /// What the mesh errs by in N, of the pull `force_n` that the model gave there, where the blocked force is `scale_n`; `None` without a mesh.
+    fn mesh_error_n(&self, _: &mut Workspace, _p: f64, _e: f64, _force_n: f64, _scale_n: f64) -> Option<f64> {
+        None
+    }
+
+    /// Sentences for the warnings of an answer that was computed with a workspace.
+    fn notes(&self, _: &Workspace) -> Vec<String> {
+        self.info().notes.clone()
+    }
+
+    /// As [`pivoting_n_per_mm`], where the model computes how the strands press on each other.
+    fn contact_n_per_mm(&self, _: &mut Workspace, _p: f64, _e: f64) -> Option<Result<f64>> {
+        None
+    }
+
+    /// A way for lists of points that all lie within bounds.
+    fn lists(&self) -> Option<&Section> {
+        None
+    }
+
+    /// A model with nearly the same answers at a fraction of the cost, by which a pull that no pressure gives is refused at once.
+    fn companion(&self) -> Option<&dyn ForceModel> {
+        None
+    }
+}
+
+/// G = (2/3) ∫ pc |dθ/dL| dA in N/mm of the strands' contact at a pressure in MPa and a contraction ratio: what friction of their crossings
+/// makes of μw ([`Friction`](crate::muscle::Friction)). Of the infinitely long muscle, where the model has no contact of its own.
+pub fn pivoting_n_per_mm<M: ForceModel + ?Sized>(
+    model: &M,
+    w: &mut Workspace,
+    p: f64,
+    e: f64,
+) -> Result<f64> {
+    model.contact_n_per_mm(w, p, e).unwrap_or_else(|| ThickWall::new(model.muscle()).pivoting(p, e))
 }

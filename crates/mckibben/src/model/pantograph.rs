@@ -42,7 +42,7 @@ pub(super) struct Bore {
 }
 
 impl Pantograph {
-    pub fn of(muscle: &Muscle) -> Self {
+    pub fn from_muscle(muscle: &Muscle) -> Self {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
         let (ro, ri) = (muscle.tube().outer_radius_mm(), muscle.tube().inner_radius_mm());
         Self { r0: ro, length: muscle.length_mm(), section: ro * ro - ri * ri, cos, sin }

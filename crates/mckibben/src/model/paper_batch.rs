@@ -110,7 +110,7 @@ impl Section {
             return false;
         }
         let without = match path {
-            // SAFETY: the machine has the instructions, as has just been asked.
+            // SAFETY: the test above found these instructions.
             #[cfg(target_arch = "x86_64")]
             BatchPath::Avx512 if path.is_available() => unsafe { within_avx512(self, bounds, inputs, out) },
             // SAFETY: as above.

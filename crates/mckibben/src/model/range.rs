@@ -1,4 +1,4 @@
-//! Where a model may be asked.
+//! The pressures, contractions and measures for which a model is valid.
 
 use super::interval::{Interval, Quantity, RangeViolation};
 use super::{ModelError, Result};
@@ -47,7 +47,7 @@ impl ModelRange {
     }
 
     /// The same, of a muscle that extends also below 0.
-    pub fn of(muscle: &Muscle) -> Self {
+    pub fn for_muscle(muscle: &Muscle) -> Self {
         let open = Self::open();
         if muscle.is_extensile() { open.stretched(muscle.braid().angle_deg) } else { open }
     }
@@ -75,23 +75,21 @@ impl ModelRange {
         }
     }
 
+    fn of_state(&self) -> [Interval; 2] {
+        let pressure = Interval::new(Quantity::PRESSURE, self.pressure_mpa);
+        [pressure, Interval::new(Quantity::CONTRACTION, self.contraction)]
+    }
+
     /// Every bound: of pressure, contraction and the muscle's measures.
     pub fn intervals(&self) -> Vec<Interval> {
-        let asked = [
-            Interval::new(Quantity::PRESSURE, self.pressure_mpa),
-            Interval::new(Quantity::CONTRACTION, self.contraction),
-        ];
-        asked.into_iter().chain(self.measures.iter().copied()).collect()
+        self.of_state().into_iter().chain(self.measures.iter().copied()).collect()
     }
 
     /// Everything that is outside at a pressure and contraction, the muscle's own violations first.
     pub fn violations(&self, pressure_mpa: f64, contraction: f64) -> Vec<RangeViolation> {
-        let asked = [
-            (Interval::new(Quantity::PRESSURE, self.pressure_mpa), pressure_mpa),
-            (Interval::new(Quantity::CONTRACTION, self.contraction), contraction),
-        ];
+        let values = self.of_state().into_iter().zip([pressure_mpa, contraction]);
         // The comparison is exact but for the last bits of a sum such as 0.1 + 0.15.
-        let outside = asked.iter().filter_map(|(interval, value)| interval.violation(*value, 1e-12));
+        let outside = values.filter_map(|(interval, value)| interval.violation(value, 1e-12));
         self.muscle.iter().copied().chain(outside).collect()
     }
 

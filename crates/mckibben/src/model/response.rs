@@ -15,7 +15,7 @@ pub struct Response {
     pub force_n: f64,
     /// Volume of the whole cavity between the terminals in mm³.
     pub volume_mm3: Option<f64>,
-    /// ∂V/∂P at fixed ε in mm³/MPa: how far strands and wall give way.
+    /// ∂V/∂P at fixed ε in mm³/MPa: the compliance of strands and wall.
     pub volume_per_pressure_mm3_per_mpa: Option<f64>,
     /// ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
     pub volume_per_contraction_mm3: Option<f64>,

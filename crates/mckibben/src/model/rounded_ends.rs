@@ -38,7 +38,7 @@ pub struct RoundedEnds {
 impl RoundedEnds {
     /// The model of a muscle.
     pub fn new(muscle: &Muscle) -> Result<Self> {
-        let braid = Pantograph::of(muscle);
+        let braid = Pantograph::from_muscle(muscle);
         let cot2 = (braid.cos / braid.sin).powi(2);
         let least_mm = 2.0 * braid.r0 * cot2;
         if braid.length <= least_mm {

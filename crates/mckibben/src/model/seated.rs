@@ -6,14 +6,13 @@
 //! lengths can.
 
 use super::{
-    Contact, Extensions, ForceModel, Mesh, ModelError, ModelId, ModelInfo, ModelRange, Response, Result,
-    Slopes, Workspace, blocked_scale_n, pivoting_n_per_mm,
+    ForceModel, ModelError, ModelId, ModelInfo, ModelRange, Response, Result, Workspace, pivoting_n_per_mm,
 };
 use crate::differences::slope;
 use crate::muscle::{EndState, Ends, InnerPull, Muscle};
 use std::sync::Arc;
 
-/// A model of a muscle whose ends give way.
+/// A model of a muscle whose ends yield.
 pub struct Seated<M: ForceModel + ?Sized> {
     inner: Box<M>,
     id: ModelId,
@@ -41,7 +40,7 @@ impl<M: ForceModel + ?Sized> Seated<M> {
     pub fn new(inner: Box<M>, muscle: &Muscle) -> Self {
         let ends = muscle.ends();
         let of_inner = inner.info();
-        // The displacement of a slip is left out of the contractions.
+        // The contractions do not contain the displacement of a slip.
         let whole = |x: f64| ends.whole(x, ends.seating_mm);
         let (low, high) = of_inner.range.contraction;
         let contraction = (whole(low).max(-1.0), whole(high));
@@ -91,24 +90,24 @@ impl<M: ForceModel + ?Sized> Seated<M> {
     fn end_state(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<(EndState, Response)> {
         let mut last = None;
         let slips = self.ends.slip_mm_per_n > 0.0;
-        let found = self.solve_ends(workspace, p, e, |workspace, x| {
-            let mut ask =
+        let ends = self.solve_ends(workspace, p, e, |workspace, x| {
+            let mut respond =
                 |x| self.inner.response(workspace, p, x).map_err(|error| self.for_whole_muscle(error, e, x));
-            let found = ask(x)?;
-            let stiffness_n_per_mm = match found.stiffness_n_per_mm {
+            let response = respond(x)?;
+            let stiffness_n_per_mm = match response.stiffness_n_per_mm {
                 Some(k) => k,
-                None if slips => -slope(H, |h| ask(x + h).map(|r| r.force_n))? / self.ends.active_mm(),
+                None if slips => -slope(H, |h| respond(x + h).map(|r| r.force_n))? / self.ends.active_mm(),
                 None => 0.0,
             };
-            last = Some(found);
-            let force_per_pressure_mm2 = found.force_per_pressure_mm2;
+            last = Some(response);
+            let force_per_pressure_mm2 = response.force_per_pressure_mm2;
             Ok::<_, ModelError>(InnerPull {
-                force_n: found.force_n,
+                force_n: response.force_n,
                 stiffness_n_per_mm,
                 force_per_pressure_mm2,
             })
         })?;
-        found.zip(last).ok_or(ModelError::NotConverged { pressure_mpa: p, contraction: e })
+        ends.zip(last).ok_or(ModelError::NotConverged { pressure_mpa: p, contraction: e })
     }
 
     /// The state of the ends at a point, where the muscle between them answers by `pull`: from the last state of this workspace, or without one.
@@ -122,15 +121,16 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         let start = workspace.last_ends(&self.id).map(|last| self.ends.displacement_near_mm(last, p, e));
         let mut from =
             |start, w: &mut Workspace| self.ends.solve_end_displacement(p, e, start, |x| pull(w, x));
-        let mut found = from(start, workspace);
-        if start.is_some() && !matches!(found, Ok(Some(_))) {
-            found = from(None, workspace);
+        let mut state = from(start, workspace);
+        if start.is_some() && !matches!(state, Ok(Some(_))) {
+            state = from(None, workspace);
         }
-        if let Some(state) = found.as_ref().ok().copied().flatten().filter(|_| self.ends.slip_mm_per_n > 0.0)
+        if self.ends.slip_mm_per_n > 0.0
+            && let Ok(Some(state)) = &state
         {
-            workspace.keep_ends(&self.id, state);
+            workspace.keep_ends(&self.id, *state);
         }
-        found
+        state
     }
 
     /// x of a point with its pull.
@@ -171,8 +171,8 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
     }
 
     fn response(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<Response> {
-        let (state, found) = self.end_state(workspace, p, e)?;
-        Ok(self.whole(&state, found))
+        let (state, inner) = self.end_state(workspace, p, e)?;
+        Ok(self.whole(&state, inner))
     }
 
     fn force_n(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<f64> {
@@ -196,18 +196,10 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         Some(self.ends.whole(x, self.ends.end_displacement_mm(p, force_n)))
     }
 
-    fn extensions(&self) -> Extensions<'_> {
-        let inner = self.inner.extensions();
-        Extensions {
-            slopes: inner.slopes.map(|_| self as &dyn Slopes),
-            mesh: Some(self),
-            contact: Some(self),
-            ..Extensions::default()
-        }
+    fn has_slopes(&self) -> bool {
+        self.inner.has_slopes()
     }
-}
 
-impl<M: ForceModel + ?Sized> Slopes for Seated<M> {
     fn force_by(
         &self,
         workspace: &mut Workspace,
@@ -215,14 +207,17 @@ impl<M: ForceModel + ?Sized> Slopes for Seated<M> {
         e: f64,
         names: &[String],
     ) -> Option<Result<Vec<f64>>> {
-        let (state, found) = match self.end_state(workspace, p, e) {
-            Ok(found) => found,
+        if !self.has_slopes() {
+            return None;
+        }
+        let (state, response) = match self.end_state(workspace, p, e) {
+            Ok(state) => state,
             Err(error) => return Some(Err(error)),
         };
-        found.stiffness_n_per_mm?;
+        response.stiffness_n_per_mm?;
         let inside: Vec<String> =
             names.iter().filter_map(|n| Ends::inner_name(n)).map(str::to_owned).collect();
-        let known = match self.inner.extensions().slopes?.force_by(workspace, p, state.between, &inside)? {
+        let known = match self.inner.force_by(workspace, p, state.between, &inside)? {
             Ok(known) => known,
             Err(error) => return Some(Err(self.for_whole_muscle(error, e, state.between))),
         };
@@ -233,32 +228,28 @@ impl<M: ForceModel + ?Sized> Slopes for Seated<M> {
         };
         names.iter().map(one).collect::<Option<Vec<f64>>>().map(Ok)
     }
-}
 
-impl<M: ForceModel + ?Sized> Mesh for Seated<M> {
     fn blocked_scale_n(&self, workspace: &mut Workspace, p: f64) -> Result<f64> {
-        blocked_scale_n(&*self.inner, workspace, p)
+        self.inner.blocked_scale_n(workspace, p)
     }
 
-    fn mesh_error_n(&self, workspace: &mut Workspace, here: &Response, blocked_n: f64) -> Option<f64> {
-        let contraction = self.between(here.pressure_mpa, here.contraction, here.force_n);
-        let inside = Response { contraction, ..*here };
-        self.inner.extensions().mesh?.mesh_error_n(workspace, &inside, blocked_n)
+    fn mesh_error_n(&self, w: &mut Workspace, p: f64, e: f64, force_n: f64, scale_n: f64) -> Option<f64> {
+        self.inner.mesh_error_n(w, p, self.between(p, e, force_n), force_n, scale_n)
     }
 
-    fn findings(&self, workspace: &Workspace) -> Vec<String> {
-        self.inner.extensions().mesh.map_or_else(Vec::new, |mesh| mesh.findings(workspace))
+    fn notes(&self, workspace: &Workspace) -> Vec<String> {
+        self.inner.notes(workspace)
     }
-}
 
-impl<M: ForceModel + ?Sized> Contact for Seated<M> {
-    fn pivoting_n_per_mm(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<f64> {
-        let state = self.end_state(workspace, p, e)?.0;
+    fn contact_n_per_mm(&self, workspace: &mut Workspace, p: f64, e: f64) -> Option<Result<f64>> {
+        let state = match self.end_state(workspace, p, e) {
+            Ok((state, _)) => state,
+            Err(error) => return Some(Err(error)),
+        };
         let inner = pivoting_n_per_mm(&*self.inner, workspace, p, state.between);
         // Of the whole muscle's change of length the strands get a share.
-        inner
-            .map(|g| g / self.ends.series_factor(state.stiffness_n_per_mm))
-            .map_err(|error| self.for_whole_muscle(error, e, state.between))
+        let whole = inner.map(|g| g / self.ends.series_factor(state.stiffness_n_per_mm));
+        Some(whole.map_err(|error| self.for_whole_muscle(error, e, state.between)))
     }
 }
 

@@ -16,7 +16,7 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
 
 /// The ideal formula at the contraction kε.
 ///
-/// k stands for whatever makes a real muscle shorten less than the ideal one: rounded ends, but also the rubber. On the
+/// k represents whatever makes a real muscle shorten less than the ideal one: rounded ends, but also the rubber. On the
 /// 20° muscle of Tondu (2012) \[tondu2012\] the best constant is 1.29 over 1–5 bar; fitted pressure by pressure it falls from 1.60 to
 /// 1.24, as the form k(P) has it.
 #[derive(Debug, Clone)]
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn a_factor_of_one_is_the_ideal_formula_and_none_is_asked_for() {
+    fn a_factor_of_one_is_the_ideal_formula_and_none_is_refused() {
         let one = model(Some(EndFactor::Constant(1.0))).unwrap();
         let ideal = Ideal::new(&Muscle::prototype());
         assert_eq!(

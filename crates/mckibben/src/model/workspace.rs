@@ -56,15 +56,15 @@ impl Workspace {
     }
 
     /// The content that belongs to a model, made by `make` where this workspace has none of that model.
-    pub fn of<T: Any + Send>(&mut self, id: &ModelId, make: impl FnOnce() -> T) -> &mut T {
-        match self.try_of(id, || Ok::<T, Infallible>(make())) {
+    pub fn state<T: Any + Send>(&mut self, id: &ModelId, make: impl FnOnce() -> T) -> &mut T {
+        match self.try_state(id, || Ok::<T, Infallible>(make())) {
             Ok(content) => content,
             Err(never) => match never {},
         }
     }
 
     /// The same where making it may fail.
-    pub fn try_of<T: Any + Send, E>(
+    pub fn try_state<T: Any + Send, E>(
         &mut self,
         id: &ModelId,
         make: impl FnOnce() -> Result<T, E>,

@@ -48,7 +48,7 @@ pub struct EndState {
     pub between: f64,
     /// N in N.
     pub load_n: f64,
-    /// K₀ in N/mm; 0 where the ends do not slip and it was not asked for.
+    /// K₀ in N/mm; 0 where the ends do not slip and nobody needs it.
     pub stiffness_n_per_mm: f64,
     /// ∂N/∂P in mm², where it is known.
     pub load_per_pressure_mm2: Option<f64>,
@@ -122,7 +122,7 @@ impl Ends {
         self.seating_mm + self.slip_mm_per_n * self.load_n(pressure_mpa, force_n)
     }
 
-    /// x of ε, where the ends give way by `displacement_mm`.
+    /// x of ε, where the ends move by `displacement_mm`.
     pub fn between(&self, contraction: f64, displacement_mm: f64) -> f64 {
         contraction * (self.length_mm / self.active_mm()) + displacement_mm / self.active_mm()
     }

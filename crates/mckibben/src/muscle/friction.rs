@@ -61,7 +61,7 @@ impl Friction {
 
     /// How it builds up after a reversal: over the stated length, or 0.5 mm.
     pub fn presliding(&self) -> Presliding {
-        self.presliding_mm.map_or_else(Presliding::default, Presliding::of)
+        self.presliding_mm.map_or_else(Presliding::default, Presliding::from_length)
     }
 
     /// C P^β in N at a pressure above zero.

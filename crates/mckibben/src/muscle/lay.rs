@@ -7,7 +7,7 @@
 //!
 //! is the square of a strand's stretch: Rs and rb are the radii of its midline in the sleeve as made, and now. Where the sleeve is wider
 //! than the tube, λf < 1 at rest, and strands that carry no compression are slack until the tube has filled it. Strands keep to the points
-//! of the tube that they lie over at rest; how a slack sleeve slides along the tube is left out.
+//! of the tube that they lie over at rest; how a slack sleeve slides along the tube is neglected.
 
 use super::{Braid, Tube};
 

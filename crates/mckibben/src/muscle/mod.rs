@@ -213,11 +213,11 @@ impl Muscle {
         self
     }
 
-    /// What the user should know of this muscle, in sentences, whatever is asked of it.
+    /// What the user should know of this muscle, in sentences, whatever the question.
     pub fn warnings(&self) -> Vec<String> {
-        let own =
+        let said =
             self.parts.braid.warning(&self.parts.tube).into_iter().chain(self.measured_strand_warning());
-        own.chain(self.bench_warning())
+        said.chain(self.bench_warning())
             .chain(self.extensile_warning())
             .chain(self.temperature_warning())
             .chain(self.modulus_warning())

@@ -26,13 +26,13 @@ pub struct Presliding(pub Vec<PreslidingElement>);
 impl Default for Presliding {
     /// 0.5 mm, where nothing is stated.
     fn default() -> Self {
-        Self::of(0.5)
+        Self::from_length(0.5)
     }
 }
 
 impl Presliding {
     /// One element.
-    pub fn of(length_mm: f64) -> Self {
+    pub fn from_length(length_mm: f64) -> Self {
         Self(vec![PreslidingElement { share: 1.0, length_mm }])
     }
 

@@ -37,7 +37,7 @@ impl Sleeve {
     /// let braid = sleeve.on(12.0)?;
     /// assert!((braid.angle_deg - 17.79).abs() < 0.01);
     /// assert!(sleeve.on(60.0).unwrap_err().to_string().contains("from 9.525"));
-    /// # Ok::<(), mckibben::sleeve::SleeveError>(())
+    /// # Ok::<(), mckibben::refused::Refused>(())
     /// ```
     pub fn on(&self, outer_diameter_mm: f64) -> Result<Braid, MuscleError> {
         let angle_deg = self.shape.angle_deg_on(outer_diameter_mm)?;
@@ -58,7 +58,7 @@ impl Muscle {
     /// Mass of the sleeve between the terminals in g: N A B ρ, with N strands of section A, B the length of one and ρ the density of their material; where all are known.
     pub fn sleeve_mass_g(&self) -> Option<f64> {
         let (strands, sleeve) = (self.braid().strands?, self.braid().sleeve.as_ref()?);
-        let density = library::entry(&sleeve.name).ok()?.modulus_of?.density_kg_per_m3?;
+        let density = library::material_of(&sleeve.name)?.density_kg_per_m3?;
         Some(1e-6 * density * f64::from(strands.count) * strands.section?.0 * self.strand_length_mm())
     }
 

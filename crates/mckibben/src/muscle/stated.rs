@@ -69,15 +69,15 @@ impl Stated {
             let message = "give either `stiffness`, or `strands`, `strand_area` (or `strand_diameter`) and `strand_modulus`; both are given";
             return Err(MuscleError::new(["braid.stiffness"], message));
         }
-        let own = parts.braid;
+        let braid = parts.braid;
         let mut braid = match &self.sleeve {
-            Some(sleeve) => self.of_sleeve(sleeve.clone(), area, own)?.on_diameter(outer_diameter_mm)?,
+            Some(sleeve) => self.of_sleeve(sleeve.clone(), area, braid)?.on_diameter(outer_diameter_mm)?,
             None => {
-                let own = self.of_strands(area, is_described, own)?;
+                let braid = self.of_strands(area, is_described, braid)?;
                 // An angle that was stated for this diameter stays.
                 let same = outer_diameter_mm == base.outer_diameter_mm()
                     && self.measures.get(&SLEEVE_DIAMETER).is_none();
-                if same { own } else { own.on_diameter(outer_diameter_mm)? }
+                if same { braid } else { braid.on_diameter(outer_diameter_mm)? }
             }
         };
         if let Some(angle_deg) = self.measures.get(&ANGLE) {
@@ -105,7 +105,7 @@ impl Stated {
     }
 
     /// A braid with a named sleeve, whose strands are completed. Beside a stated stiffness they only inform.
-    fn of_sleeve(&self, sleeve: Sleeve, area: Option<f64>, own: Braid) -> Result<Braid, MuscleError> {
+    fn of_sleeve(&self, sleeve: Sleeve, area: Option<f64>, braid: Braid) -> Result<Braid, MuscleError> {
         // An area is that of one round filament, as wide as it.
         let diameter = self.strand_diameter_mm.or(area.map(|a| 2.0 * (a / PI).sqrt()));
         let count = self.measures.get(&STRANDS).map(|count| count as u32);
@@ -122,7 +122,7 @@ impl Stated {
         }
         let strands_per_carrier = self.measures.get(&STRANDS_PER_CARRIER).or(sleeve.strands_per_carrier);
         let sleeve = Some(sleeve.shape);
-        Ok(Braid { stiffness, strands, stiffness_factor, strands_per_carrier, sleeve, ..own })
+        Ok(Braid { stiffness, strands, stiffness_factor, strands_per_carrier, sleeve, ..braid })
     }
 
     /// A braid whose strands may be stated: all that a stiffness needs, or none of it.
@@ -135,18 +135,18 @@ impl Stated {
         if let (Some(area), Some(strands)) = (area, &mut braid.strands) {
             strands.section.get_or_insert((0.0, 0.0)).0 = area;
         }
-        let found = braid.strands.unwrap_or(Strands { count: 0, section: None, strength_n: None });
-        let (own_area, own_modulus) = found.section.unwrap_or_default();
+        let strands = braid.strands.unwrap_or(Strands { count: 0, section: None, strength_n: None });
+        let (area_mm2, modulus_mpa) = strands.section.unwrap_or_default();
         let needs = [
-            ("braid.strands", found.count == 0),
-            ("braid.strand_modulus", own_modulus == 0.0),
-            ("braid.strand_area", own_area == 0.0 && area.is_none()),
+            ("braid.strands", strands.count == 0),
+            ("braid.strand_modulus", modulus_mpa == 0.0),
+            ("braid.strand_area", area_mm2 == 0.0 && area.is_none()),
         ];
         if let Some((missing, _)) = needs.into_iter().find(|need| is_described && need.1) {
             let written = [missing, "braid.strand_area", "braid.strand_diameter", "braid.strand_modulus"];
             return Err(MuscleError::new(written, format!("{missing} is missing; {NEEDS_STRANDS}")));
         }
-        if self.measures.get(&STRAND_STRENGTH).is_some() && found.count == 0 {
+        if self.measures.get(&STRAND_STRENGTH).is_some() && strands.count == 0 {
             let message = "braid.strands is missing; the load is shared among them";
             return Err(MuscleError::new(["braid.strands", "braid.strand_strength"], message));
         }

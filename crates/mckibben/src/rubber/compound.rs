@@ -70,12 +70,12 @@ impl Rubber {
     pub fn paper() -> Self {
         Self {
             name: Some("paper".into()),
-            ..Self::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.112, c01_mpa: 0.0 }))
+            ..Self::new(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.112, c01_mpa: 0.0 }))
         }
     }
 
     /// An unnamed incompressible rubber.
-    pub fn of(law: Law) -> Self {
+    pub fn new(law: Law) -> Self {
         Self {
             name: None,
             law,
@@ -87,7 +87,7 @@ impl Rubber {
         }
     }
 
-    /// This rubber after it was held: the law with what is left of its moduli ([`Prony::held`]), without the series. Softening keeps its
+    /// This rubber after it was held: the law with its remaining moduli ([`Prony::held`]), without the series. Softening keeps its
     /// shape: its m, an energy, goes with the law. A bulk modulus stays.
     #[must_use]
     pub fn held(self, held: Held) -> Self {

@@ -2,8 +2,8 @@
 //! identification and sensitivities follow.
 
 use super::{Law, RubberLaw};
+use crate::refused::Refused;
 use crate::units::Dimension;
-use thiserror::Error;
 
 /// A constant of a law.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,7 +64,7 @@ impl ConstantValue {
 }
 
 /// A law as something that is made of constants. This and [`InvariantLaw`](super::InvariantLaw) (or [`RubberLaw`])
-/// are all that a law is asked for.
+/// are all that a law needs.
 pub trait LawConstants: RubberLaw + Sized {
     /// Name as written in muscle files.
     const NAME: &'static str;
@@ -128,7 +128,7 @@ impl PartialEq for LawKind {
 }
 
 impl LawKind {
-    pub(super) const fn of<L: LawConstants + Into<Law>>() -> Self {
+    pub(super) const fn new<L: LawConstants + Into<Law>>() -> Self {
         Self {
             name: L::NAME,
             constants: L::CONSTANTS,
@@ -153,32 +153,21 @@ impl LawKind {
     /// The law of one list of values for each constant: one value, or one a term in a sum.
     ///
     /// # Errors
-    /// [`TermCounts`] where the lists are not equally long.
-    pub fn of_lists(&self, lists: &[Vec<f64>]) -> Result<Law, TermCounts> {
-        let first = lists.first().map_or(0, Vec::len);
-        let odd = lists.iter().zip(self.constants).find(|(list, _)| list.len() != first);
-        let (name, count) = odd.map_or(("", 0), |(list, c)| (c.name, list.len()));
+    /// Where the lists are not equally long, or not one for each constant.
+    pub fn law_of_terms(&self, lists: &[Vec<f64>]) -> Result<Law, Refused> {
+        let (law, first) = (self.name, self.constants[0].name);
+        let terms = lists.first().map_or(0, Vec::len);
+        if let Some((list, c)) = lists.iter().zip(self.constants).find(|(list, _)| list.len() != terms) {
+            let (name, count) = (c.name, list.len());
+            let message = format!(
+                "has {count} numbers, but {first} has {terms}; an {law} law needs one {name} for each {first}"
+            );
+            return Err(Refused::new([name], message));
+        }
         let values: Vec<f64> =
-            (0..first).flat_map(|t| lists.iter().filter_map(move |l| l.get(t).copied())).collect();
-        let law = if odd.is_some() { None } else { self.law(&values) };
-        law.ok_or(TermCounts { law: self.name, name, count, first: self.constants[0].name, of_first: first })
+            (0..terms).flat_map(|t| lists.iter().filter_map(move |l| l.get(t).copied())).collect();
+        self.law(&values).ok_or_else(|| Refused::new([first], NEEDS_ALL))
     }
-}
-
-/// Lists of unlike length in a law that is a sum of terms.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("has {count} numbers, but {first} has {of_first}; an {law} law needs one {name} for each {first}")]
-pub struct TermCounts {
-    /// The law.
-    pub law: &'static str,
-    /// The constant with another number of values than the first.
-    pub name: &'static str,
-    /// How many it has.
-    pub count: usize,
-    /// The first constant.
-    pub first: &'static str,
-    /// How many that has.
-    pub of_first: usize,
 }
 
 /// What is said where a constant is missing.

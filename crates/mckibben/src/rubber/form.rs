@@ -6,7 +6,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// Most terms of a law that is a sum of terms.
 const TERMS: usize = 3;
-/// A state in which laws are asked what they are made of.
+/// A state in which laws are tested for linearity.
 const STRETCHES: [f64; 3] = [1.7, 0.9, 0.7];
 
 /// A law without its constants; of a sum of terms, with their number.
@@ -20,10 +20,10 @@ pub struct Form {
 impl Form {
     /// All, those with fewer constants first.
     pub fn all() -> Vec<Form> {
-        let of = |kind: &'static LawKind| {
+        let forms = |kind: &'static LawKind| {
             (1..=if kind.is_sum { TERMS } else { 1 }).map(move |terms| Form { kind, terms })
         };
-        let mut all: Vec<Form> = Law::KINDS.iter().flat_map(of).collect();
+        let mut all: Vec<Form> = Law::KINDS.iter().flat_map(forms).collect();
         all.sort_by_key(|f| (f.constants(), f.kind.is_sum));
         all
     }
@@ -51,8 +51,8 @@ impl Form {
     /// From a name: `yeoh`, `ogden-2`; `ogden` alone is all three.
     pub fn parse(name: &str) -> Vec<Form> {
         let plain = name.trim().to_lowercase().replace(['_', ' '], "-");
-        let of = |f: &Form| plain == f.law() || plain == f.name() || plain == f.name().replace('-', "");
-        Form::all().into_iter().filter(of).collect()
+        let is_meant = |f: &Form| plain == f.law() || plain == f.name() || plain == f.name().replace('-', "");
+        Form::all().into_iter().filter(is_meant).collect()
     }
 
     /// What [`Form::parse`] understands, in the order of [`Form::all`], sums of terms last.
@@ -110,8 +110,8 @@ impl Form {
             let parts = basis.iter().zip(law.values()).map(|(b, value)| value * b.principal(STRETCHES).d[at]);
             parts.sum::<f64>()
         };
-        let own = law.principal(STRETCHES).d;
-        let linear = (0..3).all(|i| (sum(i) - own[i]).abs() <= 1e-12 * own[i].abs());
+        let exact = law.principal(STRETCHES).d;
+        let linear = (0..3).all(|i| (sum(i) - exact[i]).abs() <= 1e-12 * exact[i].abs());
         linear.then_some(basis)
     }
 
@@ -167,9 +167,12 @@ mod tests {
 
     #[test]
     fn a_sum_of_terms_has_a_form_for_each_number_of_them() {
-        let of = |name: &str| Form::parse(name).into_iter().map(Form::name).collect::<Vec<_>>().join(" ");
-        assert_eq!(of("ogden"), "ogden-1 ogden-2 ogden-3");
-        assert_eq!((of("Ogden_2"), of("yeoh"), of("yeo")), ("ogden-2".into(), "yeoh".into(), String::new()));
+        let all = |name: &str| Form::parse(name).into_iter().map(Form::name).collect::<Vec<_>>().join(" ");
+        assert_eq!(all("ogden"), "ogden-1 ogden-2 ogden-3");
+        assert_eq!(
+            (all("Ogden_2"), all("yeoh"), all("yeo")),
+            ("ogden-2".into(), "yeoh".into(), String::new())
+        );
         let counts: Vec<usize> = Form::all().into_iter().map(Form::constants).collect();
         assert!(counts.is_sorted(), "{counts:?}");
         let words = Form::words().join(", ");

@@ -18,8 +18,7 @@ mod written;
 
 pub use compound::{Bulk, Conditioned, Rubber};
 pub use constant::{
-    Constant, ConstantValue, HyperelasticCard, LawConstants, LawKind, NEEDS_ALL, TermCounts, foreign,
-    one_of_all,
+    Constant, ConstantValue, HyperelasticCard, LawConstants, LawKind, NEEDS_ALL, foreign, one_of_all,
 };
 pub use form::Form;
 pub use invariants::{InvariantDerivatives, InvariantLaw};

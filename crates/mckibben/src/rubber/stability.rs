@@ -12,7 +12,7 @@ pub const MUSCLE_HOOP_STRETCH: f64 = 3.0;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Stability {
-    /// Stable up to the hoop stretch that was asked for.
+    /// Stable up to the given hoop stretch.
     Stable,
     /// Unstable from this hoop stretch on.
     UnstableFrom {
@@ -53,7 +53,7 @@ pub fn is_stable_at<L: RubberLaw + ?Sized>(law: &L, stretch_1: f64, stretch_2: f
     xx > 0.0 && yy > 0.0 && xx * yy > xy * xy
 }
 
-/// The states of a muscle wall in which a law is asked: axial stretches 0.6 to 1.1, hoop stretches from 1 upward.
+/// The states of a muscle wall in which a law is tested: axial stretches 0.6 to 1.1, hoop stretches from 1 upward.
 pub fn muscle_states(largest_hoop_stretch: f64) -> impl Iterator<Item = (f64, f64)> {
     const HOOPS: u32 = 80;
     const AXIALS: u32 = 10;

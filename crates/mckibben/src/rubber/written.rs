@@ -17,10 +17,10 @@ impl Serialize for Law {
         let mut map = serializer.serialize_map(Some(1 + count))?;
         map.serialize_entry("law", kind.name)?;
         for (i, constant) in kind.constants.iter().enumerate() {
-            let own: Vec<f64> = values.iter().copied().skip(i).step_by(count).collect();
-            match own.first() {
+            let terms: Vec<f64> = values.iter().copied().skip(i).step_by(count).collect();
+            match terms.first() {
                 Some(value) if !kind.is_sum => map.serialize_entry(constant.name, value)?,
-                _ => map.serialize_entry(constant.name, &own)?,
+                _ => map.serialize_entry(constant.name, &terms)?,
             }
         }
         map.end()
@@ -80,7 +80,7 @@ fn law(kind: &LawKind, mut written: Vec<(String, Numbers)>) -> Result<Law, Strin
         }
     };
     let lists = kind.names().into_iter().map(&mut list).collect::<Result<Vec<_>, _>>()?;
-    kind.of_lists(&lists).map_err(|e| format!("{} {e}", e.name))
+    kind.law_of_terms(&lists).map_err(|e| format!("{} {e}", e.fields[0]))
 }
 
 impl<'de> Deserialize<'de> for Law {

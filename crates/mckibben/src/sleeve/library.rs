@@ -1,7 +1,7 @@
 //! Named sleeves, from `data/braids.toml`, which states source and terms of each.
 
 use super::{Helix, OF_STIFFNESS, Sleeve, SleeveShape, refused};
-use crate::catalogue::{Catalogue, CatalogueError, Row, named};
+use crate::catalogue::{Catalogue, CatalogueError, Row, named, plain};
 use crate::refused::Refused;
 use std::sync::OnceLock;
 
@@ -90,14 +90,55 @@ pub fn materials() -> Result<&'static [Material], Refused> {
 
 /// The entry of a name or alias, without regard to case; spaces and underscores are as good as hyphens.
 pub fn entry(name: &str) -> Result<&'static SleeveEntry, Refused> {
-    let found = named("sleeve", entries()?, |e| (e.sleeve.name(), &e.aliases), name);
-    found.map_err(refused)
+    named("sleeve", entries()?, |e| (e.sleeve.name(), &e.aliases), name).map_err(refused)
 }
 
-/// The sleeve of a name.
+/// The sleeve of a name, or of a material with the two diameters at which its strands touch, such as `pet:6..18mm`.
 pub fn find(name: &str) -> Result<Sleeve, Refused> {
-    entry(name).map(|e| e.sleeve.clone())
+    let range = || {
+        let (material, range) = name.split_once(':')?;
+        let (least, largest) = range.trim().trim_end_matches("mm").split_once("..")?;
+        Some((material, least.trim().parse().ok()?, largest.trim().parse().ok()?))
+    };
+    match range() {
+        Some((material, least_mm, largest_mm)) => between(material, least_mm, largest_mm),
+        None => entry(name).map(|e| e.sleeve.clone()),
+    }
 }
+
+/// A sleeve of which nothing but its material and its least and largest diameter is known: its strands are those of the material's estimates.
+pub fn between(material: &str, least_mm: f64, largest_mm: f64) -> Result<Sleeve, Refused> {
+    let material = named("material", materials()?, |m| (&m.name, &[]), material).map_err(refused)?;
+    let name = format!("{}:{least_mm}..{largest_mm}mm", material.name);
+    let Some(helix) = Helix::jammed_at(least_mm, largest_mm) else {
+        return Err(refused(format!(
+            "{name}: the largest diameter must be above the least, and both above 0 mm"
+        )));
+    };
+    let shape = SleeveShape { name, helix, least_mm, largest_mm };
+    Ok(estimated(Sleeve::new(shape), material, None))
+}
+
+/// What the strands of a named sleeve are made of, where it is one of [`materials`].
+pub fn material_of(name: &str) -> Option<&'static Material> {
+    match name.split_once(':') {
+        Some((material, _)) => materials().ok()?.iter().find(|m| m.name == plain(material)),
+        None => entry(name).ok()?.modulus_of,
+    }
+}
+
+/// The sleeves of a user's table.
+///
+/// # Errors
+/// [`Refused`] with the row and its key.
+pub fn read(text: &str) -> Result<Vec<SleeveEntry>, Refused> {
+    let entries = Catalogue::parse(text).and_then(|file| entries_of(&file, materials().unwrap_or_default()));
+    entries.map_err(|e| refused(format!("the table of sleeves: {e}")))
+}
+
+/// Keys of a sleeve in a table.
+pub const KEYS: &str = "name aliases title material like factor nominal_diameter nominal_diameters range angle least_diameter \
+    largest_diameter strands filaments strand_diameter strand_modulus strand_strength strands_per_carrier price note source";
 
 impl From<CatalogueError> for Refused {
     fn from(error: CatalogueError) -> Self {
@@ -135,17 +176,54 @@ fn read_materials(file: &str) -> Result<Vec<Material>, Refused> {
 }
 
 fn read_entries(file: &str, materials: &'static [Material]) -> Result<Vec<SleeveEntry>, Refused> {
-    rows(&Catalogue::parse(file)?, "sleeve")?.iter().map(|row| Ok(read_entry(row, materials)?)).collect()
+    let file = Catalogue::parse(file)?;
+    rows(&file, "sleeve")?;
+    Ok(entries_of(&file, materials)?)
 }
 
-fn read_entry(row: &Row<'_>, materials: &'static [Material]) -> Result<SleeveEntry, CatalogueError> {
-    let (name, material) = (row.text("name")?.to_owned(), row.text("material")?.to_owned());
-    let origin = row.source()?;
+/// A row is a sleeve, or a family of them: one of each nominal diameter, of a `range` in shares of it.
+fn entries_of(
+    file: &Catalogue<'_>,
+    materials: &'static [Material],
+) -> Result<Vec<SleeveEntry>, CatalogueError> {
+    let mut out = vec![];
+    for row in file.rows("sleeve") {
+        match (&row.numbers("nominal_diameters")?[..], &row.numbers("range")?[..]) {
+            ([], _) => out.push(read_entry(&row, materials, None)?),
+            (sizes, &[least, largest]) => {
+                for &mm in sizes {
+                    // Tenths, without the last binary digits.
+                    let [least, largest] = [least, largest].map(|share| (1e6 * share * mm).round() * 1e-6);
+                    out.push(read_entry(&row, materials, Some((mm, least, largest)))?);
+                }
+            }
+            _ => return Err(row.wrong("`range` must be two numbers")),
+        }
+    }
+    Ok(out)
+}
+
+fn read_entry(
+    row: &Row<'_>,
+    materials: &'static [Material],
+    size: Option<(f64, f64, f64)>,
+) -> Result<SleeveEntry, CatalogueError> {
+    let (mut name, material) =
+        (row.text("name")?.to_owned(), row.optional("material").unwrap_or("pet").to_owned());
+    let mut title = row.optional("title").unwrap_or(&name).to_owned();
+    if let Some((mm, ..)) = size {
+        (name, title) = (format!("{name}-{mm}"), format!("{title}, nominal {mm} mm"));
+    }
+    let (source, terms) = match row.source() {
+        Ok(origin) => (origin.text("citation")?, origin.text("terms")?),
+        Err(_) => (row.source_text(), "not stated"),
+    };
     // What its strands are taken to be, where their material is not stated or not one of the table.
     let like = row.optional("like").unwrap_or(&material);
     let modulus_of = materials.iter().find(|m| m.name == like);
-    let (nominal_mm, angle) = (row.number("nominal_diameter")?, row.number("angle")?);
-    let (least, largest) = (row.number("least_diameter")?, row.number("largest_diameter")?);
+    let (nominal_mm, angle) = (row.number("nominal_diameter")?.or(size.map(|s| s.0)), row.number("angle")?);
+    let least = row.number("least_diameter")?.or(size.map(|s| s.1));
+    let largest = row.number("largest_diameter")?.or(size.map(|s| s.2));
     let (strands, filaments) = (row.count("strands")?, row.count("filaments")?.unwrap_or(1));
     let strand_diameter_mm = row.number("strand_diameter")?;
     let width = strands.zip(strand_diameter_mm).map(|(n, d)| f64::from(n * filaments) * d);
@@ -161,15 +239,13 @@ fn read_entry(row: &Row<'_>, materials: &'static [Material]) -> Result<SleeveEnt
     let bounds = least.or(jams.map(|j| j.0)).zip(largest.or(jams.map(|j| j.1)));
     let (least_mm, largest_mm) = bounds.ok_or_else(|| row.wrong("no range"))?;
     let stated = Sleeve {
-        shape: SleeveShape { name, helix, least_mm, largest_mm },
         strands,
         filaments,
         strand_diameter_mm,
         strand_modulus_mpa: row.number("strand_modulus")?,
         strand_strength_n: row.number("strand_strength")?,
         strands_per_carrier: row.number("strands_per_carrier")?,
-        estimated: vec![],
-        factor: 1.0,
+        ..Sleeve::new(SleeveShape { name, helix, least_mm, largest_mm })
     };
     let factor = row.number("factor")?;
     Ok(SleeveEntry {
@@ -179,12 +255,12 @@ fn read_entry(row: &Row<'_>, materials: &'static [Material]) -> Result<SleeveEnt
             None => stated,
         },
         aliases: row.texts("aliases"),
-        title: row.text("title")?.to_owned(),
+        title,
         material,
         nominal_mm,
         helix_from,
-        source: origin.text("citation")?.to_owned(),
-        terms: origin.text("terms")?.to_owned(),
+        source: source.to_owned(),
+        terms: terms.to_owned(),
         price: row.owned("price"),
         note: row.owned("note"),
     })
@@ -192,9 +268,9 @@ fn read_entry(row: &Row<'_>, materials: &'static [Material]) -> Result<SleeveEnt
 
 /// A sleeve with what its source does not state taken from its material.
 fn estimated(mut sleeve: Sleeve, material: &Material, factor: Option<f64>) -> Sleeve {
-    let mut fill = |key: &'static str, own: &mut Option<f64>, value: Option<f64>| {
-        if own.is_none() && value.is_some() {
-            *own = value;
+    let mut fill = |key: &'static str, stated: &mut Option<f64>, value: Option<f64>| {
+        if stated.is_none() && value.is_some() {
+            *stated = value;
             sleeve.estimated.push(key);
         }
     };

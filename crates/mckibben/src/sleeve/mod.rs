@@ -7,7 +7,7 @@
 //! θ0 = asin(π D0/ℓ)                     [helix]
 //! A  = f π d²/4
 //! k  = E A/(π D0 cosθ0/(n/2))           N/mm, one of the two families
-//! ε_end = 1 − cosθ_end/cosθ0            what contraction is left, θ_end = 54.7° or where the strands jam
+//! ε_end = 1 − cosθ_end/cosθ0            the remaining contraction, θ_end = 54.7° or where the strands jam
 //! ```
 //!
 //! k E A and ℓ do not depend on D0, so that k is least where D0 cosθ0 is greatest, at 45°. The paper's k ∝ D0^1.2 is another thing: another
@@ -121,6 +121,21 @@ impl SleeveShape {
 }
 
 impl Sleeve {
+    /// A sleeve of which nothing but its shape is known.
+    pub fn new(shape: SleeveShape) -> Self {
+        Self {
+            shape,
+            strands: None,
+            filaments: 1,
+            strand_diameter_mm: None,
+            strand_modulus_mpa: None,
+            strand_strength_n: None,
+            strands_per_carrier: None,
+            estimated: vec![],
+            factor: 1.0,
+        }
+    }
+
     /// Its name.
     pub fn name(&self) -> &str {
         &self.shape.name
@@ -159,7 +174,7 @@ impl Sleeve {
         needs.iter().filter(|n| n.1).map(|n| n.0).collect()
     }
 
-    /// This sleeve with what was measured on it in place of its own numbers: strands, diameter of one (mm), modulus (MPa), strength (N). Another
+    /// This sleeve with what was measured on it in place of the stated numbers: strands, diameter of one (mm), modulus (MPa), strength (N). Another
     /// diameter has as many times the strength as it has the section, where the strength is an estimate.
     pub fn with(
         mut self,

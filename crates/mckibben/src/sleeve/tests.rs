@@ -12,15 +12,10 @@ fn whole() -> Sleeve {
     let helix = Helix::at(10.0, 20.0).unwrap();
     let (least_mm, largest_mm) = helix.jams_at(12.0).unwrap();
     Sleeve {
-        shape: SleeveShape { name: "whole".into(), helix, least_mm, largest_mm },
         strands: Some(48),
-        filaments: 1,
         strand_diameter_mm: Some(0.25),
         strand_modulus_mpa: Some(8530.0),
-        strand_strength_n: None,
-        strands_per_carrier: None,
-        estimated: vec![],
-        factor: 1.0,
+        ..Sleeve::new(SleeveShape { name: "whole".into(), helix, least_mm, largest_mm })
     }
 }
 
@@ -141,7 +136,7 @@ fn what_is_not_stated_is_an_estimate_and_can_be_given() {
         (thick.estimated.clone(), thick.stiffness_factor()),
         (vec!["strand_modulus", "strands_per_carrier", "strand_strength"], 3.0)
     );
-    // Measured: what is left is that the strands may not touch all along.
+    // Measured: the rest is that the strands may not touch all along.
     let measured = sleeve.clone().with(None, Some(0.25), Some(8530.0), None);
     assert_eq!((measured.strand_count(), measured.stiffness_factor()), (Some(346), 1.25));
     assert_eq!(measured.with(Some(300), None, None, Some(30.0)).stiffness_factor(), 1.0);
@@ -180,7 +175,10 @@ fn every_sleeve_of_the_library_makes_a_muscle_somewhere() {
         let braid = sleeve.with(None, diameter, modulus, None).on(middle).unwrap();
         assert!(Muscle::prototype().with_braid(braid).is_ok(), "{name}");
         assert_eq!(library::find(name).unwrap(), entry.sleeve);
-        assert!(entry.source.contains("http"), "{name} has no address");
+        assert!(
+            entry.source.contains("http") || entry.source.contains("Cable Sleeve"),
+            "{name} has no source"
+        );
         if let (true, Some(nominal)) = (entry.helix_from.contains("angle"), entry.nominal_mm) {
             assert!(close(entry.sleeve.shape.angle_deg_on(nominal).unwrap(), 18.0), "{name}");
         }
@@ -200,6 +198,26 @@ fn materials_are_what_their_sources_say() {
     for material in library::materials().unwrap() {
         assert!(material.source.contains("http") || material.source.contains('['), "{}", material.name);
     }
+}
+
+/// By hand: 3-4-5, ℓ = π √(6² + 8²) = 10π; the family's 8 mm is that of 4.8 to 14.4 mm.
+#[test]
+fn two_diameters_are_a_sleeve_and_a_family_has_its_sizes() {
+    let own = library::find("pet: 6..8 mm").unwrap();
+    assert!(close(own.shape.helix.strand_length_per_turn_mm(), 10.0 * PI));
+    assert_eq!((own.name(), own.diameters()), ("pet:6..8mm", (6.0, 8.0)));
+    let mut family = library::find("pet-sleeve-8").unwrap();
+    let same = library::find("pet:4.8..14.4mm").unwrap();
+    assert_eq!((family.factor, same.factor), (3.0, 2.5));
+    (family.factor, family.shape.name) = (same.factor, same.shape.name.clone());
+    assert_eq!(family, same);
+    let message = |name| library::find(name).unwrap_err().to_string();
+    assert!(message("pet:8..6mm").contains("above the least"), "{}", message("pet:8..6mm"));
+    assert!(message("pett:6..8mm").contains("did you mean pet?"), "{}", message("pett:6..8mm"));
+    let read = |text: &str| library::read(text).map_err(|e| e.to_string());
+    let mine = read("[[sleeve]]\nname = \"mine\"\nleast_diameter = 6\nlargest_diameter = 8\n").unwrap();
+    assert_eq!(mine[0].sleeve.stiffness_n_per_mm(7.0), own.stiffness_n_per_mm(7.0));
+    assert!(read("[[sleeve]]\nname = \"mine\"").unwrap_err().contains("mine: nothing that gives a helix"));
 }
 
 #[test]

@@ -50,7 +50,7 @@ pub use shifts::{ONE_AXIS, Shifts};
 
 use crate::analysis::{Evaluation, Options};
 use crate::answer::Answer;
-use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, Response, ThickWall, blocked_scale_n};
+use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, Response, ThickWall};
 use crate::muscle::{Bench, Direction, Muscle};
 use crate::rubber::RubberLaw;
 use serde::{Deserialize, Serialize};
@@ -289,7 +289,7 @@ impl Evaluation<'_> {
 
     /// The blocked force that shares are taken of.
     fn blocked_n(&mut self, pressure_mpa: f64) -> Option<f64> {
-        blocked_scale_n(self.model, self.workspace, pressure_mpa).ok().map(f64::abs)
+        self.model.blocked_scale_n(self.workspace, pressure_mpa).ok().map(f64::abs)
     }
 }
 
@@ -345,11 +345,9 @@ impl<'a> Pull<'_, 'a> {
         let shifts = Shifts::of(self.evaluation.workspace, muscle, (p, e));
         // The mesh has no friction.
         let force_n = self.force_n - self.evaluation.friction_n(p, e).unwrap_or(0.0);
-        let here = Response { pressure_mpa: p, contraction: e, force_n, ..Response::default() };
-        let mesh = self.model().extensions().mesh;
         Some(UncertaintyParts {
             formula,
-            mesh: mesh.and_then(|mesh| mesh.mesh_error_n(self.evaluation.workspace, &here, blocked)),
+            mesh: self.model().mesh_error_n(self.evaluation.workspace, p, e, force_n, blocked),
             rubber: shifts.rubber(),
             braid: shifts.braid(),
             data_sheet: muscle.braid().sleeve.as_ref().and_then(|_| {

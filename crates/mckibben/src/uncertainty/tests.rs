@@ -66,7 +66,7 @@ fn factors_of_estimates_are_parts() {
     let latex = crate::rubber::library::find("latex").unwrap();
     let mu = |mu_mpa: f64| Rubber {
         name: None,
-        ..Rubber::of(crate::rubber::Law::NeoHookean(crate::rubber::NeoHookean { mu_mpa }))
+        ..Rubber::new(crate::rubber::Law::NeoHookean(crate::rubber::NeoHookean { mu_mpa }))
     };
     let [soft, own, stiff] = [0.37 / 1.25, 0.37, 0.37 * 1.25].map(|m| pull(&of(1000.0, 1.0, mu(m))));
     let parts = |m: &Muscle| parts_of(m, 0.25, 0.1, Direction::Mean);
@@ -239,7 +239,7 @@ fn no_uncertainty_of_an_identified_muscle_is_below_the_scatter_of_its_points() {
 #[test]
 fn a_muscle_that_lifts_pulls_less_by_a_share_of_what_its_strands_pull() {
     let m = Muscle::prototype();
-    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 1e-9 }));
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1e-9 }));
     let m = m.with_tube(Tube { rubber, ..m.tube().clone() }).unwrap();
     let braid = Braid { stiffness: BraidStiffness::Inextensible, ..m.braid().clone() };
     let m = m.with_braid(braid).unwrap();

@@ -9,7 +9,7 @@ use mckibben::sleeve::library;
 use std::f64::consts::PI;
 
 fn muscle(d: f64, s: f64, l: f64, angle_deg: f64, mu_mpa: f64, braid: Braid) -> Muscle {
-    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa }));
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
     let tube = Tube::new(d, s, l, rubber);
     Muscle::new(tube, Braid { angle_deg, ..braid }, Terminals::default(), None).unwrap()
 }
@@ -31,26 +31,26 @@ fn closed_form_of_rigid_strands_without_rubber() {
         let (b, n) = (m.strand_length_mm(), m.turns());
         let theta = f64::to_radians(angle);
         let expected = strength * 2.0 * PI * f64::from(count) * n * n / (b * b * theta.cos());
-        let found = burst(&ThickWall::new(&m)).unwrap().pressure_mpa().unwrap();
-        assert!((found / expected - 1.0).abs() < 1e-6, "{found} {expected}");
+        let pressure_mpa = burst(&ThickWall::new(&m)).unwrap().pressure_mpa().unwrap();
+        assert!((pressure_mpa / expected - 1.0).abs() < 1e-6, "{pressure_mpa} {expected}");
     }
 }
 
-/// By every model: that of the strands' strength, whatever was asked before; of models without a tension that of the thick wall.
+/// By every model: that of the strands' strength, whatever was computed before; of models without a tension that of the thick wall.
 #[test]
 fn there_the_most_loaded_strand_carries_its_strength() {
     let m = muscle(14.0, 2.0, 200.0, 22.0, 1.2, strands(96, Some((0.0491, 8500.0)), 40.0));
     for kind in ModelKind::ALL {
         let Ok(model) = kind.build(&m) else { continue };
-        let Ok(found) = burst(&*model) else { continue };
-        let Burst { strands: FailurePressure::At(pressure_mpa), from_thick_wall, .. } = found else {
-            panic!("{kind}: {found:?}")
+        let Ok(failures) = burst(&*model) else { continue };
+        let Burst { strands: FailurePressure::At(pressure_mpa), from_thick_wall, .. } = failures else {
+            panic!("{kind}: {failures:?}")
         };
         let w = &mut Workspace::new();
         // A formula for one muscle has no answer so far beyond its data, and no tension either.
-        let own = model.response(w, pressure_mpa, 0.0).ok().and_then(|r| r.strand_tension_n);
-        assert_eq!(own.is_none(), from_thick_wall, "{kind}");
-        let tension = own.unwrap_or_else(|| {
+        let tension = model.response(w, pressure_mpa, 0.0).ok().and_then(|r| r.strand_tension_n);
+        assert_eq!(tension.is_none(), from_thick_wall, "{kind}");
+        let tension = tension.unwrap_or_else(|| {
             let thick = ThickWall::new(&m).response(&mut Workspace::new(), pressure_mpa, 0.0).unwrap();
             thick.strand_tension_n.unwrap()
         });
@@ -72,8 +72,8 @@ fn no_contraction_loads_the_strands_more_than_none() {
         let braid = strands(count, section, random.log(5.0, 200.0));
         let m = muscle(d, wall, l, angle, random.log(0.05, 3.0), braid);
         let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
-        let Ok(found) = burst(&model) else { continue };
-        let Some(p) = found.pressure_mpa() else { continue };
+        let Ok(failures) = burst(&model) else { continue };
+        let Some(p) = failures.pressure_mpa() else { continue };
         let Ok(end) = Evaluation::new(&model, w, Options::extrapolating()).free_contraction(p) else {
             continue;
         };
@@ -90,38 +90,38 @@ fn no_contraction_loads_the_strands_more_than_none() {
 
 #[test]
 fn what_is_not_stated_is_not_known() {
-    let of = |m: &Muscle| burst(&ThickWall::new(m)).unwrap();
+    let burst_of = |m: &Muscle| burst(&ThickWall::new(m)).unwrap();
     let missing = FailurePressure::Unknown;
-    assert_eq!(of(&Muscle::prototype()).strands, missing(NoBurst::NoStrands));
-    assert_eq!(of(&Muscle::prototype()).first(), None);
+    assert_eq!(burst_of(&Muscle::prototype()).strands, missing(NoBurst::NoStrands));
+    assert_eq!(burst_of(&Muscle::prototype()).first(), None);
     let known = strands(96, Some((0.0491, 8500.0)), 40.0);
     let without =
         Braid { strands: known.strands.map(|s| Strands { strength_n: None, ..s }), ..known.clone() };
     let m = muscle(14.0, 2.0, 200.0, 22.0, 1.2, without);
-    assert_eq!(of(&m).strands, missing(NoBurst::NoStrength));
+    assert_eq!(burst_of(&m).strands, missing(NoBurst::NoStrength));
     assert!(NoBurst::NoStrength.to_string().contains("strand_strength"));
     // Strands that hold more than any pressure: there is an answer, and no endless search.
     let strong = Braid { strands: known.strands.map(|s| Strands { strength_n: Some(1e12), ..s }), ..known };
-    assert!(of(&muscle(14.0, 2.0, 200.0, 22.0, 1.2, strong)).strands != missing(NoBurst::NoStrength));
+    assert!(burst_of(&muscle(14.0, 2.0, 200.0, 22.0, 1.2, strong)).strands != missing(NoBurst::NoStrength));
 }
 
 /// A latex tube of 1/4 x 3/8 in in a sleeve of 3/8 in: the least of 2001 angles by an independent script.
 #[test]
 fn the_tube_bulges_through_the_widest_opening() {
-    let tube = Tube::new(9.525, 1.5875, 200.0, Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.37 })));
+    let tube = Tube::new(9.525, 1.5875, 200.0, Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.37 })));
     let braid = library::find("flexo-overexpanded-0.38in").unwrap().on(9.525).unwrap();
     let m = Muscle::new(tube.clone(), braid.clone(), Terminals::default(), None).unwrap();
-    let found = burst(&ThickWall::new(&m)).unwrap();
-    let mesh = found.mesh.mpa().unwrap();
+    let failures = burst(&ThickWall::new(&m)).unwrap();
+    let mesh = failures.mesh.mpa().unwrap();
     assert!((mesh / 0.76768 - 1.0).abs() < 1e-3, "{mesh}");
     // Before its strands break; half of it is allowed, or what the fittings are rated for.
-    assert_eq!(found.first(), Some((FailureMode::Mesh, mesh)));
-    assert!(found.strands.mpa().unwrap() > mesh);
-    assert_eq!(found.allowed(), Some((2.0 * mesh / SAFETY, Some(FailureMode::Mesh))));
+    assert_eq!(failures.first(), Some((FailureMode::Mesh, mesh)));
+    assert!(failures.strands.mpa().unwrap() > mesh);
+    assert_eq!(failures.allowed(), Some((2.0 * mesh / SAFETY, Some(FailureMode::Mesh))));
     let rated = Terminals { rated_pressure_mpa: Some(0.1), ..Terminals::default() };
     let m = Muscle::new(tube.clone(), braid.clone(), rated, None).unwrap();
-    let found = burst(&ThickWall::new(&m)).unwrap();
-    assert_eq!(found.allowed(), Some((0.1, None)));
+    let failures = burst(&ThickWall::new(&m)).unwrap();
+    assert_eq!(failures.allowed(), Some((0.1, None)));
     // Strands that touch leave no opening.
     let strands = braid.strands.map(|s| Strands { count: 2000, ..s });
     let m = Muscle::new(tube, Braid { strands, ..braid }, Terminals::default(), None).unwrap();
@@ -138,8 +138,8 @@ fn closed_form_of_clamps_that_let_go() {
         let cot2 = f64::to_radians(angle).tan().powi(-2);
         let (ro, ri) = (0.5 * d, 0.5 * d - wall);
         let expected = bears / (PI * (ro * ro * (2.0 * cot2 - 1.0) + ri * ri));
-        let found = burst(&ThickWall::new(&m)).unwrap();
-        let (by, p) = found.first().unwrap();
+        let failures = burst(&ThickWall::new(&m)).unwrap();
+        let (by, p) = failures.first().unwrap();
         assert!(by == FailureMode::Ends && (p / expected - 1.0).abs() < 1e-6, "{p} {expected}");
     }
 }
@@ -147,21 +147,21 @@ fn closed_form_of_clamps_that_let_go() {
 /// The identity that defines it: the unloaded muscle has the stretch at break there. A wide angle never reaches it.
 #[test]
 fn the_rubber_tears_where_its_stretch_is_that_at_break() {
-    let of = |angle: f64, name: &str| {
+    let burst_of = |angle: f64, name: &str| {
         let braid = Braid { angle_deg: angle, ..strands(96, Some((0.0491, 8500.0)), 1e6) };
         let tube = Tube::new(10.0, 2.0, 200.0, mckibben::rubber::library::find(name).unwrap());
         let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
-        let found = burst(&ThickWall::new(&m)).unwrap().bladder;
-        (m, found)
+        let bladder = burst(&ThickWall::new(&m)).unwrap().bladder;
+        (m, bladder)
     };
     // RTV 615 breaks at 193 %.
-    let (m, found) = of(15.0, "rtv615");
-    let p = found.mpa().unwrap();
+    let (m, bladder) = burst_of(15.0, "rtv615");
+    let p = bladder.mpa().unwrap();
     let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
     let free = Evaluation::new(&model, w, Options::extrapolating()).free_contraction(p).unwrap();
     let stretch = model.response(w, p, free).unwrap().max_stretch.unwrap();
     assert!((stretch - 2.93).abs() < 0.005, "{stretch}");
-    assert_eq!(of(40.0, "rtv615").1, FailurePressure::None);
-    assert_eq!(of(15.0, "dragon-skin-30").1, FailurePressure::None);
-    assert_eq!(of(15.0, "paper").1, FailurePressure::Unknown(NoBurst::NoElongation));
+    assert_eq!(burst_of(40.0, "rtv615").1, FailurePressure::None);
+    assert_eq!(burst_of(15.0, "dragon-skin-30").1, FailurePressure::None);
+    assert_eq!(burst_of(15.0, "paper").1, FailurePressure::Unknown(NoBurst::NoElongation));
 }

@@ -37,8 +37,8 @@ fn pulls_just_below_the_largest_are_found_where_the_pull_still_rises() {
             peaks += 1;
             let wanted = 0.9995 * most;
             let options = Options { extrapolate: true, ..Options::default() };
-            let found = Evaluation::new(model.as_ref(), w, options).pressure_at(wanted, contraction);
-            let p = found.unwrap_or_else(|e| panic!("{kind:?}, {muscle:?}, {contraction}: {e}"));
+            let pressure = Evaluation::new(model.as_ref(), w, options).pressure_at(wanted, contraction);
+            let p = pressure.unwrap_or_else(|e| panic!("{kind:?}, {muscle:?}, {contraction}: {e}"));
             let pull = model.force_n(w, p, contraction).unwrap();
             assert!((pull - wanted).abs() < 1e-6 * wanted, "{pull} and {wanted}");
             assert!(p < top, "{p} lies beyond the largest pull at {top}");
@@ -52,7 +52,7 @@ fn questions(usual: usize) -> usize {
     std::env::var("MCKIBBEN_QUESTIONS").ok().and_then(|n| n.parse().ok()).unwrap_or(usual)
 }
 
-/// Any muscle: thin and thick, short and long, flat and steep braids, stiff and soft strands, ends that give way.
+/// Any muscle: thin and thick, short and long, flat and steep braids, stiff and soft strands, ends that yield.
 fn any_muscle(r: &mut Random) -> Muscle {
     let d0 = r.between(8.0, 60.0);
     let angle_deg = r.between(14.0, 42.0);
@@ -84,7 +84,7 @@ fn any_muscle(r: &mut Random) -> Muscle {
     muscle.unwrap()
 }
 
-/// A question whose answer exists, since a force is asked first: (P, ε, F).
+/// A question whose answer exists, since the force is computed first: (P, ε, F).
 struct Known {
     model: Box<dyn ForceModel>,
     options: Options,
@@ -114,18 +114,18 @@ fn known(r: &mut Random) -> Option<Known> {
     let mut pull = |e: f64| Evaluation::new(&*model, w, options).force_n(pressure_mpa, e).ok();
     let force_n = pull(contraction)?;
     let scale_n = pull(0.0).map_or(1.0, f64::abs).max(1.0);
-    let asked = options.two_sided || force_n >= 0.0;
-    asked.then_some(Known { model, options, pressure_mpa, contraction, force_n, scale_n })
+    let has_answer = options.two_sided || force_n >= 0.0;
+    has_answer.then_some(Known { model, options, pressure_mpa, contraction, force_n, scale_n })
 }
 
 /// Identity: both inverses of F = force(P, ε) have an answer and give F back, whatever the model, muscle, pressure and contraction:
 /// pulls that rise and fall with ε, pulls that fall with P, and muscles that their pull stretches.
 #[test]
 fn no_inverse_that_exists_is_denied() {
-    let (mut r, mut asked, mut denied) = (Random(25), 0, vec![]);
-    while asked < questions(3000) {
+    let (mut r, mut count, mut denied) = (Random(25), 0, vec![]);
+    while count < questions(3000) {
         let Some(k) = known(&mut r) else { continue };
-        asked += 1;
+        count += 1;
         let w = &mut Workspace::new();
         let (model, f) = (&*k.model, k.force_n);
         let p = Evaluation::new(model, w, k.options).pressure_at(f, k.contraction);
@@ -158,7 +158,7 @@ fn no_inverse_that_exists_is_denied() {
     }
     assert!(
         denied.is_empty(),
-        "{} of {asked}:\n{}",
+        "{} of {count}:\n{}",
         denied.len(),
         denied.iter().take(12).cloned().collect::<Vec<_>>().join("\n")
     );
@@ -244,7 +244,7 @@ fn a_pull_that_rises_and_falls_and_one_that_falls_with_the_pressure_are_found() 
 }
 
 /// A short steep muscle that pushes: by the `universal` model its push has two extrema below 0.01 MPa, and a narrow one between two samples holds
-/// the answer. The force is asked first, so that a pressure exists.
+/// the answer. The force is computed first, so that a pressure exists.
 #[test]
 fn a_push_inside_of_a_narrow_extremum_at_low_pressure_is_found() {
     let tube = Tube {

@@ -18,7 +18,7 @@ fn entries() -> BTreeMap<String, BTreeMap<String, String>> {
         let fields = body.lines().filter_map(|line| line.trim().split_once(" = {"));
         let fields =
             fields.map(|(name, value)| (name.to_owned(), value.trim_end_matches("},").to_owned())).collect();
-        assert!(all.insert(key.clone(), fields).is_none(), "{key} stands twice");
+        assert!(all.insert(key.clone(), fields).is_none(), "{key} is there twice");
     }
     all
 }
@@ -35,14 +35,14 @@ fn cited(text: &str) -> Vec<&str> {
 }
 
 /// Sources and documents of the repository.
-fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+fn files(folder: &Path, paths: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
         if path.is_dir() && name != "target" && !name.starts_with('.') {
-            files(&path, found);
+            files(&path, paths);
         } else if ["rs", "md", "toml"].iter().any(|e| path.extension().is_some_and(|x| x == *e)) {
-            found.push(path);
+            paths.push(path);
         }
     }
 }

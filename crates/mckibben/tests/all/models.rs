@@ -31,9 +31,9 @@ fn every_model() -> Vec<Box<dyn ForceModel>> {
     all
 }
 
-/// An identity of every model, with ends that give way and those that hold: the point of an answer is the one that was asked for, bit by bit.
+/// An identity of every model, with ends that yield and those that hold: the point of an answer is the requested one, bit by bit.
 #[test]
-fn an_answer_is_of_the_point_that_was_asked_for() {
+fn an_answer_is_of_the_requested_point() {
     let mut all = every_model();
     let terminals = complete(EndFactor::Constant(1.1)).terminals().clone();
     let ends = Terminals { seating_mm: Some(0.7), slip_mm_per_n: Some(1e-3), ..terminals };
@@ -251,7 +251,7 @@ fn what_is_missing_is_named() {
 }
 
 fn rigid(d0: f64, angle_deg: f64, length: f64, wall: f64, law: Law) -> Muscle {
-    let tube = Tube::new(d0, wall, length, Rubber::of(law));
+    let tube = Tube::new(d0, wall, length, Rubber::new(law));
     let braid = Braid { angle_deg, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
@@ -267,7 +267,7 @@ fn ideal_figures_of_the_literature() {
         let f = Ideal::new(&m).force_n(&mut Workspace::new(), 0.3, 0.0).unwrap() / (PI * 49.0 * 0.3);
         assert!((f - relative).abs() < 5e-4, "{angle}°: {f}");
         assert!((m.max_ideal_contraction() - e_max).abs() < 5e-6);
-        // Free contraction ends where the strands stand at 54.7356°.
+        // Free contraction ends where the strands are at 54.7356°.
         let free = Ideal::new(&m).contraction_at_pull(&mut Workspace::new(), 0.0, 0.3).unwrap();
         let theta = ((1.0 - free) * angle.to_radians().cos()).acos().to_degrees();
         assert!((theta - NEUTRAL_ANGLE_DEG).abs() < 1e-10, "{theta}");

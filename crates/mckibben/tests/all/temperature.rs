@@ -11,7 +11,7 @@ const FACTOR: f64 = 353.15 / 296.15;
 
 fn muscle(law: &Law, moduli: f64, stiffness: f64) -> Muscle {
     let softening = Some(OgdenRoxburgh { r: 2.0, m_mpa: moduli * 0.05, beta: 0.1 });
-    let tube = Tube { rubber: Rubber { softening, ..Rubber::of(law.scaled(moduli)) }, ..Tube::prototype() };
+    let tube = Tube { rubber: Rubber { softening, ..Rubber::new(law.scaled(moduli)) }, ..Tube::prototype() };
     let braid = Braid { stiffness: BraidStiffness::NewtonPerMm(300.0 * stiffness), ..Braid::paper() };
     Muscle::prototype().with_tube(tube).and_then(|m| m.with_braid(braid)).unwrap()
 }

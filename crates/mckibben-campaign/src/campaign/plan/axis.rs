@@ -1,4 +1,4 @@
-//! What can vary, and the measures of a muscle that come of it.
+//! The quantities that can vary, and the measures of a muscle that follow.
 
 use mckibben::muscle::measures::{MEASURES, Parts};
 use mckibben::muscle::{BraidStiffness, Measure, Muscle, MuscleError};
@@ -6,7 +6,7 @@ use mckibben::rubber::Law;
 use mckibben::rubber::library;
 use mckibben::units::Values;
 
-/// Keys in `[vary]` of what has a column of its own in every table, ratios to D0 and the factor of all moduli with it.
+/// Keys in `[vary]` with a column in every table, ratios to D0 and the factor of all moduli among them.
 const WITH_COLUMN: [&str; 9] = [
     "tube.outer_diameter",
     "tube.wall_thickness",
@@ -19,10 +19,10 @@ const WITH_COLUMN: [&str; 9] = [
     SCALE,
 ];
 pub(super) const SCALE: &str = "tube.material.scale";
-/// What stands before the name of a constant of the law.
+/// The prefix of the name of a constant of the law.
 pub(super) const CONSTANT: &str = "tube.material.";
 
-/// What can vary, in the order in which a factorial plan runs through it: the ones above, the constants of all laws (sums of terms have
+/// The keys that can vary, in the order in which a factorial plan runs through it: the ones above, the constants of all laws (sums of terms have
 /// none that vary alone), and every other measure of the muscle.
 pub(super) fn keys() -> Vec<String> {
     let laws = Law::KINDS.iter().filter(|kind| !kind.is_sum);
@@ -39,7 +39,7 @@ pub(super) fn keys() -> Vec<String> {
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// What varies, by its key in `[vary]`.
+    /// Its key in `[vary]`.
     pub key: String,
     /// Its levels, or the interval it is taken from.
     pub values: Values,
@@ -96,19 +96,19 @@ pub(in crate::campaign) fn rounded(v: f64) -> f64 {
 pub struct Inputs {
     /// Its parts; they need not make a muscle.
     pub parts: Parts,
-    /// What varies and has no column in every table: its column and its value.
+    /// The columns and values of the axes that have no column in every table.
     pub measures: Vec<(String, f64)>,
 }
 
 impl Inputs {
     /// The base with a value on each axis.
-    pub(super) fn of(base: &Muscle, axes: &[Axis], values: &[f64]) -> Self {
+    pub(super) fn new(base: &Muscle, axes: &[Axis], values: &[f64]) -> Self {
         let mut parts = base.parts().clone();
-        let mut given: Vec<(&Axis, f64)> = axes.iter().zip(values.iter().copied()).collect();
-        let measures = given.iter().filter_map(|(axis, value)| Some((axis.column()?, *value))).collect();
+        let mut pairs: Vec<(&Axis, f64)> = axes.iter().zip(values.iter().copied()).collect();
+        let measures = pairs.iter().filter_map(|(axis, value)| Some((axis.column()?, *value))).collect();
         // Ratios are of the final diameter, and the factor of all moduli scales constants that vary too.
-        given.sort_by_key(|(axis, _)| (axis.measure().is_none(), axis.key == SCALE));
-        for (axis, value) in given {
+        pairs.sort_by_key(|(axis, _)| (axis.measure().is_none(), axis.key == SCALE));
+        for (axis, value) in pairs {
             match axis.measure() {
                 Some(measure) => (measure.set)(&mut parts, value),
                 None => set(&mut parts, &axis.key, value),
@@ -134,7 +134,7 @@ impl Inputs {
     }
 }
 
-/// Puts in what is no measure of its own: a ratio, or a number of the law.
+/// Sets a value that is not a measure: a ratio, or a number of the law.
 fn set(Parts { tube, braid, .. }: &mut Parts, key: &str, value: f64) {
     let times_diameter = rounded(value * tube.outer_diameter_mm);
     let law = &tube.rubber.law;

@@ -1,4 +1,4 @@
-//! Plans: a base muscle, what varies and how it is sampled, and the points each muscle is asked.
+//! Plans: a base muscle, what varies and how it is sampled, and the points of each muscle.
 //!
 //! ```
 //! use mckibben_campaign::campaign::Plan;
@@ -31,7 +31,7 @@ use sampling::Design;
 /// The most parts of a store. With the lock, state and log of a thousand shards a campaign has at most 10,000 files.
 const MOST_PARTS: u64 = 6000;
 
-/// What every muscle is asked.
+/// The points and the model of every muscle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Testing {
     /// Contractions, or shares of the largest that the ideal muscle has.
@@ -51,7 +51,7 @@ pub struct Plan {
     pub(super) text: String,
     /// The muscle that is varied.
     pub base: Muscle,
-    /// What varies; in a factorial plan the first changes slowest.
+    /// The axes; in a factorial plan the first changes slowest.
     pub(super) axes: Vec<Axis>,
     design: Design,
     pub(super) testing: Testing,
@@ -71,7 +71,7 @@ impl Plan {
         self.design.muscles
     }
 
-    /// Points each muscle is asked.
+    /// Points of each muscle.
     pub fn points_per_muscle(&self) -> usize {
         self.testing.contractions.len() * self.testing.pressures_mpa.len()
     }
@@ -91,7 +91,7 @@ impl Plan {
     pub fn inputs(&self, number: u64) -> Inputs {
         let values: Vec<f64> =
             (0..self.axes.len()).map(|a| self.design.value(&self.axes, a, number)).collect();
-        Inputs::of(&self.base, &self.axes, &values)
+        Inputs::new(&self.base, &self.axes, &values)
     }
 
     /// Names and values of the constants of the base muscle's law, as columns: `c10_mpa`.
@@ -99,7 +99,7 @@ impl Plan {
         constants(&self.base.tube().rubber.law).into_iter().map(|c| c.0).collect()
     }
 
-    /// Columns of what varies and has none in every table: `seating_mm`.
+    /// Columns of the axes that have none in every table: `seating_mm`.
     pub fn measures(&self) -> Vec<String> {
         self.axes.iter().filter_map(|axis| axis.column()).collect()
     }

@@ -42,7 +42,7 @@ impl Plan {
     /// Reads a plan file.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
         let path = path.as_ref();
-        read_text(path).and_then(|text| Self::parse(&text)).map_err(|e| e.of(path))
+        read_text(path).and_then(|text| Self::parse(&text)).map_err(|e| e.in_file(path))
     }
 }
 
@@ -72,8 +72,8 @@ fn sampling(section: &Section<'_>) -> Result<Sampling, FileError> {
     let seed = whole(section, "seed", u64::from(u32::MAX))?;
     if method == "factorial" {
         let why = "a factorial plan takes every level with every other: it has neither samples nor a seed";
-        let given = ["samples", "seed"].into_iter().find(|k| section.has(k));
-        return given.map_or(Ok(Sampling::Factorial), |key| Err(section.error(key, why)));
+        let stated = ["samples", "seed"].into_iter().find(|k| section.has(k));
+        return stated.map_or(Ok(Sampling::Factorial), |key| Err(section.error(key, why)));
     }
     let needs = "it is the number of random muscles";
     let samples = samples.ok_or_else(|| section.missing("samples", Some("method"), needs))?;

@@ -82,7 +82,7 @@ impl Design {
     }
 }
 
-/// One axis of a Latin hypercube: a share in each of `n` strata, in random order. Each axis has its own stream.
+/// One axis of a Latin hypercube: a share in each of `n` strata, in random order. Each axis has one stream.
 fn strata(n: u64, seed: u64, axis: u64) -> Vec<f64> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(axis);

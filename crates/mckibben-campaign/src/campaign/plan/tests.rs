@@ -41,8 +41,8 @@ fn the_papers_plan_has_2600_points() {
 fn every_muscle_of_the_universal_plan_is_one_and_spans_the_design_space() {
     let plan = Plan::read(repository("universal.toml")).unwrap();
     let all: Vec<Muscle> = (0..plan.muscles()).map(|i| plan.inputs(i).muscle().unwrap()).collect();
-    let spans = |of: fn(&Muscle) -> f64, low: f64, high: f64| {
-        let values: Vec<f64> = all.iter().map(of).collect();
+    let spans = |value: fn(&Muscle) -> f64, low: f64, high: f64| {
+        let values: Vec<f64> = all.iter().map(value).collect();
         let least = values.iter().copied().fold(f64::INFINITY, f64::min);
         let most = values.iter().copied().fold(0.0, f64::max);
         assert!(low <= least && least < low * 1.01 && high * 0.99 < most && most <= high, "{least} {most}");
@@ -107,14 +107,14 @@ fn sobol_points_are_a_net() {
 /// A regression value: what a plan means must not change with a library.
 #[test]
 fn the_first_samples_stay_what_they_are() {
-    let of = |method: &str| {
+    let first = |method: &str| {
         let plan = plan(&format!(
             "[sampling]\nmethod = \"{method}\"\nsamples = 8\nseed = 1\n[vary]\ntube.length = \"100..300\"\nbraid.angle = \"20..30\""
         ));
         let inputs = plan.inputs(0);
         (inputs.parts.tube.length_mm, inputs.parts.braid.angle_deg)
     };
-    assert_eq!([of("latin-hypercube"), of("sobol")], GOLD);
+    assert_eq!([first("latin-hypercube"), first("sobol")], GOLD);
 }
 
 const GOLD: [(f64, f64); 2] = [(228.8163174, 25.85303634), (185.9611034, 27.4933517)];
@@ -168,13 +168,13 @@ fn a_plan_file_is_named_in_its_errors() {
 
 #[test]
 fn parts_are_a_hundredth_of_the_plan_and_never_too_long() {
-    let of = |samples: u64, test: &str| {
+    let block = |samples: u64, test: &str| {
         let head = format!("[sampling]\nmethod = \"latin-hypercube\"\nsamples = {samples}\n");
         Plan::parse(&format!("{head}[vary]\ntube.length = \"100..200\"\n{test}")).unwrap().block()
     };
-    assert_eq!([of(20, TEST), of(1000, TEST), of(1_000_000, TEST)], [1, 10, 4096 / 6]);
-    assert_eq!(of(10_000, &format!("{TEST}sensitivities = true\n")), 512 / 6);
-    assert_eq!(of(10_000, &format!("{TEST}mesh = \"2x12\"\n")), 512 / 6);
+    assert_eq!([block(20, TEST), block(1000, TEST), block(1_000_000, TEST)], [1, 10, 4096 / 6]);
+    assert_eq!(block(10_000, &format!("{TEST}sensitivities = true\n")), 512 / 6);
+    assert_eq!(block(10_000, &format!("{TEST}mesh = \"2x12\"\n")), 512 / 6);
 }
 
 /// All rows of a plan have the law of the base muscle, whatever a muscle of their measures would have by name.
@@ -211,11 +211,16 @@ fn every_measure_of_a_muscle_varies() {
         let text = format!("{stated}[vary]\n{} = [{value}, {}]\n{TEST}", measure.key, 1.05 * value + 0.01);
         let plan = Plan::parse(&text).unwrap_or_else(|e| panic!("{}: {e}", measure.key));
         let expected = base.with(measure, value).map_err(|e| e.to_string());
-        let found = plan.inputs(0).muscle().map_err(|e| e.to_string());
-        assert_eq!(found, expected, "{}", measure.key);
-        let own =
+        let muscle = plan.inputs(0).muscle().map_err(|e| e.to_string());
+        assert_eq!(muscle, expected, "{}", measure.key);
+        let with_column =
             ["tube.outer_diameter", "tube.wall_thickness", "tube.length", "braid.angle", "braid.stiffness"];
-        assert_eq!(plan.measures().len(), usize::from(!own.contains(&measure.key)), "{}", measure.key);
+        assert_eq!(
+            plan.measures().len(),
+            usize::from(!with_column.contains(&measure.key)),
+            "{}",
+            measure.key
+        );
     }
     let plan = plan("[vary]\nterminals.slip = \"0,0.001 mm/N\"\nbraid.thickness = \"0.3,0.5 mm\"");
     assert_eq!(plan.measures(), ["slip_mm_per_n", "braid_thickness_mm"]);

@@ -31,7 +31,7 @@ pub(super) fn axes(vary: &Section<'_>, base: &Muscle, sampling: &Sampling) -> Re
     Ok(axes)
 }
 
-/// What an axis must be, in a sentence that its key is before.
+/// Checks an axis; the error is a sentence behind its key.
 fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> {
     let interval = matches!(axis.values, Values::Interval(..));
     let (low, high) = axis.values.bounds();
@@ -46,7 +46,7 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
     if let Some(name) = constant {
         let law = &base.tube().rubber.law;
         let constants = law.constants();
-        let Some(found) = constants.iter().find(|c| c.name == name) else {
+        let Some(constant) = constants.iter().find(|c| c.name == name) else {
             let names: Vec<&str> = constants.iter().map(|c| c.name.as_str()).collect();
             return Err(format!(
                 "is not a constant of the {} law of the base muscle; its constants are {}",
@@ -54,7 +54,7 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
                 names.join(", ")
             ));
         };
-        least = found.constant.bounds.0;
+        least = constant.constant.bounds.0;
     }
     if let Some(measure) = axis.measure()
         && measure.bounds != Bounds::Positive

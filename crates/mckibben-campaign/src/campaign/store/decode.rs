@@ -41,9 +41,9 @@ impl Opened {
         if let Some(name) = provenance.layout.lacks(&reader.names()) {
             return Err(none(format!("its table lacks the column {name}; run the plan again")));
         }
-        let (rows, there) = (provenance.rows_of(which), reader.rows());
-        if u64::try_from(there) != Ok(rows) {
-            return Err(CampaignError::damaged(path, format!("it has {there} rows instead of {rows}")));
+        let (rows, actual) = (provenance.rows_of(which), reader.rows());
+        if u64::try_from(actual) != Ok(rows) {
+            return Err(CampaignError::damaged(path, format!("it has {actual} rows instead of {rows}")));
         }
         let fields = provenance.layout.fields().into();
         Ok(Self { provenance, which, path: path.into(), fields, reader })
@@ -81,11 +81,11 @@ impl Opened {
     fn group(&self, index: usize) -> Result<Table> {
         let columns = self.fields.iter().map(|field| (field.name.as_str(), field.kind()));
         let (columns, rows) = self.reader.group(index, columns).map_err(|error| failed(error, &self.path))?;
-        Ok(Table::of(&self.fields, columns, rows))
+        Ok(Table::from_columns(&self.fields, columns, rows))
     }
 }
 
-/// What each holds, one after another; an error stays one.
+/// The parts of each, one after another; an error stays one.
 pub(in crate::campaign) fn flat<A, B, Parts: Iterator<Item = Result<B>>>(
     wholes: impl Iterator<Item = Result<A>>,
     parts: impl Fn(A) -> Parts,
@@ -96,7 +96,7 @@ pub(in crate::campaign) fn flat<A, B, Parts: Iterator<Item = Result<B>>>(
     })
 }
 
-/// What the system does not read is one thing, and what is not as it was written another.
+/// A file that the system does not read, or one that is not as it was written.
 fn failed(error: TableError, path: &Path) -> CampaignError {
     match error {
         TableError::Io(source) if source.raw_os_error().is_some() => {

@@ -25,7 +25,7 @@ pub(crate) fn write(
 ) -> Result<()> {
     let failed = |error| match error {
         TableError::Io(source) => CampaignError::Write(path.into(), source),
-        TableError::Table(why) => CampaignError::Encode(why),
+        TableError::Table(why) => CampaignError::Write(path.into(), std::io::Error::other(why)),
     };
     let fields: Vec<_> = provenance.layout.fields().iter().map(|f| f.parquet()).collect();
     let (pairs, program) = (provenance.write(which), format!("mckibben {VERSION}"));

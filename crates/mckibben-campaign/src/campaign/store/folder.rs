@@ -28,7 +28,7 @@ pub(crate) fn is_file_name(path: &Path) -> bool {
     path.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet")) && !path.is_dir()
 }
 
-/// Endings of tables that this is none of.
+/// Endings of tables of other formats.
 const OTHER_FORMATS: [&str; 12] =
     ["csv", "tsv", "txt", "md", "json", "xls", "xlsx", "ods", "arrow", "feather", "h5", "mat"];
 
@@ -115,13 +115,13 @@ impl Folder {
     /// Of how many shards that is which began last.
     pub(crate) fn shards(path: &Path) -> Result<u64> {
         let begun = |name: String| {
-            let shard = Shard::of_file_name(name.strip_prefix(LOCK)?.strip_prefix('-')?)?;
+            let shard = Shard::from_file_name(name.strip_prefix(LOCK)?.strip_prefix('-')?)?;
             Some((path.join(name).metadata().ok()?.modified().ok()?, shard.count()))
         };
         Ok(names(path)?.into_iter().filter_map(begun).max().map_or(1, |newest| newest.1))
     }
 
-    /// Removes what killed processes left: of the parts of a shard, whose lock is held; without one all, since nobody else is writing.
+    /// Removes the unfinished files of killed processes: of the parts of a shard, whose lock is held; without one all, since nobody else is writing.
     fn sweep(&self, shard: Option<Shard>) -> Result<()> {
         let part = |rest: &str| part_number(&rest[..rest.find(".parquet")? + ".parquet".len()]);
         for name in names(&self.path)? {

@@ -41,14 +41,14 @@ impl Field {
         }
     }
 
-    /// Its column in a file: what was asked repeats few values, and answers differ.
+    /// Its column in a file: inputs repeat few values, and answers differ.
     pub(super) fn parquet(&self) -> mckibben_io::parquet::Field {
         let packing = if self.column.role == Role::Answer { Packing::Distinct } else { Packing::Repeated };
         mckibben_io::parquet::Field { name: self.name.clone(), kind: self.kind(), packing }
     }
 
     /// Its value in one of the lists of a row.
-    pub(crate) fn of(&self, list: &[(String, f64)]) -> Option<f64> {
+    pub(crate) fn value_in(&self, list: &[(String, f64)]) -> Option<f64> {
         list.iter().find(|(key, _)| *key == self.key).map(|(_, value)| *value)
     }
 
@@ -57,7 +57,7 @@ impl Field {
         match self.slot(row) {
             Slot::Number(v) => Some(*v),
             Slot::Optional(v) => *v,
-            Slot::Constants(list) | Slot::Measures(list) => self.of(list),
+            Slot::Constants(list) | Slot::Measures(list) => self.value_in(list),
             _ => None,
         }
     }
@@ -65,12 +65,12 @@ impl Field {
 
 impl Layout {
     /// The columns of a plan's table.
-    pub(crate) fn of(plan: &Plan) -> Self {
+    pub(crate) fn for_plan(plan: &Plan) -> Self {
         Self { constants: plan.constants(), measures: plan.measures(), sensitivities: plan.sensitivities() }
     }
 
     pub(crate) fn fields(&self) -> Vec<Field> {
-        let of = |column: &'static Column| {
+        let columns = |column: &'static Column| {
             let alone = [column.name.to_owned()];
             let (keys, before) = match (column.slot)(&mut PointRow::default()) {
                 Slot::Constants(_) => (&self.constants[..], ""),
@@ -81,7 +81,7 @@ impl Layout {
             let name = |key: &String| format!("{before}{}", key.replace('.', "_"));
             keys.iter().map(|k| Field { name: name(k), column, key: k.clone() }).collect::<Vec<_>>()
         };
-        COLUMNS.iter().flat_map(of).collect()
+        COLUMNS.iter().flat_map(columns).collect()
     }
 
     /// The first of its columns that is not among some names.

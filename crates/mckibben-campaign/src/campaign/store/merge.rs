@@ -1,7 +1,7 @@
 //! Parts → one file.
 
 use super::resume::belongs;
-use super::{Folder, Opened, PartSource, Provenance, Which, flat, is_file_name, part_name, write};
+use super::{Folder, Opened, PartSource, Parts, Provenance, Which, flat, is_file_name, part_name, write};
 use crate::campaign::{CampaignError, Result};
 use mckibben_io::files::{Unfinished, sync};
 use serde::Serialize;
@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// What was merged.
+/// A merged campaign.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct Merged {
     /// The file.
@@ -25,16 +25,11 @@ pub struct Merged {
 }
 
 /// Writes all parts as one file, which appears whole or not at all; with `clobber` instead of an existing file.
-pub(super) fn write_whole(
-    provenance: &Provenance,
-    places: BTreeMap<u64, PartSource>,
-    out: &Path,
-    clobber: bool,
-) -> Result<()> {
+pub(super) fn write_whole(provenance: &Provenance, parts: Parts, out: &Path, clobber: bool) -> Result<()> {
     Unfinished::sweep(out);
     let mut file = Unfinished::beside(out).map_err(CampaignError::write(out))?;
     // Each is checked against the plan it must belong to; one group of rows is held at a time.
-    let opened = places.into_iter().map(|(number, place)| place.open(number, provenance));
+    let opened = parts.into_iter().map(|(number, part)| part.open(number, provenance));
     write(provenance, Which::Whole, flat(opened, Opened::tables), file.file(), out)?;
     file.put(clobber).map_err(|error| match error.kind() {
         ErrorKind::AlreadyExists => CampaignError::Appeared(out.into()),
@@ -46,13 +41,13 @@ pub(super) fn write_whole(
 
 /// All parts of some folders; none may be missing.
 pub(super) fn gather(folders: &[PathBuf]) -> Result<(Provenance, BTreeMap<u64, PathBuf>)> {
-    let mut found: BTreeMap<u64, PathBuf> = BTreeMap::new();
+    let mut parts: BTreeMap<u64, PathBuf> = BTreeMap::new();
     for folder in folders {
         for (number, path) in Folder::parts(folder)? {
-            match found.get(&number) {
-                None => drop(found.insert(number, path)),
+            match parts.get(&number) {
+                None => drop(parts.insert(number, path)),
                 Some(one) => {
-                    // Both are checked, so that neither hides behind the other.
+                    // Both are checked.
                     let (a, b) = (Opened::file(one)?, Opened::file(&path)?);
                     belongs(&b.provenance, &a.provenance, &path)?;
                     let bytes = |p: &Path| std::fs::read(p).map_err(CampaignError::read(p));
@@ -64,23 +59,23 @@ pub(super) fn gather(folders: &[PathBuf]) -> Result<(Provenance, BTreeMap<u64, P
         }
     }
     let path = folders.first().cloned().unwrap_or_default();
-    let Some(first) = found.values().next() else {
+    let Some(first) = parts.values().next() else {
         return Err(CampaignError::NoCampaign(path, "there is no part in it".into()));
     };
     let provenance = Opened::file(first)?.provenance;
-    let parts = provenance.parts();
-    // Not one after another: how many there are is only what the file says.
-    let missing = parts - found.range(..parts).count() as u64;
-    if let Some(first) = (0..parts).find(|p| !found.contains_key(p)) {
+    let count = provenance.parts();
+    // Not one after another: the count is read from the file.
+    let missing = count - parts.range(..count).count() as u64;
+    if let Some(first) = (0..count).find(|p| !parts.contains_key(p)) {
         let (path, first) = (path.display(), part_name(first));
         return Err(CampaignError::Incomplete(format!(
-            "{path} is incomplete: {missing} of {parts} parts are missing, the first is {first}"
+            "{path} is incomplete: {missing} of {count} parts are missing, the first is {first}"
         )));
     }
-    if let Some((_, path)) = found.range(parts..).next() {
-        return Err(CampaignError::damaged(path, format!("the plan has only {parts} parts")));
+    if let Some((_, path)) = parts.range(count..).next() {
+        return Err(CampaignError::damaged(path, format!("the plan has only {count} parts")));
     }
-    Ok((provenance, found))
+    Ok((provenance, parts))
 }
 
 /// Merges the parts in some folders into one file, the same bytes as those of a single run. An existing file is replaced only
@@ -92,9 +87,9 @@ pub fn merge(folders: &[PathBuf], out: &Path, overwrite: bool) -> Result<Merged>
     if out.exists() && !overwrite {
         return Err(CampaignError::Appeared(out.into()));
     }
-    let (provenance, found) = gather(folders)?;
-    let places = found.into_iter().map(|(n, path)| (n, PartSource::File(path))).collect();
-    write_whole(&provenance, places, out, overwrite)?;
+    let (provenance, parts) = gather(folders)?;
+    let parts = parts.into_iter().map(|(n, path)| (n, PartSource::File(path))).collect();
+    write_whole(&provenance, parts, out, overwrite)?;
     Ok(Merged {
         output: out.into(),
         muscles: provenance.muscles,

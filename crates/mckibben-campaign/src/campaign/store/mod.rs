@@ -30,3 +30,6 @@ pub(super) use layout::Field;
 pub(super) use layout::Layout;
 pub(super) use provenance::Which;
 pub(super) use table::Table;
+
+/// Parts of a campaign by their number.
+type Parts = std::collections::BTreeMap<u64, PartSource>;

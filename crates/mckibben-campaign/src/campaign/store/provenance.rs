@@ -26,7 +26,7 @@ pub struct Provenance {
     /// Number of muscles of the whole plan.
     #[serde(rename = "muscles_wanted")]
     pub muscles: u64,
-    /// Points each muscle is asked.
+    /// Points of each muscle.
     pub points_per_muscle: u64,
     /// Muscles of one part.
     #[serde(rename = "muscles_per_part")]
@@ -46,7 +46,7 @@ const PREFIX: &str = "mckibben.";
 
 impl Provenance {
     /// Of the table of a plan.
-    pub(crate) fn of(plan: &Plan) -> Self {
+    pub(crate) fn for_plan(plan: &Plan) -> Self {
         Self {
             version: VERSION.into(),
             plan_sha256: plan.hash(),
@@ -57,7 +57,7 @@ impl Provenance {
             muscles: plan.muscles(),
             points_per_muscle: plan.points_per_muscle() as u64,
             block: plan.block(),
-            layout: Layout::of(plan),
+            layout: Layout::for_plan(plan),
         }
     }
 

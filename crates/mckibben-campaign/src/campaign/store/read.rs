@@ -29,10 +29,10 @@ impl Iterator for Rows {
 pub fn rows(path: impl AsRef<Path>) -> Result<Rows> {
     let path = path.as_ref();
     let (provenance, files): (_, Box<dyn Iterator<Item = Result<Opened>>>) = if path.is_dir() {
-        let (provenance, found) = gather(&[path.into()])?;
-        let of = provenance.clone();
-        let open = move |(number, path): (u64, PathBuf)| PartSource::File(path).open(number, &of);
-        (provenance, Box::new(found.into_iter().map(open)))
+        let (provenance, parts) = gather(&[path.into()])?;
+        let expected = provenance.clone();
+        let open = move |(number, path): (u64, PathBuf)| PartSource::File(path).open(number, &expected);
+        (provenance, Box::new(parts.into_iter().map(open)))
     } else {
         let opened = Opened::file(path)?;
         if opened.which != Which::Whole {

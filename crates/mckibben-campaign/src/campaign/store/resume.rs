@@ -1,16 +1,15 @@
-//! What is there already, and whether it belongs to a plan.
+//! Existing files, and whether they belong to a plan.
 
-use super::run::{Counts, Outcome, Recomputed};
-use super::{Folder, MARKER, Opened, PartSource, Provenance, Which};
+use super::run::{Counts, Outcome, Recomputed, Run};
+use super::{Folder, MARKER, Opened, PartSource, Parts, Provenance, Which};
 use crate::campaign::{CampaignError, Result};
 use mckibben::threads::Threads;
 use mckibben_io::files::{Unfinished, read};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// There is the file already: nothing is to be done, if it is that of this plan.
+/// The outcome of a run whose file exists, if that is of this plan.
 pub(super) fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Result<Outcome> {
     of_this_plan(provenance, out, Which::Whole)?;
     if parts.is_dir() {
@@ -33,7 +32,7 @@ pub(super) fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Res
     Ok(Outcome::new(provenance, out, out, counts))
 }
 
-/// A file that is there already, if it is this share of this plan; what is no campaign is not replaced.
+/// An existing file, if it is this share of this plan; a file of something else is not replaced.
 fn of_this_plan(provenance: &Provenance, path: &Path, which: Which) -> Result<Opened> {
     let opened = Opened::file(path).map_err(|error| match error {
         CampaignError::NoCampaign(path, why) => CampaignError::Foreign(path, why),
@@ -42,47 +41,43 @@ fn of_this_plan(provenance: &Provenance, path: &Path, which: Which) -> Result<Op
     opened?.expect(which, provenance)
 }
 
-/// The parts that are there and whole, and those that are damaged, with what is wrong with them.
-pub(super) type There = (BTreeMap<u64, PartSource>, Vec<Recomputed>);
-
-/// Looks through the parts of a share in a folder with their bytes, and through one of the others: a thousand shards that read one another's
-/// parts would read the table a thousand times. With `overwrite` those that are not of this plan are taken for damaged.
-pub(super) fn there(
-    folder: &Folder,
-    provenance: &Provenance,
-    mine: &impl Fn(&u64) -> bool,
-    overwrite: bool,
-    threads: &Threads,
-) -> Result<There> {
-    let mut others = 0;
-    let mut looked_at = |part: &(u64, PathBuf)| {
-        others += u64::from(!mine(&part.0));
-        mine(&part.0) || others == 1
-    };
-    let parts: Vec<(u64, PathBuf)> =
-        Folder::parts(&folder.path)?.into_iter().filter(&mut looked_at).collect();
-    let cause = |(number, path): &(u64, PathBuf)| {
-        let opened = of_this_plan(provenance, path, Which::Part(*number));
-        match opened.and_then(Opened::checked) {
-            Ok(_) => Ok(None),
-            Err(CampaignError::Damaged(_, why)) => Ok(Some(why)),
-            Err(error @ CampaignError::Read { .. }) => Err(error),
-            Err(error) if overwrite => Ok(Some(error.to_string())),
-            Err(error) => Err(error),
+impl Run<'_> {
+    /// The existing parts of the share of a run, and the damaged ones. Of the other shares one part is checked: a thousand shards that read one another's
+    /// parts would read the table a thousand times. With `overwrite` those that are not of this plan are taken for damaged.
+    pub fn existing(&self, folder: &Folder, threads: &Threads) -> Result<(Parts, Vec<Recomputed>)> {
+        let (provenance, overwrite) = (self.provenance, self.options.overwrite);
+        let mut others = 0;
+        let mut is_checked = |part: &(u64, PathBuf)| {
+            others += u64::from(!self.holds(part.0));
+            self.holds(part.0) || others == 1
+        };
+        let parts: Vec<(u64, PathBuf)> =
+            Folder::parts(&folder.path)?.into_iter().filter(&mut is_checked).collect();
+        let cause = |(number, path): &(u64, PathBuf)| {
+            let opened = of_this_plan(provenance, path, Which::Part(*number));
+            match opened.and_then(Opened::checked) {
+                Ok(_) => Ok(None),
+                Err(CampaignError::Damaged(_, why)) => Ok(Some(why)),
+                Err(error @ CampaignError::Read { .. }) => Err(error),
+                Err(error) if overwrite => Ok(Some(error.to_string())),
+                Err(error) => Err(error),
+            }
+        };
+        let checked = threads.map(&parts, cause);
+        let (mut whole, mut damaged) = (Parts::new(), vec![]);
+        for ((number, path), checked) in parts.into_iter().zip(checked) {
+            match checked? {
+                None if self.holds(number) => drop(whole.insert(number, PartSource::File(path))),
+                None => {}
+                Some(_) if self.holds(number) && overwrite && number >= provenance.parts() => {
+                    folder.discard(&path)?
+                }
+                Some(cause) if self.holds(number) => damaged.push(Recomputed { file: path, cause }),
+                Some(_) => {}
+            }
         }
-    };
-    let checked = threads.map(&parts, cause);
-    let (mut whole, mut damaged) = (BTreeMap::new(), vec![]);
-    for ((number, path), checked) in parts.into_iter().zip(checked) {
-        match checked? {
-            None if mine(&number) => drop(whole.insert(number, PartSource::File(path))),
-            None => {}
-            Some(_) if mine(&number) && overwrite && number >= provenance.parts() => folder.discard(&path)?,
-            Some(cause) if mine(&number) => damaged.push(Recomputed { file: path, cause }),
-            Some(_) => {}
-        }
+        Ok((whole, damaged))
     }
-    Ok((whole, damaged))
 }
 
 /// Whether a file is of this plan and this program.
@@ -106,7 +101,7 @@ pub(super) fn belongs(theirs: &Provenance, ours: &Provenance, path: &Path) -> Re
 /// Its longest file in bytes.
 const LONGEST: u64 = 1 << 16;
 
-/// Of which plan and version a folder is: the first process writes it, every other one must agree.
+/// The plan and version of a folder: the first process writes it, every other one must agree.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Marker {
     pub(super) version: String,
@@ -115,7 +110,7 @@ pub(super) struct Marker {
 }
 
 impl Marker {
-    pub(super) fn of(provenance: &Provenance) -> Self {
+    pub(super) fn new(provenance: &Provenance) -> Self {
         let Provenance { version, plan_sha256, .. } = provenance.clone();
         Self { version, plan_sha256, parts: provenance.parts() }
     }
@@ -127,8 +122,8 @@ impl Marker {
     /// Claims a folder for a plan; one of another plan or version is refused.
     pub(super) fn claim(folder: &Path, provenance: &Provenance, overwrite: bool) -> Result<()> {
         let path = folder.join(MARKER);
-        let ours = Self::of(provenance);
-        // Written by another process between the look and the write, it is looked at again.
+        let ours = Self::new(provenance);
+        // Another process may write it between the two steps: it is read again.
         for _ in 0..2 {
             match Self::read(folder) {
                 Some(theirs) if theirs == ours => return Ok(()),
@@ -137,19 +132,18 @@ impl Marker {
                     let theirs = Provenance { version, plan_sha256, ..provenance.clone() };
                     return belongs(&theirs, provenance, folder);
                 }
-                there => {
-                    // Parts that were copied may be there alone.
+                known => {
+                    // Parts that were copied have no such file.
                     if let (None, false, Some(part)) =
-                        (&there, overwrite, Folder::parts(folder)?.into_values().next())
+                        (&known, overwrite, Folder::parts(folder)?.into_values().next())
                         && let Ok(opened) = Opened::file(&part)
                     {
                         belongs(&opened.provenance, provenance, &part)?;
                     }
-                    let text =
-                        serde_json::to_string(&ours).map_err(|e| CampaignError::Encode(e.to_string()))?;
                     let put = || {
-                        let there = there.is_some() || path.exists();
-                        Unfinished::inside(&path, there)?.with(text.as_bytes())?.put(there)
+                        let exists = known.is_some() || path.exists();
+                        let text = serde_json::to_string(&ours)?;
+                        Unfinished::inside(&path, exists)?.with(text.as_bytes())?.put(exists)
                     };
                     match put() {
                         Err(error) if error.kind() == ErrorKind::AlreadyExists => {}

@@ -1,7 +1,7 @@
 //! Runs a plan into a store.
 
 use super::merge::write_whole;
-use super::resume::{Marker, finished, there};
+use super::resume::{Marker, finished};
 use super::{Folder, PartSource, Provenance, Table, check_name, is_file_name, part};
 use crate::campaign::{CampaignError, Plan, Result, Shard, solve};
 use mckibben::progress::Progress;
@@ -20,7 +20,7 @@ pub struct Counts {
     /// Muscles of the plan, or of the share of it.
     #[serde(rename = "muscles_wanted")]
     pub of: u64,
-    /// Muscles that were there already.
+    /// Muscles of earlier runs.
     #[serde(rename = "muscles_resumed")]
     pub resumed: u64,
     /// Points of this run.
@@ -31,19 +31,19 @@ pub struct Counts {
     pub failed: u64,
 }
 
-/// A file that was damaged and has been computed anew.
+/// A damaged file that was computed again.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct Recomputed {
     /// The file.
     pub file: PathBuf,
-    /// What was wrong with it.
+    /// Its damage.
     pub cause: String,
 }
 
 /// How a run ended.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 pub struct Outcome {
-    /// What was to be written.
+    /// The file or folder.
     pub output: PathBuf,
     /// The share of the plan, i/n; nothing where it was all of it.
     pub shard: Option<String>,
@@ -56,7 +56,7 @@ pub struct Outcome {
     pub points: u64,
     /// SHA-256 of the plan's text.
     pub plan_sha256: String,
-    /// Files that were damaged and have been computed anew.
+    /// Damaged files that were computed again.
     pub recomputed: Vec<Recomputed>,
     /// Where unfinished work lies.
     #[serde(skip)]
@@ -67,13 +67,12 @@ impl Outcome {
     pub(super) fn new(provenance: &Provenance, output: &Path, store: &Path, counts: Counts) -> Self {
         Self {
             output: output.into(),
-            shard: None,
             complete: counts.muscles == counts.of,
             counts,
             points: counts.muscles * provenance.points_per_muscle,
             plan_sha256: provenance.plan_sha256.clone(),
-            recomputed: vec![],
             store: store.into(),
+            ..Self::default()
         }
     }
 }
@@ -88,11 +87,11 @@ pub struct RunOptions {
     pub shard: Option<Shard>,
     /// Threads; as many as there are cores where nothing is said.
     pub threads: Option<usize>,
-    /// What is there and is not of this plan is replaced.
+    /// Replace existing files of other plans.
     pub overwrite: bool,
 }
 
-/// What a thread hands over.
+/// A part from a thread.
 struct Done {
     part: u64,
     bytes: Vec<u8>,
@@ -107,11 +106,11 @@ pub(super) fn parts_of(file: &Path) -> PathBuf {
     file.with_file_name(name)
 }
 
-/// Runs a plan into `out`: one file if it ends in `.parquet`, else a folder of parts. What is there already is not
-/// computed again. It reports muscles; where the caller wants it to end, what is there is a valid store, and not complete.
+/// Runs a plan into `out`: one file if it ends in `.parquet`, else a folder of parts. Existing parts are not
+/// computed again. It reports muscles; where the caller ends it, the store is valid and not complete.
 pub fn run(plan: &Plan, out: &Path, options: &RunOptions, progress: &dyn Progress) -> Result<Outcome> {
     check_name(out)?;
-    let provenance = Provenance::of(plan);
+    let provenance = Provenance::for_plan(plan);
     let one_file = is_file_name(out);
     if one_file && options.shard.is_some() {
         let message = format!("a shard writes parts, and {} would be one file", out.display());
@@ -140,100 +139,105 @@ pub fn run(plan: &Plan, out: &Path, options: &RunOptions, progress: &dyn Progres
     if !one_file {
         Marker::claim(&store, &provenance, options.overwrite)?;
     }
-    in_folder(plan, &provenance, out, folder, options, progress)
+    Run { plan, provenance: &provenance, out, options, progress }.into_folder(folder)
 }
 
-/// Computes what is missing in a folder; of a campaign that is to be one file it writes the file at the end.
-fn in_folder(
-    plan: &Plan,
-    provenance: &Provenance,
-    out: &Path,
-    folder: Folder,
-    options: &RunOptions,
-    progress: &dyn Progress,
-) -> Result<Outcome> {
-    let one_file = is_file_name(out);
-    let store = folder.path.clone();
-    let own = options.threads.map(Threads::new).transpose()?;
-    let threads = own.as_ref().unwrap_or_else(|| Threads::shared());
+/// A run of a plan.
+pub(super) struct Run<'a> {
+    plan: &'a Plan,
+    pub provenance: &'a Provenance,
+    out: &'a Path,
+    pub options: &'a RunOptions,
+    progress: &'a dyn Progress,
+}
 
-    let mine = |part: &u64| options.shard.is_none_or(|s| s.holds(*part));
-    let (mut places, recomputed) = there(&folder, provenance, &mine, options.overwrite, threads)?;
-    let muscles = |part: u64| provenance.muscles_of(part).count() as u64;
-    let wanted: Vec<u64> = (0..provenance.parts()).filter(mine).collect();
-    let missing: Vec<u64> = wanted.iter().copied().filter(|p| !places.contains_key(p)).collect();
-    let resumed = places.keys().map(|&p| muscles(p)).sum();
-    let of = wanted.iter().map(|&p| muscles(p)).sum();
-    let mut counts = Counts { muscles: resumed, of, resumed, ..Counts::default() };
-    let report = |c: &Counts| progress.report(c.muscles as usize, c.of as usize);
-    report(&counts);
+impl Run<'_> {
+    /// Whether a part is of its share.
+    pub fn holds(&self, part: u64) -> bool {
+        self.options.shard.is_none_or(|shard| shard.holds(part))
+    }
 
-    let (mut pending, mut ended, mut flushed) = (vec![], Ok(()), Instant::now());
-    // Its own flag, so that an error here does not look like the user's wish.
-    let failed = AtomicBool::new(false);
-    let halted = || progress.cancelled() || failed.load(Ordering::Relaxed);
-    let work = |&number: &u64| compute(plan, provenance, number, &halted);
-    threads.for_each(&missing, work, |done| {
-        let take_over = || -> Result<()> {
-            if let Some(done) = done.flatten().transpose()? {
-                counts.muscles += muscles(done.part);
-                counts.points += done.points;
-                counts.failed += done.failed;
-                pending.push((done.part, done.bytes));
+    /// Computes the missing parts of a folder; of a campaign in one file it writes the file at the end.
+    fn into_folder(self, folder: Folder) -> Result<Outcome> {
+        let &Self { provenance, out, options, progress, .. } = &self;
+        let one_file = is_file_name(out);
+        let store = folder.path.clone();
+        let limited = options.threads.map(Threads::new).transpose()?;
+        let threads = limited.as_ref().unwrap_or_else(|| Threads::shared());
+
+        let (mut parts, recomputed) = self.existing(&folder, threads)?;
+        let muscles = |part: u64| provenance.muscles_of(part).count() as u64;
+        let share: Vec<u64> = (0..provenance.parts()).filter(|part| self.holds(*part)).collect();
+        let missing: Vec<u64> = share.iter().copied().filter(|p| !parts.contains_key(p)).collect();
+        let resumed = parts.keys().map(|&p| muscles(p)).sum();
+        let of = share.iter().map(|&p| muscles(p)).sum();
+        let mut counts = Counts { muscles: resumed, of, resumed, ..Counts::default() };
+        let report = |c: &Counts| progress.report(c.muscles as usize, c.of as usize);
+        report(&counts);
+
+        let (mut pending, mut ended, mut flushed) = (vec![], Ok(()), Instant::now());
+        // A separate flag: an error here is not the user's wish to end.
+        let failed = AtomicBool::new(false);
+        let halted = || progress.cancelled() || failed.load(Ordering::Relaxed);
+        let work = |&number: &u64| self.compute(number, &halted);
+        threads.for_each(&missing, work, |done| {
+            let take_over = || -> Result<()> {
+                if let Some(done) = done.flatten().transpose()? {
+                    counts.muscles += muscles(done.part);
+                    counts.points += done.points;
+                    counts.failed += done.failed;
+                    pending.push((done.part, done.bytes));
+                }
+                report(&counts);
+                if flushed.elapsed() > FLUSH {
+                    let written = folder.write(&mut pending)?.into_iter();
+                    parts.extend(written.map(|(number, path)| (number, PartSource::File(path))));
+                    flushed = Instant::now();
+                }
+                Ok(())
+            };
+            if ended.is_ok() {
+                ended = take_over();
+                failed.store(ended.is_err(), Ordering::Relaxed);
             }
-            report(&counts);
-            if flushed.elapsed() > FLUSH {
-                let written = folder.write(&mut pending)?.into_iter();
-                places.extend(written.map(|(number, path)| (number, PartSource::File(path))));
-                flushed = Instant::now();
+        });
+        ended?;
+        let shard = options.shard.map(|shard| shard.to_string());
+        let outcome = Outcome { recomputed, shard, ..Outcome::new(provenance, out, &store, counts) };
+        if one_file && outcome.complete {
+            if out.exists() && !options.overwrite {
+                folder.write(&mut pending)?;
+                return Err(CampaignError::Appeared(out.into()));
             }
-            Ok(())
-        };
-        if ended.is_ok() {
-            ended = take_over();
-            failed.store(ended.is_err(), Ordering::Relaxed);
-        }
-    });
-    ended?;
-    let shard = options.shard.map(|shard| shard.to_string());
-    let outcome = Outcome { recomputed, shard, ..Outcome::new(provenance, out, &store, counts) };
-    if one_file && outcome.complete {
-        if out.exists() && !options.overwrite {
+            parts.extend(pending.into_iter().map(|(n, bytes)| (n, PartSource::Memory(bytes))));
+            write_whole(provenance, parts, out, options.overwrite)?;
+            folder.remove(0..provenance.parts())?;
+        } else {
             folder.write(&mut pending)?;
-            return Err(CampaignError::Appeared(out.into()));
         }
-        places.extend(pending.into_iter().map(|(n, bytes)| (n, PartSource::Memory(bytes))));
-        write_whole(provenance, places, out, options.overwrite)?;
-        folder.remove(0..provenance.parts())?;
-    } else {
-        folder.write(&mut pending)?;
+        Ok(outcome)
     }
-    Ok(outcome)
-}
 
-/// One part; `None` where the run is to end.
-fn compute(
-    plan: &Plan,
-    provenance: &Provenance,
-    number: u64,
-    halted: &impl Fn() -> bool,
-) -> Option<Result<Done>> {
-    let mut table = Table::new(&provenance.layout);
-    let (mut points, mut failed) = (0, 0);
-    for muscle in provenance.muscles_of(number) {
-        if halted() {
-            return None;
+    /// One part; `None` where the run is to end.
+    fn compute(&self, number: u64, halted: &impl Fn() -> bool) -> Option<Result<Done>> {
+        let provenance = self.provenance;
+        let mut table = Table::new(&provenance.layout);
+        let (mut points, mut failed) = (0, 0);
+        for muscle in provenance.muscles_of(number) {
+            if halted() {
+                return None;
+            }
+            let rows = solve::rows(self.plan, muscle);
+            // Rows of a run that was ended meanwhile are not complete.
+            if halted() {
+                return None;
+            }
+            for row in rows {
+                points += 1;
+                failed += u64::from(!row.status.is_ok());
+                table.push(row);
+            }
         }
-        let rows = solve::rows(plan, muscle);
-        // What ended meanwhile did not come to its rows.
-        if halted() {
-            return None;
-        }
-        for row in rows {
-            points += 1;
-            failed += u64::from(!row.status.is_ok());
-            table.push(row);
-        }
+        Some(part(provenance, number, table).map(|bytes| Done { part: number, bytes, points, failed }))
     }
-    Some(part(provenance, number, table).map(|bytes| Done { part: number, bytes, points, failed }))
 }

@@ -35,7 +35,7 @@ impl Shard {
     }
 
     /// The share of a file's name.
-    pub(in crate::campaign) fn of_file_name(name: &str) -> Option<Self> {
+    pub(in crate::campaign) fn from_file_name(name: &str) -> Option<Self> {
         let (index, count) = name.split_once("-of-")?;
         Self::new(index.parse().ok()?, count.parse().ok()?)
     }

@@ -69,17 +69,17 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
     let marker = match (Marker::read(folder), parts.values().next()) {
         (Some(marker), _) => marker,
         // The parts of one file, or copies.
-        (None, Some(part)) => Marker::of(&Opened::file(part)?.provenance),
+        (None, Some(part)) => Marker::new(&Opened::file(part)?.provenance),
         (None, None) => {
             let why = "there is neither a part nor a note of a plan in it".into();
             return Err(CampaignError::NoCampaign(folder.into(), why));
         }
     };
-    let mut there = BTreeSet::new();
+    let mut whole = BTreeSet::new();
     let mut damaged = vec![];
     for (number, path) in parts.into_iter().filter(|part| part.0 < marker.parts) {
         match Opened::file(&path) {
-            Ok(_) => drop(there.insert(number)),
+            Ok(_) => drop(whole.insert(number)),
             // Another process has just replaced or removed it.
             Err(CampaignError::Read(_, ReadError::System(e))) if e.kind() == ErrorKind::NotFound => {}
             Err(error @ CampaignError::Read { .. }) => return Err(error),
@@ -90,7 +90,7 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
     let one = |index| {
         let shard = Shard::new(index, count)?;
         let parts_wanted = shard.blocks(marker.parts).count() as u64;
-        let parts = shard.blocks(marker.parts).filter(|part| there.contains(part)).count() as u64;
+        let parts = shard.blocks(marker.parts).filter(|part| whole.contains(part)).count() as u64;
         let state = if parts == parts_wanted {
             ShardState::Done
         } else if Folder::is_locked(folder, shard) {
@@ -101,16 +101,16 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
         Some(ShardStatus { shard: shard.to_string(), state, parts, parts_wanted })
     };
     let shards: Vec<ShardStatus> = (1..=count).filter_map(one).collect();
-    let of = |state| shards.iter().filter(|s| s.state == state).count() as u64;
+    let count_of = |state| shards.iter().filter(|s| s.state == state).count() as u64;
     Ok(CampaignStatus {
         output: folder.into(),
-        complete: there.len() as u64 == marker.parts,
-        parts: there.len() as u64,
+        complete: whole.len() as u64 == marker.parts,
+        parts: whole.len() as u64,
         parts_wanted: marker.parts,
         shards_wanted: count,
-        shards_done: of(ShardState::Done),
-        shards_running: of(ShardState::Running),
-        shards_missing: of(ShardState::Missing),
+        shards_done: count_of(ShardState::Done),
+        shards_running: count_of(ShardState::Running),
+        shards_missing: count_of(ShardState::Missing),
         shards,
         damaged,
         plan_sha256: marker.plan_sha256,

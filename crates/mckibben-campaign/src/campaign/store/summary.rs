@@ -1,4 +1,4 @@
-//! What a campaign holds, in a few figures.
+//! The content of a campaign in a few numbers.
 
 use super::{Field, Folder, Opened, Provenance, Which};
 use crate::PointRow;
@@ -46,13 +46,13 @@ pub struct Summary {
     pub answered: u64,
     /// Rows without an answer by their status.
     pub failed: BTreeMap<Status, Failed>,
-    /// Smallest and largest value of what was asked and of what came out, in the order of the columns.
+    /// Smallest and largest value of inputs and answers, in the order of the columns.
     pub ranges: Vec<Extent>,
     /// Bytes on the disk.
     pub bytes: u64,
     /// Parts that are missing, of a folder.
     pub missing_parts: u64,
-    /// Files that are damaged, with what is wrong.
+    /// Damaged files, with their damage.
     pub damaged: Vec<String>,
     /// Where it comes from.
     #[serde(flatten)]
@@ -96,7 +96,7 @@ impl Summary {
 
     fn finished(mut self) -> Self {
         self.muscles = self.points / self.provenance.points_per_muscle.max(1);
-        // What no row has.
+        // Columns that no row has.
         self.ranges.retain(|r| r.smallest <= r.largest);
         self.complete = self.points == self.points_wanted;
         self
@@ -112,7 +112,7 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary> {
         out.add_file(opened, path)?;
         return Ok(out.finished());
     }
-    let (mut out, mut damaged, mut there): (Option<Summary>, _, u64) = (None, vec![], 0);
+    let (mut out, mut damaged, mut whole): (Option<Summary>, _, u64) = (None, vec![], 0);
     for (number, part) in Folder::parts(path)? {
         let opened = Opened::file(&part).and_then(Opened::checked).and_then(|opened| {
             let first = out.as_ref().map_or(&opened.provenance, |out| &out.provenance).clone();
@@ -122,7 +122,7 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary> {
             Ok(opened) => {
                 let new = || Summary::new(opened.provenance.clone());
                 out.get_or_insert_with(new).add_file(opened, &part)?;
-                there += 1;
+                whole += 1;
             }
             Err(CampaignError::Damaged(_, why) | CampaignError::NoCampaign(_, why)) => {
                 damaged.push(format!("{}: {why}", part.display()));
@@ -134,7 +134,7 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary> {
         let why = if damaged.is_empty() { "there is no part in it".into() } else { damaged.join("; ") };
         return Err(CampaignError::NoCampaign(path.into(), why));
     };
-    out.missing_parts = out.provenance.parts().saturating_sub(there);
+    out.missing_parts = out.provenance.parts().saturating_sub(whole);
     out.damaged = damaged;
     Ok(out.finished())
 }

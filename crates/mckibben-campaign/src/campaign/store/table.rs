@@ -7,24 +7,24 @@ use crate::columns::Slot;
 use mckibben_io::parquet::{Column, Text};
 use std::sync::Arc;
 
-/// Adds what a row has in a field.
+/// Adds the value of a row in a field.
 fn push(column: &mut Column, field: &Field, row: &mut PointRow) {
     match (column, field.slot(row)) {
         (Column::Int64(c), Slot::Whole(v)) => c.push(*v as i64),
         (Column::Int32(c), Slot::Count(v)) => c.push(i32::try_from(*v).unwrap_or(i32::MAX)),
         (Column::Double(c), Slot::Number(v)) => c.push(*v),
         (Column::Double(c), Slot::Constants(list) | Slot::Measures(list)) => {
-            c.push(field.of(list).unwrap_or(0.0));
+            c.push(field.value_in(list).unwrap_or(0.0));
         }
         (Column::Optional(c), Slot::Optional(v)) => c.push(*v),
-        (Column::Optional(c), Slot::Sensitivities(list)) => c.push(field.of(list)),
+        (Column::Optional(c), Slot::Sensitivities(list)) => c.push(field.value_in(list)),
         (Column::Text(c), Slot::Text(v)) => c.push(Text::from(v.as_str())),
         (Column::Text(c), Slot::Status(v)) => c.push(Text::from(v.to_string().as_str())),
         _ => {}
     }
 }
 
-/// Puts line `i` into a row; what is wrong with it otherwise.
+/// Puts line `i` into a row, or the error in it.
 fn fill(column: &Column, i: usize, field: &Field, row: &mut PointRow) -> Option<Result<(), String>> {
     let text = |c: &[Text]| Some(c.get(i)?.as_utf8().unwrap_or("").to_owned());
     match (column, field.slot(row)) {
@@ -65,7 +65,7 @@ impl Table {
         Self { columns: fields.iter().map(Field::kind).collect(), fields, rows: 0 }
     }
 
-    pub(super) fn of(fields: &Arc<[Field]>, columns: Vec<Column>, rows: usize) -> Self {
+    pub(super) fn from_columns(fields: &Arc<[Field]>, columns: Vec<Column>, rows: usize) -> Self {
         Self { fields: fields.clone(), columns, rows }
     }
 
@@ -89,7 +89,7 @@ impl Table {
         self.rows += to - from;
     }
 
-    /// Row `i`, or what is wrong with it.
+    /// Row `i`, or the error in it.
     pub(crate) fn row(&self, i: usize) -> Result<PointRow, String> {
         let mut row = PointRow::default();
         for (column, field) in self.columns.iter().zip(self.fields.iter()) {

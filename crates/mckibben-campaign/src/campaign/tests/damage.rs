@@ -72,7 +72,7 @@ fn a_run_recomputes_damaged_parts_and_names_them() {
 }
 
 #[test]
-fn a_shard_touches_only_its_own_damaged_parts() {
+fn a_shard_touches_only_its_damaged_parts() {
     let dir = folder();
     run_to(dir.path());
     std::fs::write(part(dir.path(), 4), b"").unwrap();
@@ -113,7 +113,7 @@ fn another_plan_or_version_is_refused_with_a_hint() {
     }
     assert!(before == (bytes(&part(&store, 0)), bytes(&file)), "both are as they were");
 
-    let older = Provenance { version: "0.0.9".into(), ..Provenance::of(&plan()) };
+    let older = Provenance { version: "0.0.9".into(), ..Provenance::for_plan(&plan()) };
     let bytes = encode(&older, 0, table_of(&plan(), 0)).unwrap();
     std::fs::write(part(&store, 0), bytes).unwrap();
     let error = run(&plan(), &store, &RunOptions::default(), &Silent).unwrap_err();
@@ -123,7 +123,7 @@ fn another_plan_or_version_is_refused_with_a_hint() {
 }
 
 fn table_of(plan: &Plan, muscle: u64) -> Table {
-    let mut table = Table::new(&Layout::of(plan));
+    let mut table = Table::new(&Layout::for_plan(plan));
     crate::campaign::solve::rows(plan, muscle).into_iter().for_each(|row| table.push(row));
     table
 }
@@ -135,7 +135,7 @@ fn parts_that_claim_the_same_and_differ_are_a_conflict() {
     run_to(&one);
     std::fs::create_dir(&other).unwrap();
     // The rows of muscle 4 under the name of muscle 3.
-    let forged = encode(&Provenance::of(&plan()), 3, table_of(&plan(), 4)).unwrap();
+    let forged = encode(&Provenance::for_plan(&plan()), 3, table_of(&plan(), 4)).unwrap();
     std::fs::write(part(&other, 3), forged).unwrap();
     assert_eq!(Opened::file(&part(&other, 3)).unwrap().which, Which::Part(3));
     let error = merge(&[one, other], &dir.path().join("m.parquet"), false).unwrap_err();
@@ -218,7 +218,7 @@ fn foreign_parquet() -> Vec<u8> {
 }
 
 #[test]
-fn what_is_not_of_a_campaign_is_lost_only_where_that_is_asked_for() {
+fn files_of_something_else_are_replaced_only_with_overwrite() {
     let dir = folder();
     let expected = reference(&dir);
     let theirs = foreign_parquet();
@@ -246,7 +246,7 @@ fn what_is_not_of_a_campaign_is_lost_only_where_that_is_asked_for() {
 }
 
 #[test]
-fn a_campaign_of_another_plan_is_replaced_where_that_is_asked_for() {
+fn a_campaign_of_another_plan_is_replaced_with_overwrite() {
     let dir = folder();
     let expected = reference(&dir);
     let other = Plan::parse(&PLAN.replace("samples = 12", "samples = 20")).unwrap();
@@ -299,7 +299,7 @@ fn foreign_files_among_the_parts_of_a_finished_campaign_stay() {
 #[test]
 fn numbers_that_a_file_only_claims_are_not_counted_to() {
     let dir = folder();
-    let many = Provenance { muscles: u64::MAX, ..Provenance::of(&plan()) };
+    let many = Provenance { muscles: u64::MAX, ..Provenance::for_plan(&plan()) };
     std::fs::write(part(dir.path(), 0), encode(&many, 0, table_of(&plan(), 0)).unwrap()).unwrap();
     let error = read(dir.path()).unwrap_err().to_string();
     assert!(error.contains("18446744073709551614 of 18446744073709551615 parts are missing"), "{error}");

@@ -12,7 +12,7 @@ fn run_plan(text: &str) -> Vec<PointRow> {
     read(&out).unwrap()
 }
 
-/// Rows are the finite elements' own answers, and their derivatives those of the forces around them.
+/// Rows are the answers of the finite elements, and their derivatives those of the forces around them.
 #[test]
 fn rows_are_what_the_model_says_and_derivatives_are_those_of_the_forces() {
     let text = "[vary]\ntube.outer_diameter = \"30,45\"\n\
@@ -95,7 +95,7 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
          [test]\ncontractions = \"0..0.5:0.05\"\npressures = \"0..0.09:0.01\"\n",
     )
     .unwrap();
-    let provenance = Provenance::of(&plan);
+    let provenance = Provenance::for_plan(&plan);
     assert_eq!(plan.points(), 77_000);
     let blank = run_plan("[test]\ncontractions = 0\npressures = 0.1\nmesh = \"3\"\n").remove(0);
     let row = |i: u64| PointRow {
@@ -109,7 +109,7 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
     let mut files = vec![];
     for cut in [1000, 33_333] {
         let tables = (0..77_000_u64).step_by(cut).map(|from| {
-            let mut table = Table::new(&Layout::of(&plan));
+            let mut table = Table::new(&Layout::for_plan(&plan));
             (from..77_000.min(from + cut as u64)).for_each(|i| table.push(row(i)));
             Ok(table)
         });
@@ -119,8 +119,8 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
         files.push(bytes(&path));
         assert_eq!(Opened::file(&path).unwrap().tables().count(), 2);
         let mut count = 0;
-        for (i, found) in super::super::rows(&path).unwrap().enumerate() {
-            assert_eq!(found.unwrap(), row(i as u64));
+        for (i, read) in super::super::rows(&path).unwrap().enumerate() {
+            assert_eq!(read.unwrap(), row(i as u64));
             count += 1;
         }
         assert_eq!(count, 77_000);
@@ -128,7 +128,7 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
     assert!(files[0] == files[1]);
 }
 
-/// A plan with the three-dimensional model: rows are that model's own answers.
+/// A plan with the three-dimensional model: rows are the answers of that model.
 #[test]
 fn rows_of_a_plan_with_fe3d_are_what_that_model_says() {
     let text = "[vary]\ntube.outer_diameter = \"30,30.5\"\n\
@@ -144,7 +144,7 @@ fn rows_of_a_plan_with_fe3d_are_what_that_model_says() {
     }
 }
 
-/// What varies without a column in every table has one of its own, in files as in memory.
+/// An axis without a column in every table has a separate one, in files as in memory.
 #[test]
 fn measures_that_vary_are_in_the_file() {
     let rows = run_plan(

@@ -10,7 +10,7 @@ use mckibben::threads;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use serde::Serialize;
 
-/// Contractions a muscle is asked, as tenths of the ideal muscle's largest.
+/// Contractions of a muscle, as tenths of the ideal muscle's largest.
 const STEPS: u32 = 10;
 /// Draws until a pressure keeps the strands under their largest strain.
 const DRAWS: usize = 100;
@@ -24,7 +24,7 @@ fn random(r: &mut Random, law: MakeLaw<'_>) -> Option<(Muscle, f64)> {
     let angle_deg = r.between(20.0, 35.0);
     let mu = r.log(0.08, 0.8);
     let k = outer_diameter_mm * r.log(4.0, 40.0);
-    let rubber = Rubber::of(law(mu, r.unit()));
+    let rubber = Rubber::new(law(mu, r.unit()));
     let sin = angle_deg.to_radians().sin();
     let fits =
         |p: f64| (0.1..=5.0).contains(&(p / mu)) && p * outer_diameter_mm / (4.0 * sin * sin * k) <= 0.06;
@@ -47,14 +47,8 @@ pub fn held_out_samples(count: usize, seed: u64) -> Vec<Sample> {
 
 fn drawn(count: usize, seed: u64, law: MakeLaw<'_>) -> Vec<Sample> {
     let mut r = Random(seed);
-    let mut muscles = vec![];
-    for _ in 0..20 * count {
-        if muscles.len() == count {
-            break;
-        }
-        muscles.extend(random(&mut r, law));
-    }
-    let numbered: Vec<_> = muscles.into_iter().enumerate().collect();
+    let muscles = (0..20 * count).filter_map(|_| random(&mut r, law)).take(count);
+    let numbered: Vec<_> = muscles.enumerate().collect();
     threads::map(&numbered, |(i, (m, p))| solved(*i, m, *p)).into_iter().flatten().collect()
 }
 
@@ -67,7 +61,7 @@ fn solved(number: usize, muscle: &Muscle, pressure_mpa: f64) -> Option<Sample> {
         let r = fe.response(workspace, pressure_mpa, contraction).ok().filter(|r| r.force_n > 0.0)?;
         Some(PullPoint { pressure_mpa, contraction, force_n: r.force_n, blocked_n, volume_mm3: r.volume_mm3 })
     };
-    // Up to where it ceases to pull: what may come behind is a tube that has collapsed.
+    // Up to the first point without a pull: behind it a tube may have collapsed.
     let points = (0..=STEPS).map_while(point).collect();
     Some(Sample { number: number as u64, muscle: muscle.clone(), points })
 }

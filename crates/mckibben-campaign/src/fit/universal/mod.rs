@@ -1,12 +1,12 @@
 //! `--method universal`: the end deficit of [`mckibben::model::Universal`] from a campaign of muscles of every make.
 //!
-//! Each point where the finite elements pull says which δ gives their pull: F∞(λ) = F_FE gives λ, then
-//! δ = ½L0 (1 − λ − ε). The form without its terms has a δ of its own (the membrane's, or none); the terms are linear in
+//! Each point where the finite elements pull gives the δ of their pull: F∞(λ) = F_FE gives λ, then
+//! δ = ½L0 (1 − λ − ε). The form without its terms has a δ (that of the membrane, or none); the terms are linear in
 //! their coefficients, so that
 //!
 //!   Σ w² (dF/dδ · (δ − δ_form − Σ c · column)/F_blocked)² → min
 //!
-//! is one linear problem in what errors are stated in. dF/dδ is the model's own, at fixed ε. w = 1, and 0.3 below P = 0.1 μ where muscles
+//! is one linear problem in the stated errors. dF/dδ is that of the model, at fixed ε. w = 1, and 0.3 below P = 0.1 μ where muscles
 //! hardly pull. Errors are those of the finished model, which solves for λ itself; and of models fitted to four
 //! fifths of the muscles on the last fifth.
 
@@ -28,7 +28,7 @@ use nalgebra::{DMatrix, DVector};
 pub use points::{PullPoint, Sample, samples, shares, summary};
 use std::sync::Arc;
 
-/// The box that is asked of the campaign; what it does not fill is cut from it.
+/// The box of the campaign; it is cut to the muscles of the table.
 pub const RANGE: UniversalRange = UniversalRange {
     wall_ratio: (0.02, 0.17),
     length_ratio: (5.0, f64::INFINITY),
@@ -47,7 +47,8 @@ const MARGIN: f64 = 0.12;
 const FOLDS: u64 = 5;
 
 #[derive(Debug, Clone)]
-pub struct UniversalRequest {
+pub struct UniversalRequest<'a> {
+    pub samples: &'a [Sample],
     pub form: Form,
     /// Name of the formula.
     pub name: String,
@@ -67,11 +68,8 @@ struct Equation {
 /// # Errors
 /// [`FitError`] where the table has no point that pulls inside of the box, or too few, and where the caller wanted it to
 /// end.
-pub fn universal(
-    samples: &[Sample],
-    request: &UniversalRequest,
-    progress: &dyn Progress,
-) -> Result<UniversalFormula> {
+pub fn universal(request: &UniversalRequest<'_>, progress: &dyn Progress) -> Result<UniversalFormula> {
+    let samples = request.samples;
     let steps = FOLDS as usize + 2;
     let step = |done: usize| {
         progress.report(done, steps);
@@ -93,7 +91,7 @@ pub fn universal(
         },
         provenance: Provenance {
             method: format!("universal ({method}; {} terms)", products.len()),
-            data_hash: hash::of_numbers(numbers(samples)),
+            data_hash: hash::numbers(numbers(samples)),
             ..request.from.clone()
         },
     };
@@ -104,21 +102,21 @@ pub fn universal(
         let deficit = Deficit { form: request.form, terms };
         Arc::new(UniversalFormula { deficit, ..empty.clone() })
     };
-    let formula = with(solve(&products, equations.iter())?);
-    let errors_of = |formula: &Arc<UniversalFormula>, chosen: &(dyn Fn(u64) -> bool + Sync)| {
+    let formula = with(solve(&products, &equations.iter().collect::<Vec<_>>())?);
+    let errors = |formula: &Arc<UniversalFormula>, chosen: &(dyn Fn(u64) -> bool + Sync)| {
         let build = |s: &Sample| -> Option<Box<dyn ForceModel>> {
             chosen(s.number)
                 .then(|| Box::new(Universal::new(formula.clone(), &s.muscle)) as Box<dyn ForceModel>)
         };
         shares(samples, build, |s, p| inside(s, p, &empty.range, 0.0))
     };
-    let fit = summary(&errors_of(&formula, &|_| true));
+    let fit = summary(&errors(&formula, &|_| true));
     let mut left_out = vec![];
     for fold in 0..FOLDS {
         step(2 + fold as usize)?;
-        let kept = equations.iter().filter(|e| e.muscle % FOLDS != fold);
-        let of_others = with(solve(&products, kept)?);
-        left_out.extend(errors_of(&of_others, &|number| number % FOLDS == fold));
+        let kept: Vec<&Equation> = equations.iter().filter(|e| e.muscle % FOLDS != fold).collect();
+        let of_others = with(solve(&products, &kept)?);
+        left_out.extend(errors(&of_others, &|number| number % FOLDS == fold));
     }
     let mut done = Arc::unwrap_or_clone(formula);
     done.errors.fit = fit;
@@ -142,8 +140,8 @@ fn inside(s: &Sample, p: &PullPoint, range: &UniversalRange, margin: f64) -> boo
 
 /// The box, cut to what the muscles fill.
 fn range(samples: &[Sample]) -> UniversalRange {
-    let cut = |(low, high): (f64, f64), of: &dyn Fn(&Sample) -> f64| {
-        let values = samples.iter().map(of);
+    let cut = |(low, high): (f64, f64), value: &dyn Fn(&Sample) -> f64| {
+        let values = samples.iter().map(value);
         let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
         (low.max(least), if high.is_finite() { high.min(most) } else { high })
     };
@@ -157,7 +155,7 @@ fn range(samples: &[Sample]) -> UniversalRange {
 
 fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]]) -> Vec<Equation> {
     let formula = Arc::new(empty.clone());
-    let of_sample = |s: &Sample| {
+    let equations = |s: &Sample| {
         let model = Universal::new(formula.clone(), &s.muscle);
         let mu = s.muscle.tube().rubber.law.shear_modulus_mpa();
         let one = |p: &PullPoint| {
@@ -178,40 +176,33 @@ fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]])
         let chosen = s.points.iter().filter(|p| inside(s, p, &empty.range, MARGIN));
         chosen.filter_map(one).collect::<Vec<_>>()
     };
-    threads::map(samples, of_sample).into_iter().flatten().collect()
+    threads::map(samples, equations).into_iter().flatten().collect()
 }
 
 /// Least squares by Householder's QR; coefficients are rounded to nine digits.
-fn solve<'a>(
-    products: &[[u8; 5]],
-    equations: impl Iterator<Item = &'a Equation>,
-) -> Result<Vec<UniversalTerm>> {
-    let list: Vec<&Equation> = equations.collect();
-    let (rows, columns) = (list.len(), products.len());
+fn solve(products: &[[u8; 5]], equations: &[&Equation]) -> Result<Vec<UniversalTerm>> {
+    let (rows, columns) = (equations.len(), products.len());
     if rows < 2 * columns {
         return Err(FitError::empty(" inside of the box of the method universal, or too few of them"));
     }
-    let matrix = DMatrix::from_fn(rows, columns, |i, j| list[i].left[j]);
-    let right = DVector::from_fn(rows, |i, _| list[i].right);
+    let matrix = DMatrix::from_fn(rows, columns, |i, j| equations[i].left[j]);
+    let right = DVector::from_fn(rows, |i, _| equations[i].right);
     let qr = matrix.qr();
     let turned = qr.q().transpose() * right;
     let solved = qr.r().solve_upper_triangular(&turned).filter(|x| x.iter().all(|v| v.is_finite()));
     let x = solved.ok_or_else(|| FitError::singular("the universal formula"))?;
     let rounded = |v: f64| format!("{v:.8e}").parse().unwrap_or(v);
-    Ok(products
-        .iter()
-        .zip(x.iter())
-        .map(|(&powers, &v)| UniversalTerm { powers, value: rounded(v) })
-        .collect())
+    let term = |(&powers, &v): (&[u8; 5], &f64)| UniversalTerm { powers, value: rounded(v) };
+    Ok(products.iter().zip(x.iter()).map(term).collect())
 }
 
 /// All numbers of the muscles and their points, in their order.
 fn numbers(samples: &[Sample]) -> impl Iterator<Item = f64> {
     samples.iter().flat_map(|s| {
         let m = &s.muscle;
-        let own = [m.outer_diameter_mm(), m.wall_mm(), m.length_mm(), m.braid().angle_deg];
+        let measures = [m.outer_diameter_mm(), m.wall_mm(), m.length_mm(), m.braid().angle_deg];
         let points = s.points.iter().flat_map(|p| [p.pressure_mpa, p.contraction, p.force_n, p.blocked_n]);
-        own.into_iter().chain(points)
+        measures.into_iter().chain(points)
     })
 }
 

@@ -34,7 +34,7 @@ pub struct Sample {
 
 fn muscle(row: &PointRow) -> Option<Muscle> {
     let constants: Vec<f64> = row.constants.iter().map(|c| c.1).collect();
-    let rubber = Rubber::of(Law::named(&row.law, &constants)?.validated().ok()?);
+    let rubber = Rubber::new(Law::named(&row.law, &constants)?.validated().ok()?);
     let stiffness =
         row.stiffness_of_braid_n_per_mm.map_or(BraidStiffness::Inextensible, BraidStiffness::NewtonPerMm);
     let tube = Tube::new(row.outer_diameter_mm, row.wall_mm, row.length_mm, rubber);
@@ -71,11 +71,11 @@ pub fn samples(rows: &[PointRow]) -> Result<Vec<Sample>> {
     if out.is_empty() { Err(FitError::empty(" where the muscle pulls")) } else { Ok(out) }
 }
 
-/// The difference of a model to each point it is asked, as shares of the blocked force; infinite where it has no answer.
+/// The errors of a model at the compared points, as shares of the blocked force; infinite where it has no answer.
 pub fn shares(
     samples: &[Sample],
     build: impl Fn(&Sample) -> Option<Box<dyn ForceModel>> + Sync,
-    asked: impl Fn(&Sample, &PullPoint) -> bool + Sync,
+    compared: impl Fn(&Sample, &PullPoint) -> bool + Sync,
 ) -> Vec<Vec<f64>> {
     let one = |s: &Sample| {
         let Some(model) = build(s) else { return vec![] };
@@ -84,7 +84,7 @@ pub fn shares(
             let force = model.force_n(&mut workspace, p.pressure_mpa, p.contraction);
             force.map_or(f64::INFINITY, |f| (f - p.force_n) / p.blocked_n)
         };
-        s.points.iter().filter(|p| asked(s, p)).map(share).collect()
+        s.points.iter().filter(|p| compared(s, p)).map(share).collect()
     };
     threads::map(samples, one)
 }

@@ -1,6 +1,6 @@
 //! The report as PDF, printed by a browser.
 
-use crate::{Failure, progress};
+use crate::{Problem, progress};
 use mckibben_app::ProblemKind;
 use std::process::{Command, Stdio};
 use std::{fs::File, io, time::Duration};
@@ -16,7 +16,7 @@ const TICK: Duration = Duration::from_millis(20);
 const SWEEPS: usize = 20;
 
 /// A browser that prints.
-pub(super) fn browser() -> Result<&'static str, Failure> {
+pub(super) fn browser() -> Result<&'static str, Problem> {
     let names = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "msedge"];
     let runs = |name: &&&str| {
         let quiet = Command::new(name).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
@@ -25,15 +25,15 @@ pub(super) fn browser() -> Result<&'static str, Failure> {
     names.iter().find(runs).copied().ok_or_else(|| {
         let message = "a PDF needs Chromium or Chrome, which is not installed";
         let hint = "install chromium, or write FILE.html and print that from any browser";
-        Failure::input(ProblemKind::Output, message, hint)
+        Problem::new(ProblemKind::Output, message, hint)
     })
 }
 
 /// The page as PDF.
-pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Failure> {
+pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Problem> {
     let wrong = |why: io::Error| {
         let message = format!("{browser} could not print the page: {why}");
-        Failure::input(ProblemKind::Output, message, "print the HTML page")
+        Problem::new(ProblemKind::Output, message, "print the HTML page")
     };
     let (folder, _lock) = folder().map_err(&wrong)?;
     let (page, pdf) = (folder.path().join("report.html"), folder.path().join("report.pdf"));
@@ -42,7 +42,7 @@ pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Failure> {
     flags.push(format!("--user-data-dir={}", folder.path().join("profile").display()));
     flags.push(format!("--print-to-pdf={}", pdf.display()));
     if is_root() {
-        // Its sandbox refuses to work for root; the page is our own and has no script.
+        // Its sandbox refuses to work for root; the page is made here and has no script.
         flags.push("--no-sandbox".into());
     }
     let said = File::create(folder.path().join("said")).map_err(&wrong)?;
@@ -73,7 +73,7 @@ pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Failure> {
     std::fs::read(&pdf).map_err(&wrong)
 }
 
-/// A folder that nobody else can write to, also for the browser's profile, with the lock that holds it. Those that killed programs left are removed.
+/// A folder of this user alone, also for the browser's profile, with the lock that holds it. Those that killed programs left are removed.
 fn folder() -> io::Result<(TempDir, File)> {
     for entry in std::fs::read_dir(std::env::temp_dir()).into_iter().flatten().flatten() {
         let left = |lock: File| lock.try_lock().is_ok();

@@ -10,8 +10,8 @@ use super::c::{rendered, sources};
 use super::zip::zip;
 use crate::form::NODES;
 use crate::template::render;
-use crate::{Artefact, ExportError, ExportedMuscle, File, Target};
-use variables::{Variable, settings};
+use crate::{Artefact, ExportedMuscle, File, Result, Target};
+use variables::{Variable, description, settings};
 
 pub(super) const TARGET: Target = Target {
     name: "fmu",
@@ -21,7 +21,14 @@ pub(super) const TARGET: Target = Target {
     make,
 };
 
-/// What drives a unit.
+/// A version of FMI.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Version {
+    Second,
+    Third,
+}
+
+/// The input of a unit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Pressure,
@@ -57,13 +64,13 @@ const SYSTEMS: [System; 4] = [
 const MACOS: [&[u8]; 2] =
     [include_bytes!("../../../binaries/x86_64-darwin"), include_bytes!("../../../binaries/aarch64-darwin")];
 
-fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
+fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     let files = [units(muscle, Kind::Pressure)?, units(muscle, Kind::Valve)?].concat();
     Ok(Artefact { files, notes: vec![] })
 }
 
 /// The unit of a kind in both versions of FMI.
-fn units(muscle: &ExportedMuscle, kind: Kind) -> Result<[File; 2], ExportError> {
+fn units(muscle: &ExportedMuscle, kind: Kind) -> Result<[File; 2]> {
     let (id, facts) = (muscle.identifier(), muscle.facts());
     let (about, [second_ending, third_ending], what) = match kind {
         Kind::Pressure => ("", [".fmu", "_fmi3.fmu"], "the unit, FMI 2.0"),
@@ -79,10 +86,6 @@ fn units(muscle: &ExportedMuscle, kind: Kind) -> Result<[File; 2], ExportError> 
         ("units", include_str!("../../../templates/fmu_units.xml").trim_end().into()),
         ("events", variables::events(&variables).to_string()),
     ];
-    let described = |template: &str, (list, structure): (String, String)| {
-        let own = [("variables", list), ("structure", structure)];
-        render(template, &facts, &[&values[..], &own].concat()).into_bytes()
-    };
     let source = |template: &str| rendered(template, muscle).into_bytes();
     let mut common = vec![
         ("resources/muscle.bin".to_owned(), resource(muscle, &token, &variables)),
@@ -93,34 +96,26 @@ fn units(muscle: &ExportedMuscle, kind: Kind) -> Result<[File; 2], ExportError> 
     for file in sources(muscle).into_iter().filter(|file| file.name.starts_with("mckibben.")) {
         common.push((format!("sources/{}", file.name), file.content.bytes().to_vec()));
     }
-    let unit = |own: Vec<(String, Vec<u8>)>| {
-        let all: Vec<(&str, &[u8])> =
-            own.iter().chain(&common).map(|(name, bytes)| (name.as_str(), bytes.as_slice())).collect();
-        zip(&all)
+    let unit = |version, template: &str, files: Vec<(String, Vec<u8>)>| {
+        let (list, structure) = description(&variables, version);
+        let places = [&values[..], &[("variables", list), ("structure", structure)]].concat();
+        let description = render(template, &facts, &places).into_bytes();
+        let all = std::iter::once(("modelDescription.xml".to_owned(), description)).chain(files);
+        zip(all.chain(common.iter().cloned()))
     };
     let library = |folder: &str, ending: &str| format!("binaries/{folder}/{id}.{ending}");
-    let description = "modelDescription.xml".to_owned();
-    let mut second = vec![(
-        description.clone(),
-        described(include_str!("../../../templates/fmu2.xml"), variables::second(&variables)),
-    )];
-    let mut third = vec![
-        (description, described(include_str!("../../../templates/fmu3.xml"), variables::third(&variables))),
-        (
-            "sources/buildDescription.xml".to_owned(),
-            render(include_str!("../../../templates/fmu3_build.xml"), &facts, &values).into_bytes(),
-        ),
-    ];
+    let build = render(include_str!("../../../templates/fmu3_build.xml"), &facts, &values).into_bytes();
+    let (mut second, mut third) = (vec![], vec![("sources/buildDescription.xml".to_owned(), build)]);
     for system in SYSTEMS {
         third.push((library(system.third, system.ending), system.library.to_vec()));
-        if let Some(folder) = system.second {
-            second.push((library(folder, system.ending), system.library.to_vec()));
-        }
+        second.extend(system.second.map(|folder| (library(folder, system.ending), system.library.to_vec())));
     }
     second.push((library("darwin64", "dylib"), universal(&MACOS)));
+    let second = unit(Version::Second, include_str!("../../../templates/fmu2.xml"), second)?;
+    let third = unit(Version::Third, include_str!("../../../templates/fmu3.xml"), third)?;
     Ok([
-        File::bytes(id.clone() + second_ending, what, unit(second)?),
-        File::bytes(id.clone() + third_ending, "the same, FMI 3.0", unit(third)?),
+        File::bytes(id.clone() + second_ending, what, second),
+        File::bytes(id.clone() + third_ending, "the same, FMI 3.0", third),
     ])
 }
 

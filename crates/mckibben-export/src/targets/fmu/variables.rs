@@ -1,6 +1,6 @@
-//! The variables of a unit, and what `modelDescription.xml` has of them in both versions of FMI.
+//! The variables of a unit, and their part of `modelDescription.xml` in both versions of FMI.
 
-use super::Kind;
+use super::{Kind, Version};
 use crate::ExportedMuscle;
 use crate::template::number;
 use std::fmt::Write as _;
@@ -20,7 +20,7 @@ enum Role {
 }
 use Role::{Event, Fixed, Input, Local, Output, State, Status, Tunable};
 
-/// The word of each role in the table, and what a description says of it.
+/// The word of each role in the table, and its attributes in a description.
 const ROLES: [(&str, Role, &str); 8] = [
     ("input", Input, "causality=\"input\" variability=\"continuous\""),
     ("fixed", Fixed, "causality=\"parameter\" variability=\"fixed\" initial=\"exact\""),
@@ -64,7 +64,7 @@ pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
     let table = include_str!("../../../templates/fmu_variables.tsv").lines().skip(1);
     let one = |line: &'static str| {
         let cells: Vec<&str> = line.split('\t').collect();
-        let &[of, name, word, state, unit, on, start, low, high, nominal, about] = &cells[..] else {
+        let &[kind, name, word, state, unit, on, start, low, high, nominal, about] = &cells[..] else {
             return None;
         };
         let role = ROLES.iter().find(|role| role.0 == word)?.1;
@@ -84,7 +84,7 @@ pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
             derivative_of: Some(state).filter(|state| *state != "-"),
             on: on.split(' ').filter(|name| *name != "-").collect(),
         })
-        .filter(|_| of != other)
+        .filter(|_| kind != other)
     };
     table.filter_map(one).collect()
 }
@@ -118,11 +118,12 @@ fn attribute(name: &str, value: Option<String>) -> String {
 }
 
 impl Variable {
-    /// With its value at the start, its least and largest value, and its usual size.
+    /// Its causality and variability.
     fn nature(&self) -> &'static str {
         ROLES.iter().find(|role| role.1 == self.role).map_or("", |role| role.2)
     }
 
+    /// Its start, unit, range and nominal value.
     fn values(&self) -> String {
         if self.role == Status {
             return String::new();
@@ -148,75 +149,61 @@ impl Variable {
     }
 }
 
-/// `ModelVariables` and `ModelStructure` of FMI 2.0, which names a variable by its place, from 1.
-pub(super) fn second(variables: &[Variable]) -> (String, String) {
-    let place = |name: &str| variables.iter().position(|v| v.name == name).map_or(0, |at| at + 1).to_string();
-    let mut out = String::new();
-    for v in variables {
-        let element = if v.role == Status { "Integer" } else { "Real" };
-        let _ = writeln!(
-            out,
-            "    <ScalarVariable name=\"{}\" valueReference=\"{}\" {} description=\"{}\"><{element}{}{}/></ScalarVariable>",
-            v.name,
-            reference(v.name),
-            v.nature(),
-            v.about,
-            v.values(),
-            attribute("derivative", v.derivative_of.map(place)),
-        );
-    }
-    let unknowns = |which: &dyn Fn(&Variable) -> bool, dependent: bool| {
-        let each = variables.iter().filter(|v| which(v)).map(|v| {
-            let on = dependent.then(|| v.on.iter().map(|name| place(name)).collect::<Vec<_>>().join(" "));
-            format!("      <Unknown index=\"{}\"{}/>\n", place(v.name), attribute("dependencies", on))
-        });
-        each.collect::<String>()
-    };
-    let mut structure =
-        format!("    <Outputs>\n{}    </Outputs>\n", unknowns(&|v| matches!(v.role, Output | Status), true));
-    if variables.iter().any(Variable::is_state) {
-        let derivatives = unknowns(&|v| v.derivative_of.is_some(), true);
-        let _ = writeln!(structure, "    <Derivatives>\n{derivatives}    </Derivatives>");
-    }
-    let initial = unknowns(&Variable::is_unknown_at_the_start, false);
-    let _ = write!(structure, "    <InitialUnknowns>\n{initial}    </InitialUnknowns>");
-    (out.trim_end().into(), structure)
-}
+/// The unknowns of a description: their group in FMI 2.0 and their element in FMI 3.0, which variables, and whether dependencies are stated.
+type Unknowns = (&'static str, &'static str, fn(&Variable) -> bool, bool);
 
-/// The same of FMI 3.0, which names a variable by its value reference.
-pub(super) fn third(variables: &[Variable]) -> (String, String) {
-    let place = |name: &str| reference(name).to_string();
-    let mut out = format!(
-        "    <Float64 name=\"time\" valueReference=\"{}\" causality=\"independent\" variability=\"continuous\" unit=\"s\"/>\n",
-        place("time")
-    );
-    for v in variables {
-        let element = if v.role == Status { "Int32" } else { "Float64" };
+const UNKNOWNS: [Unknowns; 4] = [
+    ("Outputs", "Output", |v| matches!(v.role, Output | Status), true),
+    ("Derivatives", "ContinuousStateDerivative", |v| v.derivative_of.is_some(), true),
+    ("InitialUnknowns", "InitialUnknown", Variable::is_unknown_at_the_start, false),
+    ("", "EventIndicator", |v| v.role == Event, true),
+];
+
+/// `ModelVariables` and `ModelStructure`. FMI 2.0 names a variable by its place, from 1, and FMI 3.0 by its value reference.
+pub(super) fn description(variables: &[Variable], version: Version) -> (String, String) {
+    let is_third = version == Version::Third;
+    let place = |name: &str| variables.iter().position(|v| v.name == name).map_or(0, |at| at + 1);
+    let key = |name: &str| if is_third { reference(name) } else { place(name) }.to_string();
+    let mut list = String::new();
+    if is_third {
+        let time = key("time");
         let _ = writeln!(
-            out,
-            "    <{element} name=\"{}\" valueReference=\"{}\" {}{}{} description=\"{}\"/>",
-            v.name,
-            place(v.name),
-            v.nature(),
-            v.values(),
-            attribute("derivative", v.derivative_of.map(place)),
-            v.about,
+            list,
+            "    <Float64 name=\"time\" valueReference=\"{time}\" causality=\"independent\" variability=\"continuous\" unit=\"s\"/>"
         );
+    }
+    for v in variables {
+        let names = format!("name=\"{}\" valueReference=\"{}\" {}", v.name, reference(v.name), v.nature());
+        let values = v.values() + &attribute("derivative", v.derivative_of.map(key));
+        let (about, is_status) = (v.about, v.role == Status);
+        let _ = if is_third {
+            let element = if is_status { "Int32" } else { "Float64" };
+            writeln!(list, "    <{element} {names}{values} description=\"{about}\"/>")
+        } else {
+            let element = if is_status { "Integer" } else { "Real" };
+            writeln!(
+                list,
+                "    <ScalarVariable {names} description=\"{about}\"><{element}{values}/></ScalarVariable>"
+            )
+        };
     }
     let mut structure = String::new();
-    let mut unknowns = |element: &str, which: &dyn Fn(&Variable) -> bool, dependent: bool| {
-        for v in variables.iter().filter(|v| which(v)) {
-            let on = dependent.then(|| v.on.iter().map(|name| place(name)).collect::<Vec<_>>().join(" "));
-            let dependencies = attribute("dependencies", on);
-            let _ =
-                writeln!(structure, "    <{element} valueReference=\"{}\"{dependencies}/>", place(v.name));
+    for (group, element, is_unknown, states_dependencies) in UNKNOWNS {
+        let start =
+            if is_third { format!("    <{element} valueReference") } else { "      <Unknown index".into() };
+        let unknown = |v: &Variable| {
+            let on =
+                states_dependencies.then(|| v.on.iter().map(|name| key(name)).collect::<Vec<_>>().join(" "));
+            format!("{start}=\"{}\"{}/>\n", key(v.name), attribute("dependencies", on))
+        };
+        let unknowns: String = variables.iter().filter(|v| is_unknown(v)).map(unknown).collect();
+        if is_third {
+            structure += &unknowns;
+        } else if !(group.is_empty() || unknowns.is_empty()) {
+            structure += &format!("    <{group}>\n{unknowns}    </{group}>\n");
         }
-    };
-    unknowns("Output", &|v| matches!(v.role, Output | Status), true);
-    unknowns("ContinuousStateDerivative", &|v| v.derivative_of.is_some(), true);
-    unknowns("InitialUnknown", &Variable::is_unknown_at_the_start, false);
-    unknowns("EventIndicator", &|v| v.role == Event, true);
-    (out.trim_end().into(), structure.trim_end().into())
+    }
+    (list.trim_end().into(), structure.trim_end().into())
 }
 
 /// How many of them indicate events.

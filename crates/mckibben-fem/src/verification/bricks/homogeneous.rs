@@ -4,6 +4,7 @@
 
 use super::block::bent_cube;
 use super::{BRICKS, body, push};
+use crate::solver::newton::NewtonSystem as _;
 use crate::three_dimensional::{Body, Brick, Freedom};
 use crate::verification::Rows;
 
@@ -29,7 +30,7 @@ fn stress(brick: Brick, x: f64, y: Option<f64>) -> Option<[f64; 2]> {
     let (mut body, far) = cube(brick, |far, i| far[i] && (i == 0 || (i == 1 && y.is_some())))?;
     let stretch = [x, y.unwrap_or(x.powf(-0.5)), 1.0 / (x * y.unwrap_or(x.powf(-0.5)))];
     push(&mut body, 10, |n, i| if far[n][i] { stretch[i] - 1.0 } else { 0.0 })?;
-    body.evaluate().ok()?;
+    body.residual().ok()?;
     let sum = (0..far.len()).filter(|&n| far[n][0]).map(|n| body.assembled.force[3 * n]).sum();
     Some([sum, distance(&body, |rest, i| (stretch[i] - 1.0) * rest[i])])
 }
@@ -80,7 +81,7 @@ fn sheared(brick: Brick) -> Option<[f64; 4]> {
     let sheared = |rest: &[f64; 3], i: usize| if i == 0 { GAMMA * rest[1] } else { 0.0 };
     let mut body = body(problem)?;
     push(&mut body, 10, |n, i| sheared(&rest[n], i))?;
-    body.evaluate().ok()?;
+    body.residual().ok()?;
     let p: [[f64; 3]; 3] = [0, 1, 2].map(|i| {
         [0, 1, 2].map(|j| rest.iter().enumerate().map(|(n, x)| body.assembled.force[3 * n + i] * x[j]).sum())
     });

@@ -13,7 +13,7 @@ use mckibben::rubber::{Law, MooneyRivlin};
 pub(super) fn peers() -> Option<Muscle> {
     changed(|tube, braid| {
         let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.03 });
-        tube.rubber = Rubber { bulk: Bulk::Modulus(300.0), ..Rubber::of(law) };
+        tube.rubber = Rubber { bulk: Bulk::Modulus(300.0), ..Rubber::new(law) };
         braid.strands = Some(Strands { count: 48, section: Some((0.3, 2500.0)), strength_n: None });
         (braid.stiffness, braid.compression) = (BraidStiffness::OfStrands, true);
     })
@@ -39,7 +39,7 @@ pub fn muscle(rows: &mut Rows) {
     }
 }
 
-/// F and V of the program's own mesh against the axisymmetric ones, where the strands are taut.
+/// F and V of the default mesh against the axisymmetric ones, where the strands are taut.
 fn limit(rows: &mut Rows, d: f64, s: f64) {
     let models = Muscle::prototype()
         .with_section(d, s)

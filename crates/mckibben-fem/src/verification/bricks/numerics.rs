@@ -6,6 +6,7 @@ use super::{BRICKS, body, prototype, solve, tight};
 use crate::element::spatial::AT;
 use crate::element::truss::Truss;
 use crate::solver::body::Control;
+use crate::solver::newton::NewtonSystem as _;
 use crate::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem, Quarter};
 use crate::verification::{Rows, changed, order_of_newton, rubber};
 use mckibben::differences::{STENCIL, slope};
@@ -18,7 +19,7 @@ fn tube(half_mm: f64) -> Quarter {
     Quarter { inner_mm: 12.0, outer_mm: 15.0, half_mm, angle_rad: 0.5 }
 }
 
-/// A small muscle in a random deformed state, with pressures and tensions of their own.
+/// A small muscle in a random deformed state, with pressures and tensions.
 fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Body> {
     let muscle = changed(|tube, braid| {
         (tube.rubber.law, tube.rubber.bulk, tube.length_mm) = (law, bulk, 40.0);
@@ -26,7 +27,7 @@ fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Opti
     })?;
     let spec = BrickSpec { brick, around: Some(2), along: Some(2), through: Some(1), ..BrickSpec::default() };
     let mesh = BrickMesh::new(&tube(20.0), &spec).ok()?;
-    let mut body = body(Problem::of(&muscle, &mesh))?;
+    let mut body = body(Problem::from_muscle(&muscle, &mesh))?;
     let mut random = Random(7);
     for &i in &body.discretisation.place.clone() {
         body.state.u[i as usize] = random.between(-0.3, 0.3);
@@ -38,7 +39,7 @@ fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Opti
     }
     body.state.pressure = 0.15;
     // Tensions that belong to the strains: the residual holds them so.
-    body.evaluate().ok()?;
+    body.residual().ok()?;
     for (t, (_, strain, _)) in body.assembled.strands.clone().into_iter().enumerate() {
         let (compliance, augment) = body.discretisation.strand[t];
         body.state.q[t] = if compliance > 0.0 { strain / compliance } else { augment * strain };
@@ -68,12 +69,12 @@ pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
     // Of condensed modes, p + γ c/V is what the elements take; put it into p. Of an incompressible rubber the tangent holds p; what the
     // augmentation adds to the geometric part vanishes with the defects.
     if d.materials[0].compliance > 0.0 {
-        body.evaluate().ok()?;
+        body.residual().ok()?;
         for (i, c) in body.assembled.defect.iter().enumerate() {
             body.state.p[i] += d.materials[0].augment * c / d.rest[i / d.modes].volume;
         }
     }
-    body.evaluate().ok()?;
+    body.residual().ok()?;
     for (t, (_, strain, _)) in body.assembled.strands.iter().enumerate() {
         let (compliance, augment) = d.strand[t];
         if augment * compliance > 0.999 {
@@ -98,7 +99,7 @@ pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
             body.state.u[i as usize] += step * h * w;
         }
         body.state.terminal += step * h * w;
-        body.evaluate().ok()?;
+        body.residual().ok()?;
         for (c, &i) in change.iter_mut().zip(&d.place) {
             *c += weight * body.assembled.force[i as usize] / h;
         }
@@ -112,7 +113,8 @@ pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
 fn objectivity(brick: Brick) -> Option<f64> {
     let mut body = shaken(brick, rubber(), Bulk::Modulus(20.0), BraidStiffness::NewtonPerMm(300.0))?;
     body.state.pressure = 0.0;
-    let before = body.evaluate().ok()?;
+    body.residual().ok()?;
+    let before = body.totals;
     let size = |b: &Body| b.assembled.force.iter().map(|f| f * f).sum::<f64>().sqrt();
     let force = size(&body);
     let axis = [[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]].map(|r: [f64; 3]| r.map(|x| x / 3.0));
@@ -122,8 +124,8 @@ fn objectivity(brick: Brick) -> Option<f64> {
             body.state.u[3 * n + i] = (0..3).map(|j| axis[i][j] * x[j]).sum::<f64>() - rest[i];
         }
     }
-    let after = body.evaluate().ok()?;
-    let energy = (after.rubber + after.braid) / (before.rubber + before.braid) - 1.0;
+    body.residual().ok()?;
+    let energy = (body.totals.rubber + body.totals.braid) / (before.rubber + before.braid) - 1.0;
     Some(energy.abs().max((size(&body) / force - 1.0).abs()))
 }
 
@@ -152,7 +154,7 @@ fn numbering(brick: Brick) -> Option<f64> {
     let spec = BrickSpec { brick, around: Some(3), along: Some(6), ..BrickSpec::default() };
     let mesh = BrickMesh::new(&tube(60.0), &spec).ok()?;
     let pull = |back: bool| {
-        let mut problem = Problem::of(&Muscle::prototype(), &mesh);
+        let mut problem = Problem::from_muscle(&Muscle::prototype(), &mesh);
         if back {
             problem.order.reverse();
         }

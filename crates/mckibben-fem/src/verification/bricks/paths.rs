@@ -25,7 +25,7 @@ fn incompressible(brick: Brick, law: Law) -> Option<f64> {
     let mut c = at_rest(&muscle, &coarse(brick))?;
     c.reach(0.2, 0.05).ok()?;
     let body = &mut c.body.bricks;
-    // Defects of the volume multiply second derivatives that the tangent leaves out: none may be left.
+    // Defects of the volume multiply second derivatives that the tangent omits: they must vanish.
     let terminal = body.state.terminal;
     solve(body, terminal)?;
     tangent_error(body)
@@ -61,10 +61,10 @@ pub fn paths(rows: &mut Rows) {
             rows.add(title, 0.0, incompressible(brick, law), 1e-7);
         }
     }
-    let found = shortened();
-    let (noticed, pivots) = (found.and_then(|f| f.0), found.map(|f| f.1));
+    let stability = shortened();
+    let (noticed, pivots) = (stability.and_then(|f| f.0), stability.map(|f| f.1));
     let title = "strands in compression, P 0, ε 0.02: negative pivots against eigenvalues";
-    rows.add(title, found.map(|f| f.2), pivots, 0.0);
+    rows.add(title, stability.map(|f| f.2), pivots, 0.0);
     rows.add("the same: there are some", 1.0, pivots.map(|n| n.min(1.0)), 0.0);
     let title = |what: &str| format!("the same: the first unstable equilibrium is noticed, {what}");
     rows.add(title("P (MPa)"), 0.0, noticed.map(|u| u.pressure_mpa), 0.0);

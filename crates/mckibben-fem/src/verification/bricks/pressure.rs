@@ -11,11 +11,11 @@ use mckibben::muscle::Muscle;
 /// The rows of E.
 pub fn follower_pressure(rows: &mut Rows) {
     for (brick, name) in BRICKS {
-        let found = prototype(brick).and_then(|mut c| {
+        let slopes = prototype(brick).and_then(|mut c| {
             c.reach(0.2, 0.08).ok()?;
             maxwell(&mut c.body.bricks)
         });
-        let (by_pressure, by_length) = found.unzip();
+        let (by_pressure, by_length) = slopes.unzip();
         rows.add(format!("{name}, Maxwell: ∂F/∂P = −∂V/∂L (mm²)"), by_length, by_pressure, 1e-9);
         let spec = BrickSpec { along: None, ..coarse(brick) };
         let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).ok();

@@ -1,4 +1,4 @@
-//! F. The two-bar (von Mises) truss of the strands' own law, T = E A (λ − 1), and its snap-through.
+//! F. The two-bar (von Mises) truss of the strands' law, T = E A (λ − 1), and its snap-through.
 //!
 //! Two bars of length L0 = √(w² + h²) at rest rise from supports 2w apart to an apex at height h, which is pushed down by d:
 //!

@@ -49,7 +49,7 @@ pub fn terminal(rows: &mut Rows) {
         let [one, two] = [0, 1].map(|i| Some(sharp[i]?.volume - nose[i]?.volume));
         row("nose: volume it takes, in two states (mm³)", one, two, 1e-8);
         for (material, what) in [(rigid, "rigid"), (aluminium, "aluminium")] {
-            let found = (|| {
+            let checks = (|| {
                 let mut c = muscle(brick, plug(material, 10.0, 3.0))?;
                 c.reach(0.2, 0.08).ok()?;
                 let body = &mut c.body.bricks;
@@ -57,9 +57,9 @@ pub fn terminal(rows: &mut Rows) {
                 solve(body, terminal).or(Some(Default::default()))?;
                 Some((maxwell(body)?, tangent_error(body)?))
             })();
-            let (by_pressure, by_length) = found.map(|f| f.0).unzip();
+            let (by_pressure, by_length) = checks.map(|f| f.0).unzip();
             row(&format!("{what} plug, Maxwell: ∂F/∂P = −∂V/∂L (mm²)"), by_length, by_pressure, 1e-9);
-            row(&format!("{what} plug: tangent against differences"), Some(0.0), found.map(|f| f.1), 1e-7);
+            row(&format!("{what} plug: tangent against differences"), Some(0.0), checks.map(|f| f.1), 1e-7);
         }
     }
 }

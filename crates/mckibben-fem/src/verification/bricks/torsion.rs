@@ -4,6 +4,7 @@
 
 use super::block::Block;
 use super::{body, push};
+use crate::solver::newton::NewtonSystem as _;
 use crate::three_dimensional::{Brick, Freedom};
 use crate::verification::{Rows, rubber};
 use mckibben::muscle::Bulk;
@@ -41,7 +42,7 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
         }
         [cos * x - sin * y - x, sin * x + cos * y - y, 0.0][i]
     })?;
-    body.evaluate().ok()?;
+    body.residual().ok()?;
     let (mut moment, mut axial) = (0.0, 0.0);
     for n in top {
         let (x, f) = (nodes[n], &body.assembled.force[3 * n..3 * n + 3]);

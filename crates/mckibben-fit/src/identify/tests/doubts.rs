@@ -1,4 +1,4 @@
-//! What a fit says against its own result.
+//! Doubts that a fit states about its fit.
 
 use super::*;
 
@@ -9,28 +9,25 @@ fn what_the_data_cannot_tell_is_flagged() {
         muscle(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.05 }), BraidStiffness::Inextensible);
     let isometric: Vec<DataPoint> =
         noisy(&bench(&m, 0.0), 6.0, 5).into_iter().filter(|p| p.at.contraction == 0.1).collect();
-    let f = found(&m, &["c10", "c01"], &isometric, Loss::Squares).unwrap();
-    assert!(!f.parameters[1].identifiable, "{:#?}", f.parameters);
-    assert!(f.notes.iter().any(|n| n.contains("tube.material.c01 is not identifiable")), "{:?}", f.notes);
+    let fit = identified(&m, &["c10", "c01"], &isometric).unwrap();
+    assert!(!fit.parameters[1].identifiable, "{:#?}", fit.parameters);
+    assert!(fit.notes.iter().any(|n| n.contains("tube.material.c01 is not identifiable")), "{:?}", fit.notes);
     // k of strands that do not stretch.
     let stiff = soft();
     let rigid = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), BraidStiffness::Inextensible);
-    let f = found(&stiff, &["mu", "braid.stiffness"], &noisy(&bench(&rigid, 0.0), 4.0, 5), Loss::Squares)
-        .unwrap();
-    assert!(!f.parameters[1].identifiable && f.parameters[0].identifiable, "{:#?}", f.parameters);
-    assert!(f.notes.iter().any(|n| n.contains("inextensible strands")), "{:?}", f.notes);
+    let fit = identified(&stiff, &["mu", "braid.stiffness"], &noisy(&bench(&rigid, 0.0), 4.0, 5)).unwrap();
+    assert!(!fit.parameters[1].identifiable && fit.parameters[0].identifiable, "{:#?}", fit.parameters);
+    assert!(fit.notes.iter().any(|n| n.contains("inextensible strands")), "{:?}", fit.notes);
     // One constant under two names.
-    let f =
-        found(&stiff, &["mu=0.4", "modulus"], &noisy(&bench(&stiff, 0.0), 4.0, 5), Loss::Squares).unwrap();
-    assert!(f.parameters.iter().all(|p| !p.identifiable), "{:#?}", f.parameters);
+    let fit = identified(&stiff, &["mu=0.4", "modulus"], &noisy(&bench(&stiff, 0.0), 4.0, 5)).unwrap();
+    assert!(fit.parameters.iter().all(|p| !p.identifiable), "{:#?}", fit.parameters);
     // What the model does not use.
-    let f =
-        found(&stiff, &["mu", "friction.c=5"], &noisy(&bench(&stiff, 0.0), 4.0, 5), Loss::Squares).unwrap();
-    assert!(!f.parameters[1].matters && f.parameters[0].identifiable, "{:#?}", f.parameters);
+    let fit = identified(&stiff, &["mu", "friction.c=5"], &noisy(&bench(&stiff, 0.0), 4.0, 5)).unwrap();
+    assert!(!fit.parameters[1].matters && fit.parameters[0].identifiable, "{:#?}", fit.parameters);
     assert!(
-        f.notes.iter().any(|n| n.contains("friction.coefficient: it has no effect on any point")),
+        fit.notes.iter().any(|n| n.contains("friction.coefficient: it has no effect on any point")),
         "{:?}",
-        f.notes
+        fit.notes
     );
 }
 
@@ -42,10 +39,10 @@ fn the_default_does_not_free_an_unidentifiable_stiffness() {
     let stiff =
         m.with_braid(Braid { stiffness: BraidStiffness::NewtonPerMm(1e5), ..m.braid().clone() }).unwrap();
     let request = Request::new(&stiff, &[], &points, &thick);
-    let f = identify_default(&request).unwrap();
-    assert_eq!(f.parameters.len(), 1);
-    assert!((f.parameters[0].value - 0.3).abs() < 0.05, "{:#?}", f.parameters);
-    assert!(f.notes.iter().any(|n| n.contains("was not changed")), "{:?}", f.notes);
+    let fit = identify_default(&request).unwrap();
+    assert_eq!(fit.parameters.len(), 1);
+    assert!((fit.parameters[0].value - 0.3).abs() < 0.05, "{:#?}", fit.parameters);
+    assert!(fit.notes.iter().any(|n| n.contains("was not changed")), "{:?}", fit.notes);
 }
 
 #[test]
@@ -53,8 +50,9 @@ fn outliers_are_named_and_a_robust_loss_is_not_moved_by_them() {
     let m = soft();
     let mut points = noisy(&bench(&m, 0.0), 1.0, 11);
     points[4].at.force_n += 120.0;
-    let squares = found(&m, &["mu"], &points, Loss::Squares).unwrap();
-    let huber = found(&m, &["mu"], &points, Loss::Huber).unwrap();
+    let squares = identified(&m, &["mu"], &points).unwrap();
+    let free = free(&m, &["mu"]);
+    let huber = identify(&Request { loss: Loss::Huber, ..Request::new(&m, &free, &points, &thick) }).unwrap();
     assert!((squares.parameters[0].value - 0.3).abs() > 3.0 * (huber.parameters[0].value - 0.3).abs());
     assert!(squares.points[4].outlier && squares.points.iter().filter(|p| p.outlier).count() == 1);
     let note = squares.notes.iter().find(|n| n.contains("robust deviations")).unwrap();
@@ -67,7 +65,7 @@ fn data_that_cannot_be_right_get_a_sentence() {
     let message = |change: &dyn Fn(&mut DataPoint)| {
         let mut points = bench(&m, 0.0);
         points.iter_mut().for_each(change);
-        found(&m, &["mu"], &points, Loss::Squares).unwrap_err().to_string()
+        identified(&m, &["mu"], &points).unwrap_err().to_string()
     };
     assert!(message(&|p| p.at.force_n *= 1000.0).contains("is force_n in mN"));
     assert!(message(&|p| p.at.force_n /= 1000.0).contains("is force_n in kN"));
@@ -78,28 +76,28 @@ fn data_that_cannot_be_right_get_a_sentence() {
     // A diameter that may be wrong is no reason to refuse.
     let mut points = bench(&m, 0.0);
     points.iter_mut().for_each(|p| p.at.force_n *= 4.0);
-    let f = found(&m, &["mu", "tube.outer_diameter"], &points, Loss::Squares).unwrap();
-    assert!(f.notes.iter().any(|n| n.contains("really the radius")), "{:?}", f.notes);
+    let fit = identified(&m, &["mu", "tube.outer_diameter"], &points).unwrap();
+    assert!(fit.notes.iter().any(|n| n.contains("really the radius")), "{:?}", fit.notes);
 }
 
 #[test]
 fn too_few_slack_and_contradicting_points_get_a_sentence() {
     let m = soft();
     let points = bench(&m, 0.0);
-    let few = found(&m, &["mu", "braid.stiffness"], &points[..2], Loss::Squares).unwrap_err().to_string();
+    let few = identified(&m, &["mu", "braid.stiffness"], &points[..2]).unwrap_err().to_string();
     assert!(few.contains("2 points that pull do not determine 2 parameters: at least 3"), "{few}");
     let mut some = points[..4].to_vec();
     some[2].at.force_n = 0.0;
     some[3].at.force_n = -1.0;
-    let slack = found(&m, &["mu", "braid.stiffness"], &some, Loss::Squares).unwrap_err().to_string();
+    let slack = identified(&m, &["mu", "braid.stiffness"], &some).unwrap_err().to_string();
     assert!(slack.contains("(2 more points without a measured force were left out)"), "{slack}");
     let mut twice = points.clone();
     twice.push(DataPoint { line: 17, ..twice[8] });
     twice[15].at.force_n *= 0.7;
-    let f = found(&m, &["mu"], &twice, Loss::Squares).unwrap();
-    let note = f.notes.iter().find(|n| n.contains("contradict")).unwrap();
+    let fit = identified(&m, &["mu"], &twice).unwrap();
+    let note = fit.notes.iter().find(|n| n.contains("contradict")).unwrap();
     assert!(note.contains("lines 10, 17") && note.contains("column `branch`"), "{note}");
-    let one = found(&m, &["mu"], &points[7..12], Loss::Squares).unwrap();
+    let one = identified(&m, &["mu"], &points[7..12]).unwrap();
     assert!(one.notes.iter().any(|n| n.contains("the same pressure")), "{:?}", one.notes);
     assert!(one.notes.iter().all(|n| !n.contains("pattern")), "{:?}", one.notes);
 }
@@ -110,17 +108,17 @@ fn a_model_that_misses_in_a_pattern_is_told() {
     let m = soft();
     let wrong = m.with_braid(Braid { angle_deg: 22.0, ..m.braid().clone() }).unwrap();
     let points = curves(&m, &[0.2, 0.3, 0.4], 0.015);
-    let f = found(&wrong, &["mu"], &points, Loss::Squares).unwrap();
-    assert!(f.notes.iter().any(|n| n.contains("follow a pattern")), "{:?}", f.notes);
-    let f = found(&m, &["mu"], &noisy(&points, 3.0, 4), Loss::Squares).unwrap();
-    assert!(f.notes.iter().all(|n| !n.contains("follow a pattern")), "{:?}", f.notes);
+    let fit = identified(&wrong, &["mu"], &points).unwrap();
+    assert!(fit.notes.iter().any(|n| n.contains("follow a pattern")), "{:?}", fit.notes);
+    let fit = identified(&m, &["mu"], &noisy(&points, 3.0, 4)).unwrap();
+    assert!(fit.notes.iter().all(|n| !n.contains("follow a pattern")), "{:?}", fit.notes);
 }
 
 #[test]
 fn starts_bounds_and_doubles_are_checked() {
     let m = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), BraidStiffness::Inextensible);
     let points = bench(&m, 0.0);
-    let error = |names: &[&str]| found(&m, names, &points, Loss::Squares).unwrap_err();
+    let error = |names: &[&str]| identified(&m, names, &points).unwrap_err();
     assert!(matches!(error(&[]), IdentifyError::Refused(_)));
     assert!(matches!(error(&["mu", "mu=2"]), IdentifyError::Refused(_)));
     assert!(error(&["braid.stiffness"]).to_string().contains("write braid.stiffness=START"));
@@ -128,16 +126,16 @@ fn starts_bounds_and_doubles_are_checked() {
     let request = Request::new(&m, &outside, &points, &thick);
     assert!(matches!(identify(&request).unwrap_err(), IdentifyError::Refused(_)));
     // A bound that holds the truth away is reported.
-    let f = found(&m, &["mu=0.4:0.35:1"], &points, Loss::Squares).unwrap();
-    assert!(f.parameters[0].at_bound && !f.parameters[0].identifiable, "{:#?}", f.parameters);
-    assert!(f.notes.iter().any(|n| n.contains("is at its bound")), "{:?}", f.notes);
+    let fit = identified(&m, &["mu=0.4:0.35:1"], &points).unwrap();
+    assert!(fit.parameters[0].at_bound && !fit.parameters[0].identifiable, "{:#?}", fit.parameters);
+    assert!(fit.notes.iter().any(|n| n.contains("is at its bound")), "{:?}", fit.notes);
 }
 
 fn points_of(rows: &[(f64, f64, f64)]) -> Vec<DataPoint> {
     let one = |(i, &(pressure_bar, contraction, force_n)): (usize, &(f64, f64, f64))| {
         let pressure_mpa = 0.1 * pressure_bar;
         let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) };
-        DataPoint { line: i as u64 + 2, ..DataPoint::of(at) }
+        DataPoint { line: i as u64 + 2, ..DataPoint::new(at) }
     };
     rows.iter().enumerate().map(one).collect()
 }
@@ -146,7 +144,7 @@ fn points_of(rows: &[(f64, f64, f64)]) -> Vec<DataPoint> {
 #[test]
 fn flipped_signs_are_named_and_no_modulus_comes_out() {
     let m = soft();
-    let error = |rows: &[(f64, f64, f64)]| found(&m, &["mu"], &points_of(rows), Loss::Squares).unwrap_err();
+    let error = |rows: &[(f64, f64, f64)]| identified(&m, &["mu"], &points_of(rows)).unwrap_err();
     let rises =
         [(1., 0., 247.), (1., 0.05, 300.), (2., 0., 483.), (2., 0.05, 500.), (3., 0., 700.), (3., 0.1, 900.)];
     let said = error(&rises).to_string();
@@ -162,14 +160,14 @@ fn flipped_signs_are_named_and_no_modulus_comes_out() {
     assert!(said.contains("sign of the contraction flipped? None"), "{said}");
     // One of them alone is left to the user, with its line.
     let exact = bench(&m, 0.0);
-    assert!(found(&m, &["mu"], &exact, Loss::Squares).unwrap().notes.iter().all(|n| !n.contains("flipped")));
+    assert!(identified(&m, &["mu"], &exact).unwrap().notes.iter().all(|n| !n.contains("flipped")));
     let mut one = exact.clone();
     one[8].at.force_n *= -1.0;
-    let notes = found(&m, &["mu"], &one, Loss::Squares).unwrap().notes;
+    let notes = identified(&m, &["mu"], &one).unwrap().notes;
     assert!(notes.iter().any(|n| n.contains("line 10") && n.contains("flipped there?")), "{notes:?}");
     let mut one = exact;
     one[8].at.contraction *= -1.0;
-    let notes = found(&m, &["mu"], &one, Loss::Squares).unwrap().notes;
+    let notes = identified(&m, &["mu"], &one).unwrap().notes;
     assert!(notes.iter().any(|n| n.contains("the contraction is below zero (line 10)")), "{notes:?}");
 }
 
@@ -179,8 +177,8 @@ fn a_loop_without_branches_is_no_flipped_sign() {
     let m = soft().with_friction(Some(Friction::power_law(60.0, 0.6))).unwrap();
     let mut points = bench(&m, 0.0);
     points.iter_mut().for_each(|p| p.at.branch = None);
-    let f = found(&soft(), &["mu"], &points, Loss::Squares).unwrap();
-    assert!(f.notes.iter().all(|n| !n.contains("flipped") && !n.contains("rises")), "{:?}", f.notes);
+    let fit = identified(&soft(), &["mu"], &points).unwrap();
+    assert!(fit.notes.iter().all(|n| !n.contains("flipped") && !n.contains("rises")), "{:?}", fit.notes);
 }
 
 #[test]
@@ -188,7 +186,7 @@ fn a_modulus_that_falls_to_zero_is_no_result() {
     let m = soft();
     let mut points = bench(&m, 0.0);
     points.iter_mut().for_each(|p| p.at.force_n *= 1.8);
-    let error = found(&m, &["mu"], &points, Loss::Squares).unwrap_err();
+    let error = identified(&m, &["mu"], &points).unwrap_err();
     assert!(matches!(error, IdentifyError::NoRubber { .. }), "{error}");
     assert!(error.to_string().contains("tube.material.mu falls towards zero"), "{error}");
 }
@@ -201,13 +199,15 @@ fn ends_that_give_way_by_too_much_are_not_determined() {
     let points = of_lengths(&m, seating);
     let free = free(&m, &["mu=0.5", "terminals.seating"]);
     let request = Request { two_sided: true, ..Request::new(&m, &free, &points, &with_ends) };
-    let f = identify(&request).unwrap();
-    let seating_found = &f.parameters[1];
-    assert!((seating_found.value - seating).abs() < 1e-5, "{seating_found:#?}");
-    assert!(seating_found.implausible && !seating_found.identifiable && !f.parameters[0].implausible);
-    assert!(f.notes.iter().any(|n| n.contains("0.3 of the outer diameter")), "{:?}", f.notes);
+    let fit = identify(&request).unwrap();
+    let identified_seating = &fit.parameters[1];
+    assert!((identified_seating.value - seating).abs() < 1e-5, "{identified_seating:#?}");
+    assert!(
+        identified_seating.implausible && !identified_seating.identifiable && !fit.parameters[0].implausible
+    );
+    assert!(fit.notes.iter().any(|n| n.contains("0.3 of the outer diameter")), "{:?}", fit.notes);
     // No point is of the muscle itself (200 mm): nothing is said of its bench.
-    assert_eq!(f.bench, None);
+    assert_eq!(fit.bench, None);
 }
 
 /// A constant on its bound has the bound's value, not what the search left of it.
@@ -217,12 +217,12 @@ fn a_constant_on_its_bound_is_the_bound() {
     let free = free(&m, &["mu", "grip"]);
     let points = bench(&m, 0.0);
     let request = Request::new(&m, &free, &points, &with_ends);
-    let f = identify(&request).unwrap();
-    assert!(f.parameters[1].at_bound && f.parameters[1].value == 0.0, "{:#?}", f.parameters);
-    assert!(f.notes.iter().any(|n| n.contains("terminals.grip is at its bound, 0 mm")), "{:?}", f.notes);
+    let fit = identify(&request).unwrap();
+    assert!(fit.parameters[1].at_bound && fit.parameters[1].value == 0.0, "{:#?}", fit.parameters);
+    assert!(fit.notes.iter().any(|n| n.contains("terminals.grip is at its bound, 0 mm")), "{:?}", fit.notes);
 }
 
-/// Benches with a known noise, some with both branches: the ± that they leave holds further points of the same bench at its rate.
+/// Benches with a known noise, some with both branches: their ± covers further points of the same bench at its rate.
 #[test]
 fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
     use mckibben::analysis::Evaluation;
@@ -234,9 +234,9 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
         let truth = bench(m, 0.0);
         let (mut held, mut all, mut widest) = (0, 0, 0.0_f64);
         for seed in 0..60 {
-            let f = found(m, names, &noisy(&truth, 4.0, 1 + 7 * seed), Loss::Squares).unwrap();
-            let own = f.with_bench();
-            let (model, w) = (ThickWall::new(&own), &mut Workspace::new());
+            let fit = identified(m, names, &noisy(&truth, 4.0, 1 + 7 * seed)).unwrap();
+            let muscle = fit.with_bench();
+            let (model, w) = (ThickWall::new(&muscle), &mut Workspace::new());
             for (i, p) in noisy(&truth, 4.0, 1000 + 13 * seed).iter().enumerate() {
                 // Between the points that were fitted, inside of their range.
                 let e = p.at.contraction + if i % 2 == 0 && p.at.contraction < 0.15 { 0.02 } else { 0.0 };
@@ -245,13 +245,13 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
                 let exact = Evaluation::new(&ThickWall::new(m), w, branch).force_n(pressure, e);
                 let measured = exact.unwrap() + noise;
                 let mut model = Evaluation::new(&model, w, branch);
-                let found = model.force_n(pressure, e).unwrap();
-                let parts = model.uncertainty(pressure, e, found).unwrap();
+                let computed = model.force_n(pressure, e).unwrap();
+                let parts = model.uncertainty(pressure, e, computed).unwrap();
                 assert!(
                     parts.fit.is_some() && parts.measured.is_none() && parts.friction.is_none(),
                     "{parts:?}"
                 );
-                held += usize::from((measured - found).abs() <= parts.total());
+                held += usize::from((measured - computed).abs() <= parts.total());
                 all += 1;
                 widest = widest.max(parts.total());
             }
@@ -266,14 +266,14 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
 fn the_bench_stands_in_the_muscle_file() {
     use mckibben::muscle::file::{parse_muscle, to_toml};
     let m = soft();
-    let f = found(&m, &["mu", "braid.stiffness"], &noisy(&bench(&m, 0.0), 4.0, 3), Loss::Squares).unwrap();
-    let own = f.with_bench();
-    let b = own.bench().unwrap().clone();
+    let fit = identified(&m, &["mu", "braid.stiffness"], &noisy(&bench(&m, 0.0), 4.0, 3)).unwrap();
+    let muscle = fit.with_bench();
+    let b = muscle.bench().unwrap().clone();
     assert_eq!((b.points, b.pressure_mpa, b.contraction), (15, (0.1, 0.4), (0.0, 0.2)));
     assert_eq!((b.model.as_str(), &b.branches[..]), ("thick-wall", &[Direction::Mean][..]));
-    let text = to_toml(&own);
+    let text = to_toml(&muscle);
     let read = parse_muscle(&text).unwrap();
-    assert_eq!(read, own);
+    assert_eq!(read, muscle);
     assert_eq!(read.bench(), Some(&b));
     let wider =
         parse_muscle(&text.replace("outer_diameter = \"20 mm\"", "outer_diameter = \"21 mm\"")).unwrap();
@@ -303,8 +303,8 @@ fn the_bench_stands_in_the_muscle_file() {
 fn a_bench_that_was_edited_says_nothing() {
     use mckibben::muscle::file::{parse_muscle, to_toml};
     let m = soft();
-    let f = found(&m, &["mu", "braid.stiffness"], &noisy(&bench(&m, 0.0), 4.0, 3), Loss::Squares).unwrap();
-    let text = to_toml(&f.with_bench());
+    let fit = identified(&m, &["mu", "braid.stiffness"], &noisy(&bench(&m, 0.0), 4.0, 3)).unwrap();
+    let text = to_toml(&fit.with_bench());
     let (muscle, table) = text.split_once("[identified]").unwrap();
     let mut edited: Vec<String> = vec![];
     let mut before = ' ';
@@ -332,7 +332,7 @@ fn a_bench_that_was_edited_says_nothing() {
     }
 }
 
-/// A Gent muscle and points of a neo-Hookean one, without noise and with it: no limit is found beyond the bound, and the file can be read.
+/// A Gent muscle and points of a neo-Hookean one, without noise and with it: no limit lies beyond the bound, and the file can be read.
 #[test]
 fn chains_that_never_lock_are_said() {
     use mckibben::muscle::file::{parse_muscle, to_toml};
@@ -340,15 +340,15 @@ fn chains_that_never_lock_are_said() {
     let m = muscle(gent, BraidStiffness::NewtonPerMm(400.0));
     for deviation in [0.0, 4.0] {
         let points = noisy(&bench(&plain, 0.0), deviation, 5);
-        let f = found(&m, &["mu", "jm"], &points, Loss::Squares).unwrap();
-        let limit = f.parameters[1].value;
+        let fit = identified(&m, &["mu", "jm"], &points).unwrap();
+        let limit = fit.parameters[1].value;
         if limit > 100.0 {
-            assert!(limit <= 1000.0 && !f.parameters[1].identifiable, "{:#?}", f.parameters);
-            assert!(f.notes.iter().any(|n| n.contains("law = \"neo-hookean\"")), "{:?}", f.notes);
+            assert!(limit <= 1000.0 && !fit.parameters[1].identifiable, "{:#?}", fit.parameters);
+            assert!(fit.notes.iter().any(|n| n.contains("law = \"neo-hookean\"")), "{:?}", fit.notes);
         }
         assert!(deviation > 0.0 || limit > 100.0, "{limit}");
-        let own = f.with_bench();
-        assert!(parse_muscle(&to_toml(&own)).unwrap().bench().is_some());
+        let muscle = fit.with_bench();
+        assert!(parse_muscle(&to_toml(&muscle)).unwrap().bench().is_some());
     }
 }
 
@@ -358,7 +358,7 @@ fn pulls_that_are_all_negative_are_named() {
     let m = soft();
     let mut points = bench(&m, 0.0);
     points.iter_mut().for_each(|p| p.at.force_n *= -0.1);
-    let error = found(&m, &["mu"], &points, Loss::Squares).unwrap_err();
+    let error = identified(&m, &["mu"], &points).unwrap_err();
     assert!(matches!(&error, IdentifyError::Flipped(said) if said.contains("lines 2, 3, 4")), "{error}");
     assert_eq!(doubts(&m, &points).unwrap_err(), error);
     points.iter_mut().for_each(|p| p.at.force_n = 0.0);
@@ -375,15 +375,15 @@ fn a_modulus_of_no_rubber_is_named() {
     let thin = |mu_mpa: f64| {
         let tube = Tube {
             wall_mm: 0.1,
-            rubber: Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa })),
+            rubber: Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa })),
             ..soft().tube().clone()
         };
         soft().with_tube(tube).unwrap()
     };
     let said = |mu_mpa: f64| {
-        let found = found(&thin(1.0), &["mu"], &bench(&thin(mu_mpa), 0.0), Loss::Squares).unwrap();
-        assert!((found.parameters[0].value / mu_mpa - 1.0).abs() < 1e-3, "{:#?}", found.parameters);
-        found.notes.iter().any(|n| n.contains("rubbers lie between 0.005 and 20 MPa"))
+        let fit = identified(&thin(1.0), &["mu"], &bench(&thin(mu_mpa), 0.0)).unwrap();
+        assert!((fit.parameters[0].value / mu_mpa - 1.0).abs() < 1e-3, "{:#?}", fit.parameters);
+        fit.notes.iter().any(|n| n.contains("rubbers lie between 0.005 and 20 MPa"))
     };
     assert_eq!((said(25.0), said(2.0)), (true, false));
 }

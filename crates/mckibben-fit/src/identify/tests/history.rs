@@ -28,7 +28,7 @@ fn loops(deviation_n: f64, seed: u64) -> Vec<DataPoint> {
                 let first = out.last().is_none_or(|p| p.set != set);
                 let branch = first.then_some(Direction::Contraction);
                 let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
-                out.push(DataPoint { set, line: out.len() as u64 + 2, ..DataPoint::of(at) });
+                out.push(DataPoint { set, line: out.len() as u64 + 2, ..DataPoint::new(at) });
             }
             before = state(0.25 * rows as f64);
         }
@@ -36,7 +36,7 @@ fn loops(deviation_n: f64, seed: u64) -> Vec<DataPoint> {
     out
 }
 
-fn of(points: &[DataPoint], history: bool) -> Result<Identification, IdentifyError> {
+fn identified(points: &[DataPoint], history: bool) -> Result<Identification, IdentifyError> {
     let m = soft();
     let parse = |text: &str| Parameter::parse(text, &m).unwrap();
     let free = [parse("mu"), parse("friction.lever"), parse("friction.presliding")];
@@ -46,27 +46,27 @@ fn of(points: &[DataPoint], history: bool) -> Result<Identification, IdentifyErr
 #[test]
 fn closed_form_loops_give_the_modulus_the_lever_and_the_presliding_back() {
     let truth = [0.3, LEVER_MM, PRESLIDING_MM];
-    let exact = of(&loops(0.0, 1), true).unwrap();
+    let exact = identified(&loops(0.0, 1), true).unwrap();
     for (p, truth) in exact.parameters.iter().zip(truth) {
         assert!((p.value / truth - 1.0).abs() < 1e-6, "{} {}", p.name, p.value);
     }
     // 95 % intervals: of 30 at most 4 miss in 95 of 100 such tests.
     let mut missed = 0;
     for seed in 1..=10 {
-        let found = of(&loops(0.5, seed), true).unwrap();
-        for (p, truth) in found.parameters.iter().zip(truth) {
+        let fit = identified(&loops(0.5, seed), true).unwrap();
+        for (p, truth) in fit.parameters.iter().zip(truth) {
             assert!(p.identifiable && p.half_width < 0.1 * truth, "{} ± {}", p.name, p.half_width);
             missed += usize::from((p.value - truth).abs() > p.half_width);
         }
-        assert!((found.rms_n - 0.5).abs() < 0.06, "{}", found.rms_n);
+        assert!((fit.rms_n - 0.5).abs() < 0.06, "{}", fit.rms_n);
     }
     assert!(missed <= 4, "{missed}");
 }
 
 #[test]
 fn without_the_order_in_time_no_row_has_a_presliding() {
-    let found = of(&loops(0.5, 1), false).unwrap();
-    assert!(!found.parameters[2].identifiable && !found.parameters[2].matters);
+    let fit = identified(&loops(0.5, 1), false).unwrap();
+    assert!(!fit.parameters[2].identifiable && !fit.parameters[2].matters);
 }
 
 #[test]
@@ -74,7 +74,7 @@ fn rows_in_time_order_state_pulls() {
     let mut points = loops(0.0, 1);
     points[7].measured = Quantity::Pressure;
     assert!(
-        of(&points, true)
+        identified(&points, true)
             .unwrap_err()
             .to_string()
             .starts_with(&format!("line {}: rows in time order", points[7].line))

@@ -19,7 +19,7 @@ fn with_ends(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
 }
 
 fn muscle(law: Law, stiffness: BraidStiffness) -> Muscle {
-    let tube = Tube::new(20.0, 1.5, 200.0, Rubber::of(law));
+    let tube = Tube::new(20.0, 1.5, 200.0, Rubber::new(law));
     let braid = Braid { angle_deg: 25.0, stiffness, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
@@ -62,7 +62,7 @@ fn bench(m: &Muscle, offset: f64) -> Vec<DataPoint> {
             let force_n =
                 model.force_n(&mut Workspace::new(), pressure_mpa, contraction + offset).unwrap() + signed;
             let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(branch) };
-            out.push(DataPoint { line: out.len() as u64 + 2, ..DataPoint::of(at) });
+            out.push(DataPoint { line: out.len() as u64 + 2, ..DataPoint::new(at) });
         }
     }
     out
@@ -76,7 +76,7 @@ fn curves(m: &Muscle, pressures: &[f64], step: f64) -> Vec<DataPoint> {
         for contraction in (0..12).map(|i| step * f64::from(i)) {
             let force_n = model.force_n(&mut Workspace::new(), pressure_mpa, contraction).unwrap();
             let branch = Some(Direction::Mean);
-            out.push(DataPoint::of(MeasuredPoint { pressure_mpa, contraction, force_n, branch }));
+            out.push(DataPoint::new(MeasuredPoint { pressure_mpa, contraction, force_n, branch }));
         }
     }
     out
@@ -93,14 +93,8 @@ fn free(m: &Muscle, names: &[&str]) -> Vec<Parameter> {
     names.iter().map(|n| Parameter::parse(n, m).unwrap()).collect()
 }
 
-fn found(
-    m: &Muscle,
-    names: &[&str],
-    points: &[DataPoint],
-    loss: Loss,
-) -> Result<Identification, IdentifyError> {
-    let free = free(m, names);
-    identify(&Request { loss, ..Request::new(m, &free, points, &thick) })
+fn identified(m: &Muscle, names: &[&str], points: &[DataPoint]) -> Result<Identification, IdentifyError> {
+    identify(&Request::new(m, &free(m, names), points, &thick))
 }
 
 #[test]
@@ -118,9 +112,9 @@ fn whoever_no_longer_wants_the_answer_gets_none() {
 }
 
 fn values(m: &Muscle, names: &[&str], points: &[DataPoint]) -> Vec<f64> {
-    let found = found(m, names, points, Loss::Squares).unwrap();
-    assert!(found.parameters.iter().all(|p| p.identifiable), "{:#?}", found.parameters);
-    found.parameters.iter().map(|p| p.value).collect()
+    let fit = identified(m, names, points).unwrap();
+    assert!(fit.parameters.iter().all(|p| p.identifiable), "{:#?}", fit.parameters);
+    fit.parameters.iter().map(|p| p.value).collect()
 }
 
 #[test]
@@ -213,10 +207,9 @@ fn error_bars_cover_the_truth_at_their_rate() {
     let exact = bench(&m, 0.0);
     let mut hits = [0; 2];
     for trial in 0..300 {
-        let f =
-            found(&m, &["mu", "braid.stiffness"], &noisy(&exact, 4.0, 77 + trial), Loss::Squares).unwrap();
+        let fit = identified(&m, &["mu", "braid.stiffness"], &noisy(&exact, 4.0, 77 + trial)).unwrap();
         for (i, truth) in [0.3, 400.0].iter().enumerate() {
-            hits[i] += usize::from((f.parameters[i].value - truth).abs() <= f.parameters[i].half_width);
+            hits[i] += usize::from((fit.parameters[i].value - truth).abs() <= fit.parameters[i].half_width);
         }
     }
     assert!(hits.iter().all(|h| (274..=296).contains(h)), "{hits:?}");
@@ -238,8 +231,8 @@ fn stated_errors_weigh_the_points() {
             p.error = Some(error);
         }
         let off = |points: &[DataPoint]| {
-            let f = found(&m, &["mu"], points, Loss::Squares).unwrap();
-            (f.parameters[0].value - 0.3).powi(2)
+            let fit = identified(&m, &["mu"], points).unwrap();
+            (fit.parameters[0].value - 0.3).powi(2)
         };
         weighed += off(&points);
         points.iter_mut().for_each(|p| p.error = None);
@@ -249,7 +242,7 @@ fn stated_errors_weigh_the_points() {
     assert!(plain > 8.0 * weighed, "{plain} {weighed}");
     let mut points = exact;
     points[3].error = Some(1.0);
-    let error = found(&m, &["mu"], &points, Loss::Squares).unwrap_err().to_string();
+    let error = identified(&m, &["mu"], &points).unwrap_err().to_string();
     assert!(error.contains("1 of 15 points state their error") && error.contains("line 2"), "{error}");
 }
 
@@ -281,13 +274,13 @@ fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
     let points = of_lengths(&m, seating);
     let free = free(&m, &["mu=0.5", "terminals.seating", "contraction_offset"]);
     let request = Request::new(&m, &free, &points, &with_ends);
-    let found = identify(&request).unwrap();
-    for (p, truth) in found.parameters.iter().zip([0.3, seating, 0.0]) {
+    let fit = identify(&request).unwrap();
+    for (p, truth) in fit.parameters.iter().zip([0.3, seating, 0.0]) {
         assert!(p.identifiable && (p.value - truth).abs() < 1e-6, "{p:#?}");
     }
     let determined = |points: &[DataPoint]| {
-        let found = identify(&Request { points, ..request }).unwrap();
-        found.notes.iter().any(|note| note.contains("all points are from muscles of one length"))
+        let fit = identify(&Request { points, ..request }).unwrap();
+        fit.notes.iter().any(|note| note.contains("all points are from muscles of one length"))
     };
     assert!(determined(&noisy(&points[..PLACES.len()], 0.5, 3)) && !determined(&points));
 }
@@ -307,13 +300,13 @@ fn muscles_of_several_lengths_tell_slip_and_grip() {
             let contraction = (x * (length_mm - 2.0 * grip) - way) / length_mm;
             let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) };
             let section = Section { length_mm: Some(length_mm), ..Default::default() };
-            points.push(DataPoint { section, ..DataPoint::of(at) });
+            points.push(DataPoint { section, ..DataPoint::new(at) });
         }
     }
     let free = free(&m, &["mu=0.5", "terminals.slip", "grip"]);
     let request = Request { two_sided: true, ..Request::new(&m, &free, &points, &with_ends) };
-    let found = identify(&request).unwrap();
-    for (p, (truth, scale)) in found.parameters.iter().zip([(0.3, 0.3), (slip, slip), (grip, grip)]) {
+    let fit = identify(&request).unwrap();
+    for (p, (truth, scale)) in fit.parameters.iter().zip([(0.3, 0.3), (slip, slip), (grip, grip)]) {
         assert!(p.identifiable && (p.value - truth).abs() < 1e-5 * scale, "{p:#?}");
     }
 }
@@ -326,21 +319,19 @@ fn of_all_laws_the_points_prefer_the_one_that_made_them() {
     let m = soft();
     let law = |law: Law| {
         let tube = m.tube().clone();
-        m.with_tube(Tube { rubber: Rubber::of(law), ..tube }).unwrap()
+        m.with_tube(Tube { rubber: Rubber::new(law), ..tube }).unwrap()
     };
     let truth = law(Law::Gent(Gent { mu_mpa: 0.35, jm: 6.0 }));
     let mut points = curves(&truth, &[0.1, 0.2, 0.3, 0.4], 0.02);
     points.iter_mut().for_each(|p| p.at.force_n = 0.1 * (10.0 * p.at.force_n).round());
     let free = [Parameter::free(Target::Modulus)];
-    let (muscle, loss) = (&m, Loss::Squares);
-    let request = Request { loss, ..Request::new(muscle, &free, &points, &thick) };
-    let trials = try_laws(&request).unwrap();
+    let trials = try_laws(&Request::new(&m, &free, &points, &thick)).unwrap();
     assert_eq!(trials.len(), Law::KINDS.iter().filter(|k| !k.is_sum).count());
     let best = &trials[0];
     assert_eq!(best.law, "gent");
-    let found = best.found.as_ref().unwrap();
-    assert!((found.parameters[0].value - 0.35).abs() < found.parameters[0].half_width);
-    assert!((found.parameters[1].value - 6.0).abs() < found.parameters[1].half_width);
+    let fit = best.result.as_ref().unwrap();
+    assert!((fit.parameters[0].value - 0.35).abs() < fit.parameters[0].half_width);
+    assert!((fit.parameters[1].value - 6.0).abs() < fit.parameters[1].half_width);
     let plain = trials.iter().find(|t| t.law == "neo-hookean").unwrap();
     assert!(
         best.neighbours.abs() < 0.4 && plain.neighbours > 0.8,

@@ -112,15 +112,15 @@ fn a_model_that_ends_somewhere_is_followed_up_to_there() {
 #[test]
 fn rosenbrocks_valley_is_followed_to_its_end() {
     let valley = |x: &[f64]| Some(vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0], 0.0]);
-    let found = estimate(&valley, &FREE, &[1.0; 3], Loss::Squares).unwrap();
-    assert!((found.x[0] - 1.0).abs() < 1e-7 && (found.x[1] - 1.0).abs() < 1e-7, "{found:?}");
-    assert!(found.residuals.iter().map(|r| r * r).sum::<f64>() < 1e-14);
+    let result = estimate(&valley, &FREE, &[1.0; 3], Loss::Squares).unwrap();
+    assert!((result.x[0] - 1.0).abs() < 1e-7 && (result.x[1] - 1.0).abs() < 1e-7, "{result:?}");
+    assert!(result.residuals.iter().map(|r| r * r).sum::<f64>() < 1e-14);
 }
 
 /// The minimum, 1 by hand, lies where the model has no answer: the edge of the answers is no minimum.
 #[test]
 fn a_minimum_without_an_answer_is_not_replaced_by_the_last_point_with_one() {
     let no_answer_below_2 = |x: &[f64]| (x[0] > 2.0).then(|| vec![x[0] - 0.9, x[0] - 1.1, x[0] - 1.0]);
-    let found = estimate(&no_answer_below_2, &[Unknown::free(7.0, 1.0)], &[1.0; 3], Loss::Squares);
-    assert!(matches!(found, Err(EstimateError::NoMinimum { .. })), "{found:?}");
+    let result = estimate(&no_answer_below_2, &[Unknown::free(7.0, 1.0)], &[1.0; 3], Loss::Squares);
+    assert!(matches!(result, Err(EstimateError::NoMinimum { .. })), "{result:?}");
 }

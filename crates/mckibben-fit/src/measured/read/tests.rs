@@ -14,7 +14,7 @@ fn read(text: &str) -> Result<(Vec<DataPoint>, Understood), TableError> {
 fn refused(text: &str, columns: &str) -> String {
     match read_with(text, columns) {
         Err(error) => error.to_string(),
-        Ok(found) => panic!("{text}: {found:?}"),
+        Ok(points) => panic!("{text}: {points:?}"),
     }
 }
 
@@ -73,7 +73,7 @@ fn what_is_not_understood_is_named_with_the_way_out() {
 #[test]
 fn a_branch_is_stated_or_not() {
     use Direction::{Contraction, Elongation, Mean};
-    let of = |heading: &str, word: &str| {
+    let points = |heading: &str, word: &str| {
         read(&format!("pressure_bar,contraction,force_n,{heading}\n2,0.1,3,{word}\n")).unwrap().0[0].at.branch
     };
     for (heading, word, branch) in [
@@ -87,7 +87,7 @@ fn a_branch_is_stated_or_not() {
         ("branch", "", None),
         ("remark", "contraction", None),
     ] {
-        assert_eq!(of(heading, word), branch, "{heading} {word}");
+        assert_eq!(points(heading, word), branch, "{heading} {word}");
     }
 }
 
@@ -147,9 +147,9 @@ fn thousands_are_read_where_there_is_no_doubt() {
     }
 }
 
-/// Columns of our own tables mean what they meant, beside columns that people would call alike.
+/// Columns of our tables mean what they meant, beside columns that people would call alike.
 #[test]
-fn our_own_tables_are_read_as_ever() {
+fn tables_of_this_program_are_read_as_ever() {
     let text = "pressure_mpa,contraction,force_n,measured,model_force_n,residual_n,weight,outlier,line,data\n\
                 0.1,0.05,200,contraction,201,1,0.5,false,2,1\n";
     let (points, understood) = read(text).unwrap();

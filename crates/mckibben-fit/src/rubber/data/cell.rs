@@ -1,5 +1,6 @@
-//! Stress and mode of a row, and what no rubber can bear.
+//! Stress and mode of a row, and the limits of rubbers.
 
+use super::Result;
 use crate::rubber::Mode;
 use mckibben_io::table::{Column, Meaning, Table, TableError};
 
@@ -13,29 +14,34 @@ pub(super) const LARGEST_STRETCH: f64 = 25.0;
 /// No rubber bears more over its area at rest; the strongest tear at some 50 MPa.
 pub(super) const LARGEST_STRESS_MPA: f64 = 100.0;
 
-/// Force over the area at rest, in MPa, from whatever is in the column.
-pub(super) fn nominal(
-    table: &Table,
-    row: usize,
-    stress: &Column,
-    measured: f64,
-    (stretch, area): (f64, f64),
-) -> Result<f64, TableError> {
-    let nominal_stress_mpa = match stress.meaning {
-        Meaning::TrueStress | Meaning::TrueStress2 => measured / stretch,
-        Meaning::Force => measured / area,
-        _ => measured,
-    };
-    if nominal_stress_mpa.is_nan() || nominal_stress_mpa.abs() > LARGEST_STRESS_MPA {
-        let expected = "gives a stress that no rubber can bear; check its unit (250 kPa is 0.25 MPa)";
-        return Err(table.impossible(row, stress, expected));
-    }
-    Ok(nominal_stress_mpa)
+/// A table of tests, with what it does not state.
+pub(super) struct Tests<'a> {
+    pub table: &'a Table,
+    /// Cross-section of the specimen at rest.
+    pub area_mm2: f64,
+    /// The mode of a table without a column of it.
+    pub default_mode: Mode,
 }
 
-/// The mode that a row states.
-pub(super) fn mode(table: &Table, row: usize) -> Result<Option<Mode>, TableError> {
-    let Some((line, text)) = table.text(row, Meaning::Mode) else { return Ok(None) };
-    let unknown = || TableError::word(line, "mode", text, format!("none of {}", Mode::WORDS));
-    Mode::parse(text).map(Some).ok_or_else(unknown)
+impl Tests<'_> {
+    /// Force over the area at rest, in MPa, from a value of a column at a stretch.
+    pub fn nominal_mpa(&self, row: usize, stress: &Column, measured: f64, stretch: f64) -> Result<f64> {
+        let nominal_stress_mpa = match stress.meaning {
+            Meaning::TrueStress | Meaning::TrueStress2 => measured / stretch,
+            Meaning::Force => measured / self.area_mm2,
+            _ => measured,
+        };
+        if nominal_stress_mpa.is_nan() || nominal_stress_mpa.abs() > LARGEST_STRESS_MPA {
+            let expected = "gives a stress that no rubber can bear; check its unit (250 kPa is 0.25 MPa)";
+            return Err(self.table.impossible(row, stress, expected));
+        }
+        Ok(nominal_stress_mpa)
+    }
+
+    /// The mode that a row states.
+    pub fn mode(&self, row: usize) -> Result<Option<Mode>> {
+        let Some((line, text)) = self.table.text(row, Meaning::Mode) else { return Ok(None) };
+        let unknown = || TableError::word(line, "mode", text, format!("none of {}", Mode::WORDS));
+        Mode::parse(text).map(Some).ok_or_else(unknown)
+    }
 }

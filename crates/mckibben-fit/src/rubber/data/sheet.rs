@@ -2,9 +2,10 @@
 //!
 //! Without a mode in its row a specimen is a general one. A mode of one stretch beside a second stretch has to fit to it.
 
-use super::cell::{LARGEST_STRESS_MPA, LARGEST_STRETCH, STRESS, mode, nominal};
+use super::Result;
+use super::cell::{LARGEST_STRESS_MPA, LARGEST_STRETCH, STRESS, Tests};
 use crate::rubber::{Mode, TensionPoint};
-use mckibben_io::table::{Meaning, Table, TableError};
+use mckibben_io::table::{Meaning, TableError};
 
 /// Columns beside the first stretch.
 pub(super) const MEANINGS: [Meaning; 7] = [
@@ -20,91 +21,80 @@ pub(super) const MEANINGS: [Meaning; 7] = [
 /// How far the second stretch may lie from that of a mode of one stretch, as a share of it.
 const WITHIN: f64 = 0.02;
 
-/// All points of a table, whose first stretches are known.
-pub(super) fn points(
-    table: &Table,
-    lengths: &[f64],
-    area_mm2: f64,
-    without_mode: Mode,
-) -> Result<Vec<TensionPoint>, TableError> {
-    let across = table.some_numbers(Meaning::Stretch2)?;
-    let of = |meaning| Ok::<_, TableError>((table.column(meaning), table.some_numbers(meaning)?));
-    let along = [of(Meaning::NominalStress)?, of(Meaning::TrueStress)?, of(Meaning::Force)?];
-    let second = [of(Meaning::NominalStress2)?, of(Meaning::TrueStress2)?];
-    let differences = of(Meaning::TrueStressDifference)?;
-    let has_modes = table.column(Meaning::Mode).is_some();
-    let mut out = vec![];
-    for (row, &stretch) in lengths.iter().enumerate() {
-        let said = match table.text(row, Meaning::Mode) {
-            Some((_, text)) if !text.trim().is_empty() => mode(table, row)?,
-            _ => None,
-        };
-        let mode = match (said, across[row]) {
-            (Some(mode), _) => mode,
-            (None, Some(_)) => Mode::General,
-            (None, None) if has_modes => Mode::Uniaxial,
-            (None, None) => without_mode,
-        };
-        let lambda_2 = across_of(table, row, mode, stretch, across[row])?;
-        let first = |columns: &[(Option<_>, Vec<Option<f64>>)], along| {
-            let found = columns.iter().find_map(|(column, values)| Some(((*column)?, values[row]?)));
-            found.map(|(column, value)| nominal(table, row, column, value, (along, area_mm2))).transpose()
-        };
-        let before = out.len();
-        if let Some(stress) = first(&along, stretch)? {
-            out.push(match mode {
-                Mode::General => TensionPoint::general(stretch, lambda_2, stress),
-                mode => TensionPoint::new(mode, stretch, stress),
-            });
-        }
-        match (first(&second, lambda_2)?, mode) {
-            (Some(stress), Mode::Equibiaxial) => out.push(TensionPoint::new(mode, lambda_2, stress)),
-            // The sides of a strip in simple tension are free: what is there is their zero.
-            (None, _) | (_, Mode::Uniaxial) => {}
-            (Some(stress), _) => out.push(TensionPoint::general(lambda_2, stretch, stress)),
-        }
-        if let (Some(column), Some(value)) = (differences.0, differences.1[row]) {
-            if value.abs() > LARGEST_STRESS_MPA * stretch.max(lambda_2) {
-                let expected = "is not a difference of stresses that a rubber can bear; check its unit";
+impl Tests<'_> {
+    /// All points of a table, whose first stretches are known.
+    pub fn sheet_points(&self, lengths: &[f64]) -> Result<Vec<TensionPoint>> {
+        let table = self.table;
+        let across = table.some_numbers(Meaning::Stretch2)?;
+        let column = |meaning| Ok::<_, TableError>((table.column(meaning), table.some_numbers(meaning)?));
+        let along = [column(Meaning::NominalStress)?, column(Meaning::TrueStress)?, column(Meaning::Force)?];
+        let second = [column(Meaning::NominalStress2)?, column(Meaning::TrueStress2)?];
+        let differences = column(Meaning::TrueStressDifference)?;
+        let has_modes = table.column(Meaning::Mode).is_some();
+        let mut out = vec![];
+        for (row, &stretch) in lengths.iter().enumerate() {
+            let stated = match table.text(row, Meaning::Mode) {
+                Some((_, text)) if !text.trim().is_empty() => self.mode(row)?,
+                _ => None,
+            };
+            let mode = match (stated, across[row]) {
+                (Some(mode), _) => mode,
+                (None, Some(_)) => Mode::General,
+                (None, None) if has_modes => Mode::Uniaxial,
+                (None, None) => self.default_mode,
+            };
+            let lambda_2 = self.second_stretch(row, mode, stretch, across[row])?;
+            let first = |columns: &[(Option<_>, Vec<Option<f64>>)], along| {
+                let stress = columns.iter().find_map(|(column, values)| Some(((*column)?, values[row]?)));
+                stress.map(|(column, value)| self.nominal_mpa(row, column, value, along)).transpose()
+            };
+            let before = out.len();
+            if let Some(stress) = first(&along, stretch)? {
+                out.push(match mode {
+                    Mode::General => TensionPoint::general(stretch, lambda_2, stress),
+                    mode => TensionPoint::new(mode, stretch, stress),
+                });
+            }
+            match (first(&second, lambda_2)?, mode) {
+                (Some(stress), Mode::Equibiaxial) => out.push(TensionPoint::new(mode, lambda_2, stress)),
+                // The sides of a strip in simple tension are free: a stress there is zero.
+                (None, _) | (_, Mode::Uniaxial) => {}
+                (Some(stress), _) => out.push(TensionPoint::general(lambda_2, stretch, stress)),
+            }
+            if let (Some(column), Some(value)) = (differences.0, differences.1[row]) {
+                if value.abs() > LARGEST_STRESS_MPA * stretch.max(lambda_2) {
+                    let expected = "is not a difference of stresses that a rubber can bear; check its unit";
+                    return Err(table.impossible(row, column, expected));
+                }
+                out.push(TensionPoint::from_difference(stretch, lambda_2, value));
+            }
+            if out.len() == before {
+                let column = along.iter().chain([&differences]).find_map(|(column, _)| *column);
+                let column = column.map_or_else(|| table.needed(STRESS), Ok)?;
+                let expected = "is not a valid stress, nor is there another in its line";
                 return Err(table.impossible(row, column, expected));
             }
-            out.push(TensionPoint::of_difference(stretch, lambda_2, value));
         }
-        if out.len() == before {
-            let column = along.iter().chain([&differences]).find_map(|(column, _)| *column);
-            let column = column.map_or_else(|| table.needed(STRESS), Ok)?;
-            return Err(table.impossible(
-                row,
-                column,
-                "is not a valid stress, nor is there another in its line",
-            ));
-        }
+        Ok(out)
     }
-    Ok(out)
-}
 
-/// The second stretch of a row.
-fn across_of(
-    table: &Table,
-    row: usize,
-    mode: Mode,
-    stretch: f64,
-    measured: Option<f64>,
-) -> Result<f64, TableError> {
-    let column = table.column(Meaning::Stretch2);
-    let impossible = |expected| match column {
-        Some(column) => table.impossible(row, column, expected),
-        None => TableError::empty(),
-    };
-    if measured.is_some_and(|v| !(0.02..=LARGEST_STRETCH).contains(&v)) {
-        return Err(impossible("is not a valid stretch L/L0, which is 1 at rest and above 0"));
-    }
-    match (mode.across(stretch), measured) {
-        (Some(ideal), Some(v)) if (v / ideal - 1.0).abs() > WITHIN => Err(impossible(
-            "is not the second stretch of the mode in its line (uniaxial λ^-0.5, planar 1, equibiaxial λ); call that mode general",
-        )),
-        (Some(ideal), _) => Ok(ideal),
-        (None, Some(v)) => Ok(v),
-        (None, None) => Err(impossible("is not a valid stretch; a general test needs both")),
+    /// The second stretch of a row.
+    fn second_stretch(&self, row: usize, mode: Mode, stretch: f64, measured: Option<f64>) -> Result<f64> {
+        let column = self.table.column(Meaning::Stretch2);
+        let impossible = |expected| match column {
+            Some(column) => self.table.impossible(row, column, expected),
+            None => TableError::empty(),
+        };
+        if measured.is_some_and(|v| !(0.02..=LARGEST_STRETCH).contains(&v)) {
+            return Err(impossible("is not a valid stretch L/L0, which is 1 at rest and above 0"));
+        }
+        match (mode.across(stretch), measured) {
+            (Some(ideal), Some(v)) if (v / ideal - 1.0).abs() > WITHIN => Err(impossible(
+                "is not the second stretch of the mode in its line (uniaxial λ^-0.5, planar 1, equibiaxial λ); call that mode general",
+            )),
+            (Some(ideal), _) => Ok(ideal),
+            (None, Some(v)) => Ok(v),
+            (None, None) => Err(impossible("is not a valid stretch; a general test needs both")),
+        }
     }
 }

@@ -3,8 +3,8 @@
 use super::*;
 
 fn constants(fit: &TensionFit, form: Form) -> Vec<f64> {
-    let found = fit.laws.iter().find(|l| l.form == form && !l.constrained).unwrap();
-    found.law.values()
+    let fitted = fit.laws.iter().find(|l| l.form == form && !l.constrained).unwrap();
+    fitted.law.values()
 }
 
 /// X. Li, Y. Wei (2015), relative least squares of Treloar's three tests: neo-Hookean C10 0.1863; Yeoh 0.1789, −0.001219,
@@ -12,28 +12,28 @@ fn constants(fit: &TensionFit, form: Form) -> Vec<f64> {
 #[test]
 fn treloars_rubber_gives_the_published_neo_hookean_and_yeoh() {
     let relative = FitSettings { measure: Measure::Relative, ..FitSettings::default() };
-    let found = fit_tension(&shipped("treloar/tension.csv"), &relative).unwrap();
-    assert!((0.5 * constants(&found, named("neo-hookean"))[0] - 0.1863).abs() < 5e-5);
-    let yeoh = constants(&found, named("yeoh"));
+    let fit = fit_tension(&shipped("treloar/tension.csv"), &relative).unwrap();
+    assert!((0.5 * constants(&fit, named("neo-hookean"))[0] - 0.1863).abs() < 5e-5);
+    let yeoh = constants(&fit, named("yeoh"));
     assert!((yeoh[0] - 0.1789).abs() < 1e-4, "{yeoh:?}");
     assert!((yeoh[1] + 0.001219).abs() < 1e-6, "{yeoh:?}");
     assert!((yeoh[2] - 3.678e-5).abs() < 1e-8, "{yeoh:?}");
     // As data/treloar/README.md says, the published Mooney–Rivlin pair does not come out.
-    let mooney = constants(&found, named("mooney-rivlin"));
+    let mooney = constants(&fit, named("mooney-rivlin"));
     assert!((mooney[0] - 0.1788).abs() < 5e-5 && (mooney[1] - 0.0037).abs() < 5e-5, "{mooney:?}");
 }
 
 /// R. W. Ogden (1972) fitted three terms to the same tests by eye: least squares must not do worse, in either measure.
 #[test]
-fn three_terms_follow_treloars_rubber_at_least_as_well_as_ogdens_own() {
+fn three_terms_follow_treloars_rubber_at_least_as_well_as_those_of_ogden() {
     let data = shipped("treloar/tension.csv");
-    let own = Law::Ogden(Ogden { terms: vec![(0.6178, 1.3), (0.001177, 5.0), (-0.009807, -2.0)] });
+    let published = Law::Ogden(Ogden { terms: vec![(0.6178, 1.3), (0.001177, 5.0), (-0.009807, -2.0)] });
     for measure in [Measure::Absolute, Measure::Relative] {
         let settings = FitSettings { measure, ..only(named("ogden-3")) };
-        let found = fit_tension(&data, &settings).unwrap();
+        let fit = fit_tension(&data, &settings).unwrap();
         let problem = Problem::new(data.clone(), measure, false, &[]);
-        let (ours, his) = (problem.squares(&found.laws[0].law).unwrap(), problem.squares(&own).unwrap());
-        assert!(ours <= his, "{measure:?}: {ours} against {his}, {:?}", found.laws[0].law);
+        let (ours, his) = (problem.squares(&fit.laws[0].law).unwrap(), problem.squares(&published).unwrap());
+        assert!(ours <= his, "{measure:?}: {ours} against {his}, {:?}", fit.laws[0].law);
     }
 }
 
@@ -60,18 +60,18 @@ fn silicones_give_the_published_constants() {
                 forms: vec![named("neo-hookean"), named("mooney-rivlin")],
                 ..FitSettings::default()
             };
-            let found = fit_tension(&data, &settings).unwrap();
-            let neo = 500.0 * constants(&found, named("neo-hookean"))[0];
+            let fit = fit_tension(&data, &settings).unwrap();
+            let neo = 500.0 * constants(&fit, named("neo-hookean"))[0];
             assert!((neo / number(7) - 1.0).abs() < 0.0135, "{name} to {}: {neo} kPa", number(1));
             compared += 1;
             // Ecoflex up to 50 % has three points left, too few for two constants.
-            let Some(mooney) = found.laws.iter().find(|l| l.form == named("mooney-rivlin") && !l.constrained)
+            let Some(mooney) = fit.laws.iter().find(|l| l.form == named("mooney-rivlin") && !l.constrained)
             else {
-                assert_eq!((name, number(1), found.points.len()), ("Ecoflex 00-50", 0.5, 3));
+                assert_eq!((name, number(1), fit.points.len()), ("Ecoflex 00-50", 0.5, 3));
                 continue;
             };
             for (p, kpa) in mooney.parameters.iter().zip([number(3), number(4)]) {
-                let half = crate::least_squares::t95(found.points.len() - 2) * p.standard_error.unwrap();
+                let half = crate::least_squares::t95(fit.points.len() - 2) * p.standard_error.unwrap();
                 let off = (p.value - 1e-3 * kpa).abs();
                 assert!(off < half, "{name} to {}: {p:?} against {kpa} kPa", number(1));
             }

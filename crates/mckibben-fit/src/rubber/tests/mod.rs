@@ -93,18 +93,18 @@ fn mooney_rivlin_is_the_solution_of_its_normal_equations() {
         data.iter().map(|p| (row(p)[0] * c[0] + row(p)[1] * c[1] - p.nominal_stress_mpa).powi(2)).sum();
     let s = (left / (data.len() - 2) as f64).sqrt();
     let errors = [s * (n[1][1] / det).sqrt(), s * (n[0][0] / det).sqrt()];
-    let found = fit_tension(&data, &only(named("mooney-rivlin"))).unwrap();
-    for (i, p) in found.laws[0].parameters.iter().enumerate() {
+    let fit = fit_tension(&data, &only(named("mooney-rivlin"))).unwrap();
+    for (i, p) in fit.laws[0].parameters.iter().enumerate() {
         assert!((p.value / c[i] - 1.0).abs() < 1e-9, "{p:?} {c:?}");
         assert!((p.standard_error.unwrap() / errors[i] - 1.0).abs() < 1e-6, "{p:?} {errors:?}");
         assert!(p.identifiable);
     }
-    assert!((found.laws[0].quality.rms_mpa - (left / data.len() as f64).sqrt()).abs() < 1e-12);
+    assert!((fit.laws[0].quality.rms_mpa - (left / data.len() as f64).sqrt()).abs() < 1e-12);
 }
 
 /// The points of a law give its constants back, in each mode alone and in all.
 #[test]
-fn every_law_comes_back_from_its_own_points_in_every_mode() {
+fn every_law_comes_back_from_its_points_in_every_mode() {
     let laws = [
         (named("neo-hookean"), Law::NeoHookean(NeoHookean { mu_mpa: 0.3 })),
         (named("mooney-rivlin"), Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.02 })),
@@ -118,19 +118,19 @@ fn every_law_comes_back_from_its_own_points_in_every_mode() {
     for (form, law) in laws {
         for modes in sets {
             let data = points(&law, modes, (0.8, 4.5), 30, |_| 0.0);
-            let found = fit_tension(&data, &only(form)).unwrap();
+            let fit = fit_tension(&data, &only(form)).unwrap();
             // In planar tension I1 = I2: only the sum of C10 and C01 is identifiable.
             if form == named("mooney-rivlin") && modes == [Mode::Planar] {
-                let fit = &found.laws[0];
-                assert!((fit.law.shear_modulus_mpa() - law.shear_modulus_mpa()).abs() < 1e-8);
-                assert!(fit.parameters.iter().all(|p| !p.identifiable && p.standard_error.is_none()));
+                let fitted = &fit.laws[0];
+                assert!((fitted.law.shear_modulus_mpa() - law.shear_modulus_mpa()).abs() < 1e-8);
+                assert!(fitted.parameters.iter().all(|p| !p.identifiable && p.standard_error.is_none()));
                 continue;
             }
-            let got = found.laws[0].law.values();
+            let got = fit.laws[0].law.values();
             for (a, b) in got.iter().zip(law.values()) {
                 assert!((a - b).abs() < 1e-4 * b.abs(), "{form:?} {modes:?}: {got:?}");
             }
-            assert!(found.laws[0].quality.r_squared > 1.0 - 1e-9, "{form:?} {modes:?}");
+            assert!(fit.laws[0].quality.r_squared > 1.0 - 1e-9, "{form:?} {modes:?}");
         }
     }
 }
@@ -140,8 +140,8 @@ fn every_law_comes_back_from_its_own_points_in_every_mode() {
 fn ogdens_1972_law_comes_back_as_stresses() {
     let law = Law::Ogden(Ogden { terms: vec![(0.6178, 1.3), (0.001177, 5.0), (-0.009807, -2.0)] });
     let data = points(&law, &Mode::OF_ONE_STRETCH, (1.05, 4.5), 30, |_| 0.0);
-    let found = fit_tension(&data, &only(named("ogden-3"))).unwrap();
-    assert!(found.laws[0].quality.relative_rms < 1e-4, "{:?}", found.laws[0]);
+    let fit = fit_tension(&data, &only(named("ogden-3"))).unwrap();
+    assert!(fit.laws[0].quality.relative_rms < 1e-4, "{:?}", fit.laws[0]);
 }
 
 /// Of many noisy repeats 95 % hold the true constant in their 95 % interval: 800 intervals, binomial standard deviation
@@ -153,8 +153,8 @@ fn intervals_hold_the_true_constants_as_often_as_they_say() {
     let mut noise = Noise(11);
     for _ in 0..400 {
         let data = points(&law, &Mode::OF_ONE_STRETCH, (1.1, 3.0), 6, |_| 0.02 * noise.normal());
-        let found = fit_tension(&data, &only(named("mooney-rivlin"))).unwrap();
-        for (p, truth) in found.laws[0].parameters.iter().zip([0.12, 0.02]) {
+        let fit = fit_tension(&data, &only(named("mooney-rivlin"))).unwrap();
+        for (p, truth) in fit.laws[0].parameters.iter().zip([0.12, 0.02]) {
             let half = crate::least_squares::t95(16) * p.standard_error.unwrap();
             held += usize::from((p.value - truth).abs() < half);
             all += 1;
@@ -167,7 +167,7 @@ fn intervals_hold_the_true_constants_as_often_as_they_say() {
 /// One axis, stiffening late: the free C01 is negative; held, it is 0 and the law is the neo-Hookean one.
 #[test]
 fn a_negative_c01_is_warned_of_and_the_neighbour_offered() {
-    let found = fit_tension(
+    let fit = fit_tension(
         &shipped("silicones/dragon_skin_30.csv"),
         &FitSettings {
             up_to_stretch: Some(3.0),
@@ -176,14 +176,14 @@ fn a_negative_c01_is_warned_of_and_the_neighbour_offered() {
         },
     )
     .unwrap();
-    let of = |constrained: bool| {
-        found.laws.iter().find(|l| l.form == named("mooney-rivlin") && l.constrained == constrained).unwrap()
+    let mooney = |constrained: bool| {
+        fit.laws.iter().find(|l| l.form == named("mooney-rivlin") && l.constrained == constrained).unwrap()
     };
-    let neo = found.laws.iter().find(|l| l.form == named("neo-hookean")).unwrap();
-    let (free, held) = (of(false), of(true));
+    let neo = fit.laws.iter().find(|l| l.form == named("neo-hookean")).unwrap();
+    let (free, held) = (mooney(false), mooney(true));
     assert!(free.parameters[1].value < 0.0 && !free.quality.stable);
-    assert!(found.warnings.iter().any(|w| w.contains("a negative C01")));
-    assert!(found.warnings.iter().any(|w| w.starts_with("uniaxial tests alone")));
+    assert!(fit.warnings.iter().any(|w| w.contains("a negative C01")));
+    assert!(fit.warnings.iter().any(|w| w.starts_with("uniaxial tests alone")));
     assert!(held.quality.stable && held.parameters[1].value.abs() < 1e-12);
     assert_eq!(held.parameters[1].standard_error, Some(0.0));
     assert!(!held.parameters[1].identifiable);
@@ -199,8 +199,8 @@ fn the_stable_yeoh_lies_on_the_edge_of_stability() {
     let softens = Law::Yeoh(Yeoh { c10_mpa: 0.2, c20_mpa: -0.03, c30_mpa: 0.001 });
     let mut noise = Noise(5);
     let data = points(&softens, &[Mode::Uniaxial], (1.0, 2.6), 40, |_| 0.001 * noise.normal());
-    let found = fit_tension(&data, &only(named("yeoh"))).unwrap();
-    let (free, held) = (&found.laws[0], &found.laws[1]);
+    let fit = fit_tension(&data, &only(named("yeoh"))).unwrap();
+    let (free, held) = (&fit.laws[0], &fit.laws[1]);
     assert!(!free.quality.stable && !free.constrained && held.constrained && held.quality.stable);
     assert!(held.quality.rms_mpa > free.quality.rms_mpa);
     let towards = |t: f64| {
@@ -219,11 +219,11 @@ fn the_stable_yeoh_lies_on_the_edge_of_stability() {
 fn a_gent_law_that_locks_too_early_is_held_behind_the_muscle() {
     let law = Law::Gent(Gent { mu_mpa: 0.2, jm: 4.0 });
     let data = points(&law, &[Mode::Uniaxial], (1.0, 2.3), 20, |_| 0.0);
-    let found = fit_tension(&data, &only(named("gent"))).unwrap();
-    let (free, held) = (&found.laws[0], &found.laws[1]);
+    let fit = fit_tension(&data, &only(named("gent"))).unwrap();
+    let (free, held) = (&fit.laws[0], &fit.laws[1]);
     assert!((free.parameters[1].value - 4.0).abs() < 1e-3);
     assert!(!free.quality.stable && held.quality.stable);
-    assert!(found.warnings.iter().any(|w| w.contains("locks at I1")));
+    assert!(fit.warnings.iter().any(|w| w.contains("locks at I1")));
 }
 
 #[test]
@@ -231,9 +231,9 @@ fn data_without_stiffening_do_not_tell_gents_limit() {
     let law = Law::NeoHookean(NeoHookean { mu_mpa: 0.2 });
     let mut noise = Noise(7);
     let data = points(&law, &[Mode::Uniaxial], (1.0, 2.0), 20, |_| 0.002 * noise.normal());
-    let found = fit_tension(&data, &only(named("gent"))).unwrap();
-    assert!(!found.laws[0].parameters[1].identifiable, "{:?}", found.laws[0]);
-    let text = found.warnings.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
+    let fit = fit_tension(&data, &only(named("gent"))).unwrap();
+    assert!(!fit.laws[0].parameters[1].identifiable, "{:?}", fit.laws[0]);
+    let text = fit.warnings.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
     assert!(text.contains("do not determine jm") && text.contains("end at a stretch of 2.00"), "{text}");
 }
 
@@ -251,9 +251,9 @@ fn balance_is_repetition() {
         FitSettings { mode_weights: vec![(Mode::Equibiaxial, 3.0)], ..only(named("mooney-rivlin")) };
     let law_of = |data: &[TensionPoint], s: &FitSettings| fit_tension(data, s).unwrap().laws[0].law.values();
     let reference = law_of(&repeated, &only(named("mooney-rivlin")));
-    for found in [law_of(&both, &balanced), law_of(&both, &weighted)] {
-        for (a, b) in found.iter().zip(&reference) {
-            assert!((a / b - 1.0).abs() < 1e-9, "{found:?} {reference:?}");
+    for constants in [law_of(&both, &balanced), law_of(&both, &weighted)] {
+        for (a, b) in constants.iter().zip(&reference) {
+            assert!((a / b - 1.0).abs() < 1e-9, "{constants:?} {reference:?}");
         }
     }
 }
@@ -286,8 +286,8 @@ fn fits_that_make_no_sense_are_refused() {
     assert!(message(&exact, &only(named("ogden-2"))).contains("no better than fewer"));
     // All stretches the same: one number for three constants.
     let same = vec![data[2]; 12];
-    let found = fit_tension(&same, &FitSettings::default()).unwrap();
-    for law in &found.laws {
+    let fit = fit_tension(&same, &FitSettings::default()).unwrap();
+    for law in &fit.laws {
         assert!(
             law.parameters.iter().all(|p| p.value.is_finite()) && law.quality.aicc.is_finite(),
             "{law:?}"
@@ -296,11 +296,11 @@ fn fits_that_make_no_sense_are_refused() {
 }
 
 #[test]
-fn a_modulus_that_no_rubber_has_is_asked_about() {
+fn a_modulus_that_no_rubber_has_is_warned_of() {
     let law = Law::NeoHookean(NeoHookean { mu_mpa: 300.0 });
     let data = points(&law, &[Mode::Uniaxial], (1.0, 2.0), 9, |_| 0.0);
-    let found = fit_tension(&data, &FitSettings::default()).unwrap();
-    assert!(found.warnings[0].to_string().contains("in kPa or psi"), "{:?}", found.warnings);
+    let fit = fit_tension(&data, &FitSettings::default()).unwrap();
+    assert!(fit.warnings[0].to_string().contains("in kPa or psi"), "{:?}", fit.warnings);
 }
 
 /// A cancelled fit is no answer, and does not go on.

@@ -8,18 +8,19 @@ pub(super) fn read(text: &str) -> Result<Vec<TensionPoint>, TableError> {
 /// λ = 1.5 and P = 0.3 MPa, said in many ways.
 #[test]
 fn headings_and_units_are_understood() {
-    let options = ReadOptions { mode: Mode::Planar, area_mm2: Some(10.0), gauge_length_mm: Some(40.0) };
+    let (area_mm2, gauge_length_mm) = (Some(10.0), Some(40.0));
     for line in include_str!("spellings.tsv").lines().skip(1) {
         let (text, columns) = line.split_once('\t').unwrap();
         let text = text.replace("\\n", "\n").replace("\\t", "\t").replace("\\u{feff}", "\u{feff}");
         let columns = Columns::parse(columns).unwrap();
-        let (found, understood) =
-            read_tests(text.as_bytes(), options, &columns).unwrap_or_else(|e| panic!("{text}: {e}"));
+        let options = ReadOptions { columns, mode: Mode::Planar, area_mm2, gauge_length_mm };
+        let (points, understood) =
+            read_tests(text.as_bytes(), &options).unwrap_or_else(|e| panic!("{text}: {e}"));
         assert_eq!((understood.rows, understood.columns.len()), (1, 2), "{text}");
-        assert_eq!(found.len(), 1, "{text}");
-        assert_eq!(found[0].mode, Mode::Planar);
-        assert!((found[0].stretch - 1.5).abs() < 1e-12, "{text}: {found:?}");
-        assert!((found[0].nominal_stress_mpa - 0.3).abs() < 1e-12, "{text}: {found:?}");
+        assert_eq!(points.len(), 1, "{text}");
+        assert_eq!(points[0].mode, Mode::Planar);
+        assert!((points[0].stretch - 1.5).abs() < 1e-12, "{text}: {points:?}");
+        assert!((points[0].nominal_stress_mpa - 0.3).abs() < 1e-12, "{text}: {points:?}");
     }
 }
 

@@ -11,7 +11,7 @@ fn sheets(law: &Law) -> Vec<TensionPoint> {
             let (a, b) = (0.8 + 0.4 * f64::from(i), 0.8 + 0.4 * f64::from(k));
             let stress = |p: TensionPoint| TensionPoint { nominal_stress_mpa: p.stress_mpa(law), ..p };
             if (i + k) % 3 == 0 {
-                out.push(stress(TensionPoint::of_difference(a, b, 0.0)));
+                out.push(stress(TensionPoint::from_difference(a, b, 0.0)));
             } else {
                 out.extend([TensionPoint::general(a, b, 0.0), TensionPoint::general(b, a, 0.0)].map(stress));
             }
@@ -29,9 +29,9 @@ fn stresses_of_a_sheet_are_rivlins() {
     let true_1 = 2.0 * (l1 * l1 - l3 * l3) * (c1 + l2 * l2 * c2);
     let difference = 2.0 * (l1 * l1 - l2 * l2) * (c1 + l3 * l3 * c2);
     assert!((TensionPoint::general(l1, l2, 0.0).stress_mpa(&law) * l1 - true_1).abs() < 1e-14);
-    let point = TensionPoint::of_difference(l1, l2, difference);
+    let point = TensionPoint::from_difference(l1, l2, difference);
     assert!((point.stress_mpa(&law) - point.nominal_stress_mpa).abs() < 1e-14);
-    let other = TensionPoint::of_difference(l2, l1, -difference);
+    let other = TensionPoint::from_difference(l2, l1, -difference);
     assert!((other.stress_mpa(&law) - other.nominal_stress_mpa).abs() < 1e-14);
 }
 
@@ -51,7 +51,7 @@ fn the_three_modes_are_states_of_a_sheet() {
 }
 
 #[test]
-fn every_law_comes_back_from_its_own_sheets() {
+fn every_law_comes_back_from_its_sheets() {
     for law in [
         Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }),
         Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.02 }),
@@ -62,11 +62,11 @@ fn every_law_comes_back_from_its_own_sheets() {
         let name = if law.name() == "ogden" { "ogden-2" } else { law.name() };
         for measure in [Measure::Absolute, Measure::Relative] {
             let settings = FitSettings { measure, ..only(named(name)) };
-            let found = fit_tension(&sheets(&law), &settings).unwrap();
-            for (a, b) in found.laws[0].law.values().iter().zip(law.values()) {
-                assert!((a - b).abs() < 1e-4 * b.abs(), "{name} {measure:?}: {:?}", found.laws[0].law);
+            let fit = fit_tension(&sheets(&law), &settings).unwrap();
+            for (a, b) in fit.laws[0].law.values().iter().zip(law.values()) {
+                assert!((a - b).abs() < 1e-4 * b.abs(), "{name} {measure:?}: {:?}", fit.laws[0].law);
             }
-            assert_eq!(found.laws[0].modes[0].mode, Mode::General);
+            assert_eq!(fit.laws[0].modes[0].mode, Mode::General);
         }
     }
 }
@@ -75,18 +75,18 @@ fn every_law_comes_back_from_its_own_sheets() {
 fn a_row_is_a_point_for_each_of_its_stresses() {
     let text = "mode,stretch_1,stretch_2,nominal_stress_1_mpa,nominal_stress_2_mpa,true_stress_difference_mpa\n\
                 ,1.5,1.2,0.3,0.2,\ngeneral,1.5,2.0,,,-0.4\nuniaxial,2,,0.4,,\nplanar,2,1.0,0.5,0.3,\net,2,2.01,0.6,,\n";
-    let found = read(text).unwrap();
+    let points = read(text).unwrap();
     let expected = [
         TensionPoint::general(1.5, 1.2, 0.3),
         TensionPoint::general(1.2, 1.5, 0.2),
-        TensionPoint::of_difference(1.5, 2.0, -0.4),
+        TensionPoint::from_difference(1.5, 2.0, -0.4),
         TensionPoint::new(Mode::Uniaxial, 2.0, 0.4),
         TensionPoint::new(Mode::Planar, 2.0, 0.5),
         TensionPoint::general(1.0, 2.0, 0.3),
         TensionPoint::new(Mode::Equibiaxial, 2.0, 0.6),
     ];
-    assert_eq!(found, expected);
-    // True stresses are each over their own stretch; λ1 and λ2 are as good as words.
+    assert_eq!(points, expected);
+    // A true stress is over the stretch along it; λ1 and λ2 are as good as words.
     let cauchy = read("λ1,λ2,true_stress_1_mpa,true_stress_2_mpa\n1.5,1.2,0.45,0.24\n").unwrap();
     for (p, q) in cauchy.iter().zip(&expected[..2]) {
         assert!((p.nominal_stress_mpa - q.nominal_stress_mpa).abs() < 1e-15 && p.across == q.across);
@@ -104,9 +104,9 @@ fn held_out_tests_say_by_which_factor_a_law_misses_them() {
     let sheets = sheets(&law);
     let others: Vec<TensionPoint> = others.iter().chain(&sheets).map(stiffer).collect();
     let settings = FitSettings { fit_modes: vec![Mode::Uniaxial], ..only(named("yeoh")) };
-    let found = fit_tension(&[&uniaxial[..], &others].concat(), &settings).unwrap();
-    assert_eq!((found.points.len(), found.held_out.len(), found.left_out), (20, others.len(), 0));
-    let errors = &found.laws[0].held_out;
+    let fit = fit_tension(&[&uniaxial[..], &others].concat(), &settings).unwrap();
+    assert_eq!((fit.points.len(), fit.held_out.len(), fit.left_out), (20, others.len(), 0));
+    let errors = &fit.laws[0].held_out;
     let modes: Vec<Option<Mode>> = errors.iter().map(|e| e.mode).collect();
     assert_eq!(modes, [Some(Mode::Planar), Some(Mode::Equibiaxial), Some(Mode::General), None]);
     for e in errors {
@@ -131,7 +131,7 @@ fn the_shipped_biaxial_sets_are_read() {
         ("meunier_2008_compression", [16, 0, 0, 0]),
     ] {
         let points = shipped(&format!("rubber_biaxial/{name}.csv"));
-        let of = |mode: Mode| points.iter().filter(|p| p.mode == mode).count();
-        assert_eq!(Mode::ALL.map(of), counts, "{name}");
+        let count = |mode: Mode| points.iter().filter(|p| p.mode == mode).count();
+        assert_eq!(Mode::ALL.map(count), counts, "{name}");
     }
 }

@@ -5,12 +5,13 @@
 
 use super::failure::{FailurePressure, NoBurst};
 use super::radii::Radii;
-use crate::analysis::error::{AnalysisError, Result};
+use crate::analysis::error::Result;
 use crate::analysis::evaluation::{Evaluation, Options};
-use crate::analysis::root::find_root;
-use crate::model::{ModelError, ModelKind, Workspace};
+use crate::analysis::sweep::Sweep;
+use crate::model::{ModelKind, Workspace};
 use crate::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
 use crate::rubber::{RubberLaw, library};
+use std::iter::{once, successors};
 
 /// Where the search ends if nothing else fails before, in MPa.
 const HIGHEST_MPA: f64 = 20.0;
@@ -19,8 +20,8 @@ const STRAND_STRAIN: f64 = 0.1;
 /// First pressure of the search over the shear modulus, and the ratio of one to the next.
 const FIRST: f64 = 0.05;
 const GROWTH: f64 = 1.5;
-/// The pressure is known to this share.
-const TOLERANCE: f64 = 1e-9;
+/// Share of the first pressure at which the search begins.
+const ALMOST_NONE: f64 = 1e-9;
 
 /// The stretch at which the rubber of a muscle breaks, where it is known.
 pub fn stretch_at_break(muscle: &Muscle) -> Option<f64> {
@@ -33,33 +34,25 @@ pub fn tearing(muscle: &Muscle, below_mpa: f64) -> Result<FailurePressure> {
     let Some(breaks) = stretch_at_break(muscle) else {
         return Ok(FailurePressure::Unknown(NoBurst::NoElongation));
     };
-    // At the neutral angle, with strands that give way.
-    if Radii::of(muscle).largest_stretch(NEUTRAL_ANGLE_DEG.to_radians(), 1.0 + STRAND_STRAIN) < breaks {
+    // At the neutral angle, with elastic strands.
+    if Radii::new(muscle).largest_stretch(NEUTRAL_ANGLE_DEG.to_radians(), 1.0 + STRAND_STRAIN) < breaks {
         return Ok(FailurePressure::None);
     }
     let (model, mut workspace) = (ModelKind::ThickWall.build(muscle)?, Workspace::new());
-    let mut over = |p: f64| -> Result<f64> {
+    let over = |p: f64| -> Result<f64> {
         let free = Evaluation::new(&*model, &mut workspace, Options::extrapolating()).free_contraction(p)?;
         Ok(model.response(&mut workspace, p, free)?.max_stretch.unwrap_or(1.0) - breaks)
     };
     let highest = below_mpa.min(HIGHEST_MPA);
-    let mut low = 0.0;
-    let mut high = FIRST * muscle.rubber().law.shear_modulus_mpa();
-    while low < highest {
-        high = high.min(highest);
-        match over(high) {
-            Ok(excess) if excess >= 0.0 => {
-                let root = find_root(&mut over, low.max(TOLERANCE * high), high, TOLERANCE * high)?;
-                return Ok(FailurePressure::At(root.unwrap_or(high)));
-            }
-            Ok(_) => (low, high) = (high, GROWTH * high),
-            Err(error @ AnalysisError::Model(ModelError::Cancelled(_))) => return Err(error),
-            // Not taut yet, or beyond the last equilibrium.
-            Err(_) if low == 0.0 => (low, high) = (high, GROWTH * high),
-            Err(_) => {
-                return Ok(FailurePressure::Unknown(NoBurst::NoAnswerBeyond(low)));
-            }
-        }
+    let first = FIRST * muscle.rubber().law.shear_modulus_mpa();
+    let growing = successors(Some(first.min(highest)), |p| (*p < highest).then(|| (GROWTH * p).min(highest)));
+    let mut sweep = Sweep::new(true, 0.0, over);
+    let pressures = once(ALMOST_NONE * first).chain(growing);
+    if let Some(p) = sweep.first(pressures, false, f64::NEG_INFINITY)? {
+        return Ok(FailurePressure::At(p));
     }
-    Ok(FailurePressure::None)
+    Ok(match sweep.least(f64::abs) {
+        Some((last, _)) if last < highest => FailurePressure::Unknown(NoBurst::NoAnswerBeyond(last)),
+        _ => FailurePressure::None,
+    })
 }

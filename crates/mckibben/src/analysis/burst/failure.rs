@@ -66,7 +66,7 @@ impl Safety {
     }
 
     /// The factor of a failure.
-    pub fn of(self, mode: FailureMode) -> f64 {
+    pub fn factor(self, mode: FailureMode) -> f64 {
         if mode.share() < 1.0 { self.tube } else { self.strands }
     }
 }
@@ -152,16 +152,8 @@ impl Burst {
     /// One of which nothing is known.
     pub fn unknown(why: NoBurst) -> Self {
         let none = FailurePressure::Unknown(why);
-        let (rated_mpa, safety) = (None, Safety::default());
-        Self {
-            strands: none,
-            mesh: none,
-            bladder: none,
-            ends: none,
-            rated_mpa,
-            safety,
-            from_thick_wall: false,
-        }
+        let (rated_mpa, safety, from_thick_wall) = (None, Safety::default(), false);
+        Self { strands: none, mesh: none, bladder: none, ends: none, rated_mpa, safety, from_thick_wall }
     }
 
     /// All failure modes.
@@ -187,7 +179,7 @@ impl Burst {
 
     /// The allowed pressure in MPa, and the failure that it keeps its distance from; none where the fittings are rated for less.
     pub fn allowed(&self) -> Option<(f64, Option<FailureMode>)> {
-        let factor = |mode| Some(self.safety.of(mode)).filter(|factor| *factor > 0.0);
+        let factor = |mode| Some(self.safety.factor(mode)).filter(|factor| *factor > 0.0);
         let safe =
             self.modes().into_iter().filter_map(|(mode, p)| Some((p.mpa()? / factor(mode)?, Some(mode))));
         let rated = self.rated_mpa.map(|p| (p, None));

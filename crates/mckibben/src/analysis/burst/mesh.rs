@@ -28,7 +28,9 @@ const ANGLES: usize = 32;
 
 /// The pressure at which the tube of a muscle bulges through its braid.
 pub fn herniation(muscle: &Muscle) -> FailurePressure {
-    let Some(openings) = Openings::of(muscle) else { return FailurePressure::Unknown(NoBurst::NoOpening) };
+    let Some(openings) = Openings::new(muscle) else {
+        return FailurePressure::Unknown(NoBurst::NoOpening);
+    };
     let first = muscle.braid().angle_rad();
     let last = NEUTRAL_ANGLE_DEG.to_radians();
     let at = |i: usize| first + (last - first) * i as f64 / ANGLES as f64;
@@ -46,13 +48,18 @@ struct Openings {
 }
 
 impl Openings {
-    fn of(muscle: &Muscle) -> Option<Self> {
+    fn new(muscle: &Muscle) -> Option<Self> {
         let strands = muscle.braid().strands?;
         let side_by_side = muscle.braid().strands_per_carrier?;
         let diameter = (4.0 / PI * strands.section?.0).sqrt();
         let carriers = 0.5 * f64::from(strands.count) / side_by_side;
         let shear_modulus_mpa = muscle.rubber().law.shear_modulus_mpa();
-        Some(Self { radii: Radii::of(muscle), shear_modulus_mpa, carriers, band_mm: side_by_side * diameter })
+        Some(Self {
+            radii: Radii::new(muscle),
+            shear_modulus_mpa,
+            carriers,
+            band_mm: side_by_side * diameter,
+        })
     }
 
     /// g in mm; below zero where strands would lie over each other.

@@ -10,7 +10,7 @@ pub(super) struct Radii {
 }
 
 impl Radii {
-    pub(super) fn of(muscle: &Muscle) -> Self {
+    pub(super) fn new(muscle: &Muscle) -> Self {
         let tube = muscle.tube();
         Self { lay: muscle.strand_lay(), rest_mm: (tube.outer_radius_mm(), tube.inner_radius_mm()) }
     }

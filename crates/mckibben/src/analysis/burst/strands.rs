@@ -2,7 +2,7 @@
 //!
 //!   T(P_b, 0) = T_max,   T(P, ε) the tension of the most loaded strand, T_max its strength
 //!
-//! T is the solved one of the model that answers, so that P_b is not in proportion to it: strands give way, the rubber carries a part of
+//! T is the solved one of the model that answers, so that P_b is not in proportion to it: strands stretch, the rubber carries a part of
 //! the pressure, and both change with the pressure. The contraction is 0: the blocked muscle is the worst case. An ideal muscle has
 //!
 //!   T = P b² cosθ / (2 π N n²)     (b strand length, n turns, N strands)
@@ -44,7 +44,7 @@ pub(super) fn overloaded(
     bears: f64,
     up_to_mpa: f64,
 ) -> Result<(FailurePressure, bool)> {
-    let answers = model.extensions().companion.unwrap_or(model);
+    let answers = model.companion().unwrap_or(model);
     let blocked = || Blocked { model: answers, workspace: Workspace::new(), load, bears };
     if up_to_mpa < HIGHEST_MPA && blocked().over(up_to_mpa).is_ok_and(|over| over < 0.0) {
         return Ok((FailurePressure::None, false));
@@ -53,25 +53,25 @@ pub(super) fn overloaded(
     // Of the infinitely long muscle: where the other begins to search.
     let mut of_thick = Blocked { model: &*thick, workspace: Workspace::new(), load, bears };
     let near = of_thick.fails_near(1.0);
-    let start = if let Ok(Found::Fails(p) | Found::Ends(p)) = near { p } else { 1.0 };
+    let start = if let Ok(Failure::Fails(p) | Failure::Ends(p)) = near { p } else { 1.0 };
     match blocked().fails_near(start) {
         Err(AnalysisError::Unknown { .. }) => Ok((closed(near?, &mut of_thick), true)),
-        found => Ok((closed(found?, &mut of_thick), false)),
+        failure => Ok((closed(failure?, &mut of_thick), false)),
     }
 }
 
 /// Where the part fails, or the last pressure with an answer.
-enum Found {
+enum Failure {
     Fails(f64),
     Ends(f64),
 }
 
 /// A muscle without an equilibrium has burst: where the infinitely long one has none beyond the same pressure, too.
-fn closed(found: Found, thick: &mut Blocked<'_>) -> FailurePressure {
+fn closed(failure: Failure, thick: &mut Blocked<'_>) -> FailurePressure {
     const BEYOND: f64 = 1.1;
-    match found {
-        Found::Fails(pressure_mpa) => FailurePressure::At(pressure_mpa),
-        Found::Ends(pressure_mpa) => match thick.over(BEYOND * pressure_mpa) {
+    match failure {
+        Failure::Fails(pressure_mpa) => FailurePressure::At(pressure_mpa),
+        Failure::Ends(pressure_mpa) => match thick.over(BEYOND * pressure_mpa) {
             Ok(over) if over < 0.0 => FailurePressure::Unknown(NoBurst::NoAnswerBeyond(pressure_mpa)),
             _ => FailurePressure::At(pressure_mpa),
         },
@@ -96,7 +96,7 @@ impl Blocked<'_> {
     }
 
     /// The pressure at which it fails, sought from one that is thought to be near.
-    fn fails_near(&mut self, near: f64) -> Result<Found> {
+    fn fails_near(&mut self, near: f64) -> Result<Failure> {
         const STRIDE: f64 = 1.05;
         let bears = self.bears;
         // (pressure, excess) below and above, and a pressure without an answer.
@@ -124,7 +124,7 @@ impl Blocked<'_> {
                     let next = (p * bears / (over + bears).max(f64::MIN_POSITIVE)).min(4.0 * p) * STRIDE;
                     let next = if next >= without { 0.5 * (p + without) } else { next };
                     if p >= HIGHEST_MPA || without - p <= EDGE * p {
-                        return Ok(Found::Ends(p));
+                        return Ok(Failure::Ends(p));
                     }
                     next.min(HIGHEST_MPA)
                 }
@@ -139,8 +139,8 @@ impl Blocked<'_> {
         }
     }
 
-    fn between(&mut self, low: f64, high: f64) -> Result<Found> {
+    fn between(&mut self, low: f64, high: f64) -> Result<Failure> {
         // Both signs were found.
-        Ok(Found::Fails(find_root(|p| self.over(p), low, high, TOLERANCE * high)?.unwrap_or(low)))
+        Ok(Failure::Fails(find_root(|p| self.over(p), low, high, TOLERANCE * high)?.unwrap_or(low)))
     }
 }

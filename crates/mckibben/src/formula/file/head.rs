@@ -37,7 +37,7 @@ pub(super) fn read<T: DeserializeOwned>(text: &str) -> Read<T> {
     let mut source = serde_json::Deserializer::from_str(text);
     let value = serde_path_to_error::deserialize(&mut source).map_err(|e| {
         let path = e.path().to_string();
-        FormulaError::of(&path, e.inner())
+        FormulaError::at_path(&path, e.inner())
     })?;
     source.end().map_err(FormulaError::json)?;
     Ok(value)

@@ -85,7 +85,7 @@ impl Formula {
 }
 
 impl UniversalFormula {
-    /// A text of our own.
+    /// A built-in text.
     pub(super) fn built_in(text: &str) -> Read<Self> {
         universal::built_in(text)
     }

@@ -48,7 +48,7 @@ pub struct GlobalTerm {
     value: f64,
 }
 
-/// Powers of x, p, e, d; those of zero are left out.
+/// Powers of x, p, e, d; those of zero are omitted.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default, deny_unknown_fields, expecting = "an object")]
 struct Powers {
@@ -111,14 +111,14 @@ pub fn paper(text: &str) -> Read<Formula> {
 }
 
 fn coefficients(terms: &[PaperTerm]) -> Read<Coefficients> {
-    let mut found = [[[None; 3]; 6]; 3];
+    let mut given = [[[None; 3]; 6]; 3];
     for (i, PaperTerm { name, value, .. }) in terms.iter().enumerate() {
         let unknown = || {
             let given: String = name.chars().take(40).collect();
             FormulaError::unknown(&format!("terms[{i}].name"), &given, "A11 … A63, B11 … B63, C11 … C62")
         };
         let (f, k, j) = place(name).ok_or_else(unknown)?;
-        if found[f][k][j].replace(*value).is_some() {
+        if given[f][k][j].replace(*value).is_some() {
             return Err(FormulaError::twice(name));
         }
     }
@@ -129,9 +129,9 @@ fn coefficients(terms: &[PaperTerm]) -> Read<Coefficients> {
                 let number = if f == 2 { j } else { j + 1 };
                 let optional = f == 2 && j == 0;
                 let missing = || FormulaError::missing(&format!("terms: {letter}{}{number}", k + 1));
-                x[f][k][j] = match found[f][k][j] {
+                x[f][k][j] = match given[f][k][j] {
                     None if optional => 0.0,
-                    found => found.ok_or_else(missing)?,
+                    given => given.ok_or_else(missing)?,
                 };
             }
         }

@@ -36,7 +36,7 @@ struct EndTerm {
     value: f64,
 }
 
-/// Powers of the variables of both forms; those of zero are left out.
+/// Powers of the variables of both forms; those of zero are omitted.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default, deny_unknown_fields, expecting = "an object")]
 struct EndPowers {
@@ -57,7 +57,7 @@ struct EndPowers {
 }
 
 impl EndPowers {
-    fn of(form: Form, [wall, angle, third, modulus, fifth]: [u8; 5]) -> Self {
+    fn new(form: Form, [wall, angle, third, modulus, fifth]: [u8; 5]) -> Self {
         let common = Self { wall, angle, modulus, ..Self::default() };
         match form {
             Form::Membrane => Self { slope: third, strain: fifth, ..common },
@@ -65,8 +65,8 @@ impl EndPowers {
         }
     }
 
-    /// In the order of a form's variables; `None` where another form's stand there.
-    fn of_form(self, form: Form) -> Option<[u8; 5]> {
+    /// In the order of a form's variables; `None` where another form's are given.
+    fn powers(self, form: Form) -> Option<[u8; 5]> {
         let Self { wall, angle, slope, bulge, modulus, strain, shortening } = self;
         let (list, others) = match form {
             Form::Membrane => ([wall, angle, slope, modulus, strain], [bulge, shortening]),
@@ -81,7 +81,7 @@ impl From<UniversalFormula> for UniversalFile {
         let form = formula.deficit.form;
         let one = |t: &UniversalTerm| EndTerm {
             name: formula.term_name(t),
-            powers: EndPowers::of(form, t.powers),
+            powers: EndPowers::new(form, t.powers),
             unit: "1",
             value: t.value,
         };
@@ -103,7 +103,7 @@ pub fn universal(text: &str) -> Read<UniversalFormula> {
     formula(read(text)?)
 }
 
-/// Of a text of our own, whose keys nobody mistypes: a small engine does without the messages that name them.
+/// Of a built-in text: a small engine does without the messages that name mistyped keys.
 pub fn built_in(text: &str) -> Read<UniversalFormula> {
     formula(serde_json::from_str(text).map_err(FormulaError::json)?)
 }
@@ -116,7 +116,7 @@ fn formula(file: UniversalFile) -> Read<UniversalFormula> {
         let foreign = || {
             FormulaError::new(format!("`terms[{i}].powers`: a variable that the form {form} does not have"))
         };
-        let term = UniversalTerm { powers: powers.of_form(form).ok_or_else(foreign)?, value };
+        let term = UniversalTerm { powers: powers.powers(form).ok_or_else(foreign)?, value };
         if formula.deficit.terms.iter().any(|t| t.powers == term.powers) {
             return Err(FormulaError::twice(&formula.term_name(&term)));
         }

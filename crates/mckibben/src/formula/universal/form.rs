@@ -1,5 +1,6 @@
 //! What a universal formula says of an end: its form and the terms of it. [`crate::model::Universal`] computes with them.
 
+use crate::formula::Term;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -35,14 +36,8 @@ impl fmt::Display for Form {
     }
 }
 
-/// One term of a form.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct UniversalTerm {
-    /// Powers of the form's five variables.
-    pub powers: [u8; 5],
-    /// Its coefficient.
-    pub value: f64,
-}
+/// One term of a form, in its five variables.
+pub type UniversalTerm = Term<5>;
 
 /// A form with its coefficients.
 #[derive(Debug, Clone, PartialEq)]

@@ -21,15 +21,15 @@ fn the_ideal_muscle_goes_where_its_volume_is() {
     let (model, w, liquid) = (Ideal::new(&Muscle::prototype()), &mut Workspace::new(), stiff());
     for e in [0.02, 0.1, 0.2] {
         let volume_mm3 = model.volume(e) - model.volume(0.0);
-        let asked = Filling { load: Some(&WEIGHT), ..filling(&liquid, volume_mm3) };
-        let found = Evaluation::new(&model, w, Options::default()).fill(&asked).unwrap();
-        let (r, p) = (&found.answer.response, 200.0 / model.pull(1.0, e));
-        assert!((r.contraction - e).abs() < 1e-10 && (r.pressure_mpa / p - 1.0).abs() < 1e-9, "{found:?}");
-        assert_eq!((found.state, r.force_n), (FillState::Balanced, 200.0));
+        let given = Filling { load: Some(&WEIGHT), ..filling(&liquid, volume_mm3) };
+        let fill = Evaluation::new(&model, w, Options::default()).fill(&given).unwrap();
+        let (r, p) = (&fill.answer.response, 200.0 / model.pull(1.0, e));
+        assert!((r.contraction - e).abs() < 1e-10 && (r.pressure_mpa / p - 1.0).abs() < 1e-9, "{fill:?}");
+        assert_eq!((fill.state, r.force_n), (FillState::Balanced, 200.0));
         let lifted = 1e-3 * 200.0 * 285.0 * e;
-        assert!((found.load_work_j / lifted - 1.0).abs() < 1e-9);
-        assert!((found.pump_work_j / lifted - 1.0).abs() < 1e-9, "{found:?}");
-        assert!(found.muscle_energy_j.abs() < 1e-9 * lifted && found.liquid_energy_j < 1e-9);
+        assert!((fill.load_work_j / lifted - 1.0).abs() < 1e-9);
+        assert!((fill.pump_work_j / lifted - 1.0).abs() < 1e-9, "{fill:?}");
+        assert!(fill.muscle_energy_j.abs() < 1e-9 * lifted && fill.liquid_energy_j < 1e-9);
         // Without a load nothing makes a pressure.
         let free =
             Evaluation::new(&model, w, Options::default()).fill(&filling(&liquid, volume_mm3)).unwrap();
@@ -45,11 +45,10 @@ fn a_stroke_with_a_stiff_liquid_takes_what_the_cavity_grows_by() {
     let (model, w) = (Ideal::new(&Muscle::prototype()), &mut Workspace::new());
     let supply = LiquidSupply { liquid: stiff(), dead_volume_mm3: 4000.0 };
     for e in [0.02, 0.1, 0.2] {
-        let found =
-            Evaluation::new(&model, w, Options::default()).liquid_per_stroke(&supply, 0.2, e).unwrap();
+        let fill = Evaluation::new(&model, w, Options::default()).liquid_per_stroke(&supply, 0.2, e).unwrap();
         let (there, rest) = (model.volume(e), model.volume(0.0));
-        assert!((found.volume_mm3 / (there - rest) - 1.0).abs() < 1e-9, "{found:?}");
-        assert!((found.mass_g / (998.2e-6 * (there + 4000.0)) - 1.0).abs() < 1e-9, "{found:?}");
+        assert!((fill.volume_mm3 / (there - rest) - 1.0).abs() < 1e-9, "{fill:?}");
+        assert!((fill.mass_g / (998.2e-6 * (there + 4000.0)) - 1.0).abs() < 1e-9, "{fill:?}");
     }
 }
 
@@ -62,41 +61,41 @@ fn a_held_ideal_muscle_compresses_the_liquid() {
     let whole = model.volume(0.0) + dead;
     let held =
         |liquid, volume| Filling { dead_volume_mm3: dead, held_at: Some(0.0), ..filling(liquid, volume) };
-    let found = Evaluation::new(&model, w, Options::default()).fill(&held(&water, 50.0)).unwrap();
+    let fill = Evaluation::new(&model, w, Options::default()).fill(&held(&water, 50.0)).unwrap();
     let p = 2179.0 * (50.0 / whole).ln_1p();
-    assert!((found.answer.response.pressure_mpa / p - 1.0).abs() < 1e-9, "{found:?} {p}");
-    assert!((found.compressed_volume_mm3 / 50.0 - 1.0).abs() < 1e-9 && found.state == FillState::Held);
+    assert!((fill.answer.response.pressure_mpa / p - 1.0).abs() < 1e-9, "{fill:?} {p}");
+    assert!((fill.compressed_volume_mm3 / 50.0 - 1.0).abs() < 1e-9 && fill.state == FillState::Held);
     // ½ P ΔV but for the third power.
-    assert!((found.pump_work_j / (0.5e-3 * p * 50.0) - 1.0).abs() < 1e-3 && found.load_work_j == 0.0);
+    assert!((fill.pump_work_j / (0.5e-3 * p * 50.0) - 1.0).abs() < 1e-3 && fill.load_work_j == 0.0);
     let foam = Liquid::named("water", 0.02).unwrap();
     let p = 3.0 * ATMOSPHERE_MPA;
     let volume = whole * (1.0 / (0.98 * (-p / 2179.0).exp() + 0.005) - 1.0);
-    let found = Evaluation::new(&model, w, Options::default()).fill(&held(&foam, volume)).unwrap();
-    assert!((found.answer.response.pressure_mpa / p - 1.0).abs() < 1e-9, "{found:?}");
+    let fill = Evaluation::new(&model, w, Options::default()).fill(&held(&foam, volume)).unwrap();
+    assert!((fill.answer.response.pressure_mpa / p - 1.0).abs() < 1e-9, "{fill:?}");
 }
 
 /// Against an independent script: the energy of a neo-Hookean wall in strands that keep their length by quadrature of SciPy, P = (F L0 + dW/dε)/(dV/dε), and the root
 /// of the balance of volume; the stiffness from slopes by differences of fourth order.
 #[test]
 fn the_thick_wall_goes_where_an_independent_script_has_it() {
-    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }));
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }));
     let braid = Braid { angle_deg: 25.0, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
     let muscle = Muscle::new(Tube::new(30.0, 2.0, 200.0, rubber), braid, Terminals::default(), None).unwrap();
     let (model, w, load) = (ThickWall::new(&muscle), &mut Workspace::new(), Load::Force { force_n: 500.0 });
     let water = Liquid::named("water", 0.01).unwrap();
-    let asked = Filling { dead_volume_mm3: 10_000.0, load: Some(&load), ..filling(&water, 60_000.0) };
-    let found = Evaluation::new(&model, w, Options::default()).fill(&asked).unwrap();
+    let given = Filling { dead_volume_mm3: 10_000.0, load: Some(&load), ..filling(&water, 60_000.0) };
+    let fill = Evaluation::new(&model, w, Options::default()).fill(&given).unwrap();
     for (name, value, wanted) in [
-        ("contraction", found.answer.response.contraction, 0.056_094_952_848_545),
-        ("pressure", found.answer.response.pressure_mpa, 0.133_407_048_303_24),
-        ("energy of the muscle", found.muscle_energy_j, 0.924_388_333_938_2),
-        ("energy of the liquid", found.liquid_energy_j, 0.049_229_445_031_11),
-        ("work on the load", found.load_work_j, 5.609_495_284_854_5),
-        ("work of the pump", found.pump_work_j, 6.583_113_063_823_8),
+        ("contraction", fill.answer.response.contraction, 0.056_094_952_848_545),
+        ("pressure", fill.answer.response.pressure_mpa, 0.133_407_048_303_24),
+        ("energy of the muscle", fill.muscle_energy_j, 0.924_388_333_938_2),
+        ("energy of the liquid", fill.liquid_energy_j, 0.049_229_445_031_11),
+        ("work on the load", fill.load_work_j, 5.609_495_284_854_5),
+        ("work of the pump", fill.pump_work_j, 6.583_113_063_823_8),
     ] {
         assert!((value / wanted - 1.0).abs() < 1e-7, "{name}: {value} {wanted}");
     }
-    assert!((found.shut_stiffness_n_per_mm / 6_759.676_899 - 1.0).abs() < 1e-7, "{found:?}");
+    assert!((fill.shut_stiffness_n_per_mm / 6_759.676_899 - 1.0).abs() < 1e-7, "{fill:?}");
 }
 
 /// Identities: the work of the pump is ∫ (P φ + ψ) dΔV over many fillings, ψ the work on the liquid; it is stored or lifts the load. What the muscle stores
@@ -108,11 +107,11 @@ fn the_work_of_the_pump_is_stored_or_lifts_the_load() {
     let spring = Load::Spring { rate_n_per_mm: 6.0, preload_n: 80.0 };
     let oil = Liquid::named("oil", 0.01).unwrap();
     let most = 40_000.0;
-    let asked =
+    let given =
         |volume: f64| Filling { dead_volume_mm3: 8000.0, load: Some(&spring), ..filling(&oil, volume) };
-    let found = Evaluation::new(&model, w, Options::default()).fill(&asked(most)).unwrap();
-    let (p, e) = (found.answer.response.pressure_mpa, found.answer.response.contraction);
-    assert!(found.state == FillState::Balanced && e > 0.02, "{found:?}");
+    let fill = Evaluation::new(&model, w, Options::default()).fill(&given(most)).unwrap();
+    let (p, e) = (fill.answer.response.pressure_mpa, fill.answer.response.contraction);
+    assert!(fill.state == FillState::Balanced && e > 0.02, "{fill:?}");
     // The slope of P(ΔV) breaks where the load is lifted.
     let lifted = Evaluation::new(&model, w, Options::default()).pressure_at(80.0, 0.0).unwrap();
     let cavity = |p: f64, e: f64, w: &mut Workspace| model.response(w, p, e).unwrap().volume_mm3.unwrap();
@@ -123,7 +122,7 @@ fn the_work_of_the_pump_is_stored_or_lifts_the_load() {
         for &(x, weight) in gauss(12) {
             let volume = from + 0.5 * (to - from) * (1.0 + x);
             let p = Evaluation::new(&model, w, Options::default())
-                .fill(&asked(volume))
+                .fill(&given(volume))
                 .unwrap()
                 .answer
                 .response
@@ -131,9 +130,9 @@ fn the_work_of_the_pump_is_stored_or_lifts_the_load() {
             pump += 0.5e-3 * (to - from) * weight * (p * oil.relative_volume(p) + oil.energy_mpa(p));
         }
     }
-    assert!((found.pump_work_j / pump - 1.0).abs() < 1e-5, "{found:?} {pump}");
-    let sum = found.muscle_energy_j + found.liquid_energy_j + found.load_work_j;
-    assert!((sum / found.pump_work_j - 1.0).abs() < 1e-12 && found.friction_work_j.is_none());
+    assert!((fill.pump_work_j / pump - 1.0).abs() < 1e-5, "{fill:?} {pump}");
+    let sum = fill.muscle_energy_j + fill.liquid_energy_j + fill.load_work_j;
+    assert!((sum / fill.pump_work_j - 1.0).abs() < 1e-12 && fill.friction_work_j.is_none());
     let mut stored = p * (cavity(p, e, w) - cavity(p, 0.0, w));
     for &(x, weight) in gauss(40) {
         let (at, share) = (0.5 * (1.0 + x), 0.5 * weight);
@@ -142,7 +141,7 @@ fn the_work_of_the_pump_is_stored_or_lifts_the_load() {
         stored -=
             share * e * length * Evaluation::new(&model, w, Direction::Mean).force_n(p, e * at).unwrap();
     }
-    assert!((1e-3 * stored / found.muscle_energy_j - 1.0).abs() < 1e-6, "{found:?} {stored}");
+    assert!((1e-3 * stored / fill.muscle_energy_j - 1.0).abs() < 1e-6, "{fill:?} {stored}");
 }
 
 /// Against differences: the pull of the same volume at two contractions; on a branch with what friction adds to it.
@@ -156,15 +155,15 @@ fn shut_in_the_muscle_has_the_slope_of_its_pull_at_constant_volume() {
         let (water, h) = (Liquid::named("water", gas).unwrap(), 1e-6);
         let options = Options { direction, ..Options::default() };
         let mut at = |e: f64| {
-            let asked = Filling { dead_volume_mm3: 2000.0, held_at: Some(e), ..filling(&water, 100_000.0) };
-            Evaluation::new(&model, w, options).fill(&asked).unwrap()
+            let given = Filling { dead_volume_mm3: 2000.0, held_at: Some(e), ..filling(&water, 100_000.0) };
+            Evaluation::new(&model, w, options).fill(&given).unwrap()
         };
-        let found = at(0.08);
+        let fill = at(0.08);
         let pull = |f: &Fill| f.answer.response.force_n;
         let slope = (pull(&at(0.08 - h)) - pull(&at(0.08 + h))) / (2.0 * h * 285.0);
-        assert!((found.shut_stiffness_n_per_mm / slope - 1.0).abs() < 1e-5, "{found:?} {slope}");
-        assert!(found.state == FillState::Held && found.stroke_mm == 0.08 * 285.0);
-        assert_eq!(found.friction_work_j.is_some(), !direction.is_mean());
+        assert!((fill.shut_stiffness_n_per_mm / slope - 1.0).abs() < 1e-5, "{fill:?} {slope}");
+        assert!(fill.state == FillState::Held && fill.stroke_mm == 0.08 * 285.0);
+        assert_eq!(fill.friction_work_j.is_some(), !direction.is_mean());
     }
 }
 
@@ -173,11 +172,11 @@ fn shut_in_the_muscle_has_the_slope_of_its_pull_at_constant_volume() {
 fn a_small_volume_does_not_lift_the_load() {
     let (model, w) = (ThickWall::new(&Muscle::prototype()), &mut Workspace::new());
     let water = Liquid::named("water", 0.0).unwrap();
-    let asked = Filling { load: Some(&WEIGHT), ..filling(&water, 300.0) };
-    let found = Evaluation::new(&model, w, Options::default()).fill(&asked).unwrap();
+    let given = Filling { load: Some(&WEIGHT), ..filling(&water, 300.0) };
+    let fill = Evaluation::new(&model, w, Options::default()).fill(&given).unwrap();
     let lifted = Evaluation::new(&model, w, Options::default()).pressure_at(200.0, 0.0).unwrap();
-    assert_eq!((found.state, found.stroke_mm, found.load_work_j), (FillState::NotLifted, 0.0, 0.0));
-    assert!(found.answer.response.pressure_mpa < lifted && found.answer.response.force_n < 200.0);
+    assert_eq!((fill.state, fill.stroke_mm, fill.load_work_j), (FillState::NotLifted, 0.0, 0.0));
+    assert!(fill.answer.response.pressure_mpa < lifted && fill.answer.response.force_n < 200.0);
 }
 
 #[test]
@@ -205,20 +204,20 @@ fn every_model_with_a_volume_takes_what_is_pushed_in() {
         let Ok(model) = kind.build(&muscle) else { continue };
         let Ok(Some(rest)) = model.response(w, 0.0, 0.0).map(|r| r.volume_mm3) else { continue };
         for held_at in [None, Some(0.06)] {
-            let asked = Filling {
+            let given = Filling {
                 dead_volume_mm3: 3000.0,
                 load: Some(&WEIGHT).filter(|_| held_at.is_none()),
                 held_at,
                 ..filling(&foam, 90_000.0)
             };
-            let found = Evaluation::new(&*model, w, Options::default()).fill(&asked);
-            let found = found.unwrap_or_else(|e| panic!("{}: {e}", model.info().name));
-            let r = &found.answer.response;
+            let fill = Evaluation::new(&*model, w, Options::default()).fill(&given);
+            let fill = fill.unwrap_or_else(|e| panic!("{}: {e}", model.info().name));
+            let r = &fill.answer.response;
             let inside = (rest + 3000.0 + 90_000.0) * foam.relative_volume(r.pressure_mpa);
             let error = inside / (r.volume_mm3.unwrap() + 3000.0) - 1.0;
-            assert!(error.abs() < 1e-7, "{}: {error} {found:?}", model.info().name);
+            assert!(error.abs() < 1e-7, "{}: {error} {fill:?}", model.info().name);
             let way = if held_at.is_some() { r.contraction - 0.06 } else { r.force_n - 200.0 };
-            assert!(way.abs() < 1e-6, "{}: {found:?}", model.info().name);
+            assert!(way.abs() < 1e-6, "{}: {fill:?}", model.info().name);
             count += 1;
         }
     }
@@ -232,12 +231,12 @@ fn a_muscle_that_extends_grows_longer() {
     let muscle = Muscle::prototype().with_braid(braid).unwrap();
     let (model, w) = (ThickWall::new(&muscle), &mut Workspace::new());
     let liquid = stiff();
-    let asked = filling(&liquid, 20_000.0);
-    let found = Evaluation::new(&model, w, Options::default()).fill(&asked).unwrap();
-    assert!(found.stroke_mm < -1.0 && found.state == FillState::Balanced, "{found:?}");
-    assert!(found.answer.response.force_n.abs() < 1e-6 && found.muscle_energy_j > 0.0);
-    assert!((found.pump_work_j / found.muscle_energy_j - 1.0).abs() < 1e-6);
-    let asked = Filling { load: Some(&WEIGHT), ..asked };
-    let error = Evaluation::new(&model, w, Options::default()).fill(&asked).unwrap_err();
+    let given = filling(&liquid, 20_000.0);
+    let fill = Evaluation::new(&model, w, Options::default()).fill(&given).unwrap();
+    assert!(fill.stroke_mm < -1.0 && fill.state == FillState::Balanced, "{fill:?}");
+    assert!(fill.answer.response.force_n.abs() < 1e-6 && fill.muscle_energy_j > 0.0);
+    assert!((fill.pump_work_j / fill.muscle_energy_j - 1.0).abs() < 1e-6);
+    let given = Filling { load: Some(&WEIGHT), ..given };
+    let error = Evaluation::new(&model, w, Options::default()).fill(&given).unwrap_err();
     assert!(matches!(error, FillError::Refused(refused) if refused.fields == ["load"]));
 }

@@ -1,15 +1,11 @@
 //! The way of a muscle that is filled: at its length at rest, with its load, at the contraction at which it is held.
 
 use super::filling::Filling;
-use crate::analysis::{AnalysisError, Evaluation, Result, find_root};
-use crate::model::{ModelError, gauss};
+use crate::analysis::{Evaluation, Result, Sweep};
+use crate::model::gauss;
 
 /// Parts into which a leg of the way is cut in search of the volume; they grow with the distance from its start.
 const STEPS: usize = 16;
-/// Halvings towards the last place at which the model answers.
-const CLOSING: usize = 12;
-/// A pressure (MPa) or contraction is known to this.
-const TOLERANCE: f64 = 1e-12;
 /// Points of Gauss on a leg.
 const POINTS: usize = 12;
 
@@ -55,40 +51,21 @@ impl Way<'_> {
         if from == to {
             return Ok(Err(to));
         }
-        let wanted = self.filling.volume_mm3;
-        let mut left = |at: f64| self.pushed_mm3(leg, at).map(|pushed| pushed - wanted);
-        let ended = |e: &AnalysisError| matches!(e, AnalysisError::Model(ModelError::Cancelled(_)));
-        let (mut near, mut beyond) = (from, None);
-        for i in 1..=STEPS {
-            let at = if i == STEPS { to } else { from + (to - from) * (i as f64 / STEPS as f64).powi(2) };
-            match left(at) {
-                Ok(more) if more >= 0.0 => {
-                    beyond = Some(at);
-                    break;
-                }
-                Ok(_) => near = at,
-                Err(error) if ended(&error) => return Err(error),
-                Err(_) => {
-                    let mut edge = at;
-                    for _ in 0..CLOSING {
-                        let middle = 0.5 * (near + edge);
-                        match left(middle) {
-                            Ok(more) if more >= 0.0 => {
-                                beyond = Some(middle);
-                                break;
-                            }
-                            Ok(_) => near = middle,
-                            Err(error) if ended(&error) => return Err(error),
-                            Err(_) => edge = middle,
-                        }
-                    }
-                    break;
-                }
-            }
-        }
-        let Some(beyond) = beyond else { return Ok(Err(near)) };
+        let wanted_mm3 = self.filling.volume_mm3;
+        let place = |share: f64| from + (to - from) * share;
+        let excess = |share| -> Result<f64> { Ok(self.pushed_mm3(leg, place(share))? - wanted_mm3) };
+        let mut sweep = Sweep::new(true, 0.0, excess);
         // More than the volume may be in from the start of the leg on.
-        Ok(Ok(find_root(&mut left, near, beyond, TOLERANCE)?.unwrap_or(near)))
+        if sweep.sample(0.0)?.is_some_and(|excess| excess >= 0.0) {
+            return Ok(Ok(from));
+        }
+        let shares = (0..=STEPS).map(|i| (i as f64 / STEPS as f64).powi(2));
+        let share = match sweep.first(shares, false, f64::NEG_INFINITY)? {
+            None => sweep.all()?.first().map(|zero| zero.at),
+            share => share,
+        };
+        let largest = sweep.least(f64::abs).map_or(0.0, |(share, _)| share);
+        Ok(share.map(place).ok_or_else(|| place(largest)))
     }
 
     /// (∫ P dV, what friction took) in J along a part of a leg.

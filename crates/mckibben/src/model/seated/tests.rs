@@ -27,9 +27,9 @@ fn a_seated_muscle_is_the_same_one_contracted_by_the_seating() {
         for (p, e) in [(0.1, 0.0), (0.25, 0.1), (0.2, 0.2)] {
             let here = held.response(workspace, p, e).unwrap();
             assert_eq!(none.response(workspace, p, e).unwrap(), here);
-            let found = gives.response(workspace, p, e - 0.01).unwrap();
-            assert!((found.force_n - here.force_n).abs() < 1e-9 * here.force_n.abs().max(1.0));
-            assert_eq!(found.contraction, e - 0.01);
+            let response = gives.response(workspace, p, e - 0.01).unwrap();
+            assert!((response.force_n - here.force_n).abs() < 1e-9 * here.force_n.abs().max(1.0));
+            assert_eq!(response.contraction, e - 0.01);
             if let Some(exact) = contraction_at_pull(&*gives, here.force_n, p) {
                 assert!((exact - (e - 0.01)).abs() < 1e-9);
             }
@@ -69,17 +69,16 @@ fn slopes_by_seating_and_length_are_those_of_differences() {
     let by_seating = (at(&muscle(3.01), workspace) - at(&muscle(2.99), workspace)) / 0.02;
     let by_length = (at(&longer(0.1), workspace) - at(&longer(-0.1), workspace)) / 0.2;
     let model = ModelKind::ThickWall.build(&base).unwrap();
-    let slopes = model.extensions().slopes;
-    let Some(found) = slopes.and_then(|own| own.force_by(workspace, 0.25, 0.1, &names)) else {
+    let Some(slopes) = model.force_by(workspace, 0.25, 0.1, &names) else {
         let stiffness = model.response(workspace, 0.25, 0.1).unwrap().stiffness_n_per_mm.unwrap();
         assert!((by_seating + stiffness).abs() < 1e-5 * stiffness);
         // The thick wall is endless: its pull depends on L0 through δ/L0 alone.
         assert!((by_length - stiffness * (3.0 / 285.0)).abs() < 1e-5 * stiffness);
         return;
     };
-    let found = found.unwrap();
-    assert!((found[0] - by_seating).abs() < 1e-5 * by_seating.abs(), "{found:?}");
-    assert!((found[1] - by_length).abs() < 1e-5 * by_seating.abs(), "{found:?}");
+    let slopes = slopes.unwrap();
+    assert!((slopes[0] - by_seating).abs() < 1e-5 * by_seating.abs(), "{slopes:?}");
+    assert!((slopes[1] - by_length).abs() < 1e-5 * by_seating.abs(), "{slopes:?}");
 }
 
 fn slipping(grip_mm: f64, slip_mm_per_n: f64) -> Muscle {

@@ -1,7 +1,7 @@
 //! What the thick-wall model answers, and what it can do besides.
 
 use super::ThickWall;
-use crate::model::{Contact, Extensions, ForceModel, ModelInfo, Response, Result, Workspace};
+use crate::model::{ForceModel, ModelInfo, Response, Result, Workspace};
 use crate::muscle::EndFactor;
 use std::f64::consts::PI;
 
@@ -49,13 +49,12 @@ impl ForceModel for ThickWall {
         self.pressure_for(force_n, l)
     }
 
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { contact: Some(self), ..Extensions::default() }
-    }
-}
-
-impl Contact for ThickWall {
-    fn pivoting_n_per_mm(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
-        self.pivoting(pressure_mpa, contraction)
+    fn contact_n_per_mm(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Option<Result<f64>> {
+        Some(self.pivoting(pressure_mpa, contraction))
     }
 }

@@ -46,7 +46,7 @@ mod tests {
         let tube = Tube {
             outer_diameter_mm: 20.0,
             wall_mm,
-            rubber: Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.4 })),
+            rubber: Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.4 })),
             ..Tube::prototype()
         };
         let m = Muscle::prototype().with_tube(tube).unwrap();
@@ -60,8 +60,8 @@ mod tests {
     fn at_rest_the_wall_alone_is_a_beam() {
         for wall in [0.5, 2.0, 6.0] {
             let beam = 3.0 * 0.4 * PI * (1e4 - (10.0_f64 - wall).powi(4)) / 4.0;
-            let found = model(wall).bending_n_mm2(0.0, 0.0).unwrap();
-            assert!((found / beam - 1.0).abs() < 1e-9, "{wall} {found}");
+            let stiffness = model(wall).bending_n_mm2(0.0, 0.0).unwrap();
+            assert!((stiffness / beam - 1.0).abs() < 1e-9, "{wall} {stiffness}");
         }
     }
 }

@@ -294,8 +294,8 @@ impl ThickWall {
             let rest = self.rigid(0.0, l, taut, &w, 0.0);
             let p = (force - rest.force) / rest.force_p;
             let tight = 2.0 * PI * taut * l * p >= w.r || self.compression;
-            let found = rest.force_p > 0.0 && p >= 0.0 && p.is_finite() && tight;
-            return found.then_some(p);
+            let is_taut = rest.force_p > 0.0 && p >= 0.0 && p.is_finite() && tight;
+            return is_taut.then_some(p);
         };
         let mut r = taut * 1.002;
         for _ in 0..25 {

@@ -82,7 +82,7 @@ impl ThickWall {
                 name: ENTRY.name.into(),
                 source: ENTRY.source.into(),
                 muscle: Arc::new(muscle.clone()),
-                range: ModelRange::of(muscle),
+                range: ModelRange::for_muscle(muscle),
                 accuracy: Accuracy::share(per_slenderness * share, Reference::Elements(compared)),
                 costly: false,
                 notes: bulk

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 fn muscle(stiffness: BraidStiffness) -> Muscle {
     let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 });
-    let tube = Tube::new(19.0, 1.5, 200.0, Rubber::of(law));
+    let tube = Tube::new(19.0, 1.5, 200.0, Rubber::new(law));
     let braid = Braid { angle_deg: 25.0, stiffness, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
@@ -127,7 +127,7 @@ fn without_pressure_a_shortened_tube_leaves_the_braid_and_pushes() {
 fn without_rubber_a_thick_braid_pulls_as_the_work_of_the_pressure_says() {
     let bare = |thickness_mm: f64| {
         let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 1e-12, c01_mpa: 0.0 });
-        let tube = Tube::new(14.0, 1.0, 200.0, Rubber::of(law));
+        let tube = Tube::new(14.0, 1.0, 200.0, Rubber::new(law));
         let stiffness = BraidStiffness::Inextensible;
         let braid = Braid { angle_deg: 20.0, stiffness, thickness_mm, ..Braid::paper() };
         ThickWall::new(&Muscle::new(tube, braid, Terminals::default(), None).unwrap())
@@ -138,8 +138,8 @@ fn without_rubber_a_thick_braid_pulls_as_the_work_of_the_pressure_says() {
         let rb = (7.0 + 0.5 * t) * (1.0 - cos * cos).sqrt() / 20f64.to_radians().sin();
         let r = rb - 0.5 * t;
         let exact = PI * 0.4 * r * (2.0 * rb * cot2 - r);
-        let found = bare(t).force_n(&mut Workspace::new(), 0.4, e).unwrap();
-        assert!((found / exact - 1.0).abs() < 1e-9, "t {t}, ε {e}: {found} {exact}");
+        let pull = bare(t).force_n(&mut Workspace::new(), 0.4, e).unwrap();
+        assert!((pull / exact - 1.0).abs() < 1e-9, "t {t}, ε {e}: {pull} {exact}");
     }
     let blocked = |t: f64| bare(t).force_n(&mut Workspace::new(), 0.4, 0.0).unwrap();
     assert!((blocked(0.3) / blocked(0.0) - 1.02295).abs() < 1e-5);
@@ -153,14 +153,14 @@ fn a_sleeve_of_the_tubes_own_diameter_and_no_thickness_leave_every_digit() {
         let other = ThickWall::new(&m.with_braid(same).unwrap());
         let model = ThickWall::new(&m);
         for (p, e) in [(0.1, 0.0), (0.3, 0.12), (0.0, 0.1)] {
-            let of = |model: &ThickWall| model.response(&mut Workspace::new(), p, e).unwrap();
-            assert_eq!(of(&model), of(&other));
+            let response = |model: &ThickWall| model.response(&mut Workspace::new(), p, e).unwrap();
+            assert_eq!(response(&model), response(&other));
         }
     }
 }
 
 fn prestretched(wall_mm: f64, mu_mpa: f64, stiffness: BraidStiffness, prestretch: f64) -> Muscle {
-    let rubber = Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.5 * mu_mpa, c01_mpa: 0.0 }));
+    let rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.5 * mu_mpa, c01_mpa: 0.0 }));
     let braid = Braid { angle_deg: 25.0, stiffness, ..Braid::paper() };
     let tube = Tube::new(19.0, wall_mm, 200.0, rubber);
     Muscle::new(tube, braid, Terminals::default(), None).unwrap().with(&PRESTRETCH, prestretch).unwrap()
@@ -215,7 +215,7 @@ fn with_a_prestretch_the_pull_is_the_slope_of_the_energy() {
     let yeoh = Law::Yeoh(crate::rubber::Yeoh { c10_mpa: 0.1, c20_mpa: 0.01, c30_mpa: 0.0 });
     for law in [Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 }), yeoh] {
         let m = prestretched(1.5, 0.4, BraidStiffness::NewtonPerMm(300.0), 1.2);
-        let m = m.with_tube(Tube { rubber: Rubber::of(law), ..m.tube().clone() }).unwrap();
+        let m = m.with_tube(Tube { rubber: Rubber::new(law), ..m.tube().clone() }).unwrap();
         let (model, p, l, h) = (ThickWall::new(&m), 0.3, 0.9, 1e-5);
         let (above, below) = (model.state(p, l + h).unwrap(), model.state(p, l - h).unwrap());
         let here = model.state(p, l).unwrap();

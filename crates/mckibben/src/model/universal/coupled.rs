@@ -1,7 +1,7 @@
 //! Middle and ends at once: Newton's method in λ, the radius and the stretches of both sections together.
 //!
 //! One step evaluates the energy three times: at the middle and at both sections of the membrane. Each equation is corrected to
-//! first order where it stands, and δ with its slope in λ follows from the corrected values, so that the step in λ is that of Newton's method
+//! first order at its place, and δ with its slope in λ follows from the corrected values, so that the step in λ is that of Newton's method
 //! for all four. With steps below the limits here the answer has an error of their squares. It serves where the muscle
 //! pulls, the strands of the middle are taut and stretch, and the end is a membrane; `None` elsewhere, or when it does not settle: the nested
 //! search of [`super::Universal`] takes over and finds the same root.

@@ -61,9 +61,9 @@ impl Bound {
                 None => terms.push((powers, value)),
             }
         }
-        let of = |powers: &[usize; 3]| terms.iter().find(|t| t.0 == *powers).map_or(0.0, |t| t.1);
+        let coefficient = |powers: &[usize; 3]| terms.iter().find(|t| t.0 == *powers).map_or(0.0, |t| t.1);
         let low = terms.iter().all(|t| t.0.iter().sum::<usize>() <= 2);
-        let second = low.then(|| SECOND.map(|powers| of(&powers)));
+        let second = low.then(|| SECOND.map(|powers| coefficient(&powers)));
         Self { form: deficit.form, terms, second, wall, ro, stiffness_mpa: modulus_mpa * wall }
     }
 

@@ -146,7 +146,7 @@ fn info(formula: &UniversalFormula, muscle: &Arc<Muscle>, angle: f64) -> ModelIn
         name: name.clone().into(),
         source: format!("{SOURCE}; {}", formula.provenance.method).into(),
         muscle: Arc::clone(muscle),
-        range: range::of(&formula.range, muscle),
+        range: range::model_range(&formula.range, muscle),
         accuracy,
         costly: false,
         notes: left_out.into_iter().flatten().collect(),

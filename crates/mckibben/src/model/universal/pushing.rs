@@ -35,13 +35,13 @@ impl Zero {
     }
 }
 
-/// Where the muscle ceases to pull, at the pressure (its bits) asked last: what a [`Universal`] keeps in its workspace.
+/// Where the muscle ceases to pull, at the last pressure (its bits): what a [`Universal`] keeps in its workspace.
 type Kept = Option<(u64, Zero)>;
 
 impl Universal {
     /// The same, from what is known of this pressure.
     pub(super) fn zero(&self, workspace: &mut Workspace, p: f64) -> Option<Zero> {
-        let kept = workspace.of::<Kept>(&self.id, || None);
+        let kept = workspace.state::<Kept>(&self.id, || None);
         if let Some((of, zero)) = *kept
             && of == p.to_bits()
         {

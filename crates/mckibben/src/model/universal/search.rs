@@ -123,7 +123,7 @@ impl Universal {
         Err(Self::not_converged(p, contraction))
     }
 
-    /// Where the muscle pulls: the middle and the step that is left; `Err`: where it pushes or is slack, λ.
+    /// Where the muscle pulls: the middle and the last step; `Err`: where it pushes or is slack, λ.
     fn pulling(
         &self,
         workspace: &mut Workspace,

@@ -8,7 +8,7 @@ use crate::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden};
 const KINDS: [ModelKind; 2] = [ModelKind::Universal, ModelKind::UniversalSmall];
 
 fn muscle(wall: f64, length: f64, angle_deg: f64, law: Law, stiffness: BraidStiffness) -> Muscle {
-    let tube = Tube::new(20.0, wall, length, Rubber::of(law));
+    let tube = Tube::new(20.0, wall, length, Rubber::new(law));
     let braid = Braid { angle_deg, stiffness, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
@@ -71,7 +71,7 @@ fn size_and_modulus_do_not_matter() {
     for kind in KINDS {
         let (size, stiff) = (3.7, 0.21);
         let a = muscle(1.5, 200.0, 25.0, mooney(0.3), BraidStiffness::NewtonPerMm(300.0));
-        let tube = Tube::new(20.0 * size, 1.5 * size, 200.0 * size, Rubber::of(mooney(0.3 * stiff)));
+        let tube = Tube::new(20.0 * size, 1.5 * size, 200.0 * size, Rubber::new(mooney(0.3 * stiff)));
         let k = BraidStiffness::NewtonPerMm(300.0 * size * stiff);
         let b = a
             .with_braid(Braid { stiffness: k, ..a.braid().clone() })
@@ -231,7 +231,7 @@ fn a_list_of_points_is_answered_as_single_ones() {
     }
 }
 
-/// An answer has the same bits whatever was asked before.
+/// An answer has the same bits whatever was computed before.
 #[test]
 fn the_order_of_questions_does_not_matter() {
     for (m, p) in muscles() {

@@ -85,7 +85,7 @@ fn unknown(
 }
 
 impl Key {
-    /// What may stand there, for messages.
+    /// What is expected there, for messages.
     fn expected(&self) -> String {
         let what = expected(&self.kind);
         // A kind alone does not say what is in a text or a list.
@@ -124,7 +124,7 @@ fn expected(kind: &str) -> String {
     }
 }
 
-/// A value of a kind in the units used inside; `expected` is what else may stand there.
+/// A value of a kind in the units used inside; `expected` is what else is allowed there.
 fn of_kind(kind: &str, value: &Written, expected: &str) -> Result<Value, String> {
     let (word, rest) = words(kind);
     let wrong = || format!("is {}; expected {expected}", type_of_value(value));
@@ -228,13 +228,13 @@ fn quantity(value: &Written, dimension: Dimension) -> Result<f64, String> {
 /// A number that is computed with.
 fn sound(value: &Written, expected: &str) -> Result<f64, String> {
     let number = value.as_float().or_else(|| value.as_integer().map(|i| i as f64));
-    let found = match number {
+    let given = match number {
         Some(number) if number.is_finite() && (plausible(number) || value.is_integer()) => return Ok(number),
         Some(number) if number.is_finite() => "a number beyond 1e-30 to 1e30",
         Some(_) => "not a finite number",
         None => type_of_value(value),
     };
-    Err(format!("is {found}; expected {expected}"))
+    Err(format!("is {given}; expected {expected}"))
 }
 
 fn type_of(item: &Item) -> &'static str {

@@ -1,4 +1,4 @@
-//! What is wrong with a file, where, and what should stand there.
+//! What is wrong with a file, where, and what is expected there.
 
 use crate::muscle::MuscleError;
 use std::fmt;
@@ -18,7 +18,7 @@ pub struct TextPosition {
 pub struct FileError {
     /// The file, where the text came from one.
     pub file: Option<PathBuf>,
-    /// Where it stands.
+    /// Its place.
     pub place: Option<TextPosition>,
     /// Dotted key, such as `tube.wall_thickness`.
     pub key: Option<String>,
@@ -43,7 +43,7 @@ impl FileError {
     }
 
     /// The same error with its file.
-    pub fn of(mut self, file: &std::path::Path) -> Self {
+    pub fn in_file(mut self, file: &std::path::Path) -> Self {
         self.file = Some(file.into());
         self
     }

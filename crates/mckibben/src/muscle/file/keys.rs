@@ -4,9 +4,6 @@ use crate::muscle::Measure;
 use crate::muscle::measures::of_section;
 use crate::rubber::{Constant, Law, LawKind};
 use crate::units::Dimension;
-use serde::Deserialize;
-use serde::de::IntoDeserializer;
-use serde::de::value::Error as ValueError;
 use std::borrow::Cow;
 
 const LIST: &str = include_str!("../../../data/keys.txt");
@@ -125,8 +122,7 @@ pub(super) fn join(path: &str, key: &str) -> String {
 
 /// The dimension of a name such as `angular-stiffness`.
 pub fn dimension(name: &str) -> Option<Dimension> {
-    let name: Result<Dimension, ValueError> = Dimension::deserialize(name.into_deserializer());
-    name.ok()
+    mckibben_io::named(name)
 }
 
 /// The same the other way.

@@ -13,12 +13,12 @@ pub(super) fn read(tube: &Section<'_>) -> Result<Rubber, FileError> {
             Err(tube.error("rubber", "give either `rubber` or [tube.material]; both are given"))
         }
         Some(name) => library::find(name).map_err(|e| tube.error("rubber", e.to_string())),
-        None if material.is_written() => own(&material),
+        None if material.is_written() => with_constants(&material),
         None => Ok(Rubber::paper()),
     }
 }
 
-fn own(section: &Section<'_>) -> Result<Rubber, FileError> {
+fn with_constants(section: &Section<'_>) -> Result<Rubber, FileError> {
     let mut rubber = Rubber {
         name: section.get("name"),
         law: law(section)?,
@@ -51,5 +51,5 @@ fn law(section: &Section<'_>) -> Result<Law, FileError> {
         read.ok_or_else(|| section.missing(c.name, Some("law"), NEEDS_ALL))
     };
     let lists = kind.constants.iter().map(list).collect::<Result<Vec<Vec<f64>>, _>>()?;
-    kind.of_lists(&lists).map_err(|e| section.error(e.name, e.to_string()))
+    kind.law_of_terms(&lists).map_err(|e| section.error(e.fields[0], e.message.clone()))
 }

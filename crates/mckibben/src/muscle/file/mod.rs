@@ -13,7 +13,7 @@
 //! # Ok::<(), mckibben::muscle::file::FileError>(())
 //! ```
 //!
-//! Whatever is left out is that of [`Muscle::prototype`]. Unknown keys are errors: a mistyped key must not turn into
+//! Whatever is omitted is that of [`Muscle::prototype`]. Unknown keys are errors: a mistyped key must not turn into
 //! a default.
 
 mod bench;
@@ -48,7 +48,7 @@ use std::path::Path;
 /// is missing, not a regular file, longer than [`MAX_BYTES`], or not UTF-8.
 pub fn read_muscle(path: impl AsRef<Path>) -> Result<Muscle, FileError> {
     let path = path.as_ref();
-    read_text(path).and_then(|text| parse_muscle(&text)).map_err(|e| e.of(path))
+    read_text(path).and_then(|text| parse_muscle(&text)).map_err(|e| e.in_file(path))
 }
 
 /// The text of a file written by hand.

@@ -7,7 +7,7 @@ use crate::muscle::measures::{
     CONE_FACTOR, END_FACTOR, OUTER_DIAMETER, SECTIONS, STIFFNESS, WALL, of_section,
 };
 use crate::muscle::{EndFactor, Measure, Muscle, MuscleError, Stated};
-use crate::sleeve::library;
+use crate::sleeve::{Sleeve, library};
 use std::borrow::Cow;
 
 const INNER: &str = "inner_diameter";
@@ -30,12 +30,12 @@ pub fn muscle_of(source: &Source<'_>) -> Result<Muscle, FileError> {
     let located = |error: MuscleError| located(source, &error);
     let mut stated = Stated {
         rubber: Some(material::read(&tube)?),
-        sleeve: braid.get("name").map(library::find).transpose().map_err(located)?,
+        sleeve: sleeve(&braid)?.transpose().map_err(located)?,
         stiffness: braid.get("stiffness"),
         strand_diameter_mm: braid.get("strand_diameter"),
         ..Stated::default()
     };
-    // What has rules of its own is read where these are.
+    // What has special rules is read where these are.
     let plain = |m: &&Measure| ![&END_FACTOR, &CONE_FACTOR, &STIFFNESS].contains(m);
     for (name, measure) in SECTIONS.into_iter().flat_map(|name| of_section(name).map(move |m| (name, m))) {
         if let Some(value) = root.at(name).get(measure.name()).filter(|_| plain(&measure)) {
@@ -53,6 +53,23 @@ pub fn muscle_of(source: &Source<'_>) -> Result<Muscle, FileError> {
         Some(bench) => muscle.with_bench(bench),
         None => muscle,
     })
+}
+
+/// The sleeve of a name, or of the two diameters that one finds by hand.
+fn sleeve(braid: &Section<'_>) -> Result<Option<Result<Sleeve, MuscleError>>, FileError> {
+    const RANGE: (&str, &str) = ("least_diameter", "largest_diameter");
+    let name: Option<&str> = braid.get("name");
+    match (braid.get(RANGE.0), braid.get(RANGE.1)) {
+        (None, None) => Ok(name.map(library::find)),
+        (Some(_), None) => {
+            Err(braid.missing(RANGE.1, Some(RANGE.0), "the diameter to which the sleeve opens"))
+        }
+        (None, Some(_)) => Err(braid.missing(RANGE.0, Some(RANGE.1), "the diameter to which it closes")),
+        (Some(_), Some(_)) if name.is_some() => {
+            Err(braid.error(RANGE.0, "is that of the named sleeve: leave `name` out"))
+        }
+        (Some(least_mm), Some(largest_mm)) => Ok(Some(library::between("pet", least_mm, largest_mm))),
+    }
 }
 
 /// The error of the muscle, at the line of the key that caused it.

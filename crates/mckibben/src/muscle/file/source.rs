@@ -1,4 +1,4 @@
-//! A parsed file that knows where everything stands, and its values in the units used inside.
+//! A parsed file that knows the place of everything, and its values in the units used inside.
 
 use super::error::{FileError, TextPosition};
 use super::keys::{join, keys};
@@ -85,10 +85,10 @@ impl<'t> Source<'t> {
 
     /// The problem with the value of a key that is written.
     pub fn error(&self, dotted: &str, problem: impl Into<String>) -> FileError {
-        let found = self.find(dotted);
-        let value = found.as_ref().and_then(|(_, item)| item.as_value()?.span());
+        let entry = self.find(dotted);
+        let value = entry.as_ref().and_then(|(_, item)| item.as_value()?.span());
         let written = value.clone().and_then(|span| self.text.get(span)).map(shortened);
-        let span = found.and_then(|(key, item)| value.or(key).or_else(|| item.span()));
+        let span = entry.and_then(|(key, item)| value.or(key).or_else(|| item.span()));
         FileError { written, ..self.key_error(dotted, span, problem) }
     }
 

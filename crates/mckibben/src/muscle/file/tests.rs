@@ -49,7 +49,7 @@ fn rubber() -> impl Strategy<Value = Rubber> {
     ];
     let branch = (number(0.0, 0.3), number(1e-3, 1e5));
     let prony = prop::option::of(prop::collection::vec(branch, 1..4).prop_map(Prony::from));
-    let own = (name, law(), bulk, prop::option::of(1.0..9.0), memory, prony).prop_map(
+    let written = (name, law(), bulk, prop::option::of(1.0..9.0), memory, prony).prop_map(
         |(name, law, bulk, fitted_to_stretch, (softening, conditioned), prony)| Rubber {
             name,
             law,
@@ -60,7 +60,7 @@ fn rubber() -> impl Strategy<Value = Rubber> {
             prony,
         },
     );
-    prop_oneof![prop::sample::select(named), own]
+    prop_oneof![prop::sample::select(named), written]
 }
 
 fn braid() -> impl Strategy<Value = Braid> {
@@ -239,7 +239,7 @@ fn every_key_is_understood() {
         softening: Some(OgdenRoxburgh { r: 1.5, m_mpa: 0.05, beta: 0.0 }),
         conditioned: Some(Conditioned::Pressure(0.25)),
         prony: Some(Prony::from(vec![(0.2, 2.0), (0.1, 180.0)])),
-        ..Rubber::of(Law::Ogden(Ogden { terms }))
+        ..Rubber::new(Law::Ogden(Ogden { terms }))
     };
     assert_eq!(muscle.tube().rubber, rubber);
     let strands = Strands { count: 48, section: Some((0.3, 2500.0)), strength_n: Some(40.0) };
@@ -323,7 +323,7 @@ fn named_sleeves_are_read_and_written_by_name() {
     let same = sleeve.with(None, Some(0.2), None, None).on(12.0).unwrap();
     assert_eq!(muscle.braid(), &same);
     assert!(text.contains("strands = 290") && text.contains("strand_area = "), "{text}");
-    // A counted number stands against the one that follows.
+    // A counted number conflicts with the one that follows.
     let counted = "name = \"flexo-overexpanded-0.38in\"\nstrand_diameter = 0.25\nstrands = 96";
     assert_eq!(read(12.0, counted).0.braid().strands.unwrap().count, 96);
     // A stiffness beside the name is k on this tube.
@@ -367,7 +367,7 @@ fn named_rubbers_are_written_by_name() {
     assert!(text.contains("c10 = \"0.17") && text.contains("fitted_to_stretch = 2.06"), "{text}");
 }
 
-/// The factors of single models stand in tables of these models; files from before, that have them under the terminals, say
+/// The factors of single models are in tables of these models; files from before, that have them under the terminals, say
 /// the same.
 #[test]
 fn constants_of_models_are_read_from_both_places_and_written_to_theirs() {
@@ -389,7 +389,7 @@ fn constants_of_models_are_read_from_both_places_and_written_to_theirs() {
     assert!(parse_muscle("[model.ideal]\nend_factor = 1\n").is_err());
 }
 
-/// A muscle that is held has what is left of its moduli: all at once, (1 − Σg) of them after long, and energies with them; the softening keeps
+/// A muscle that is held has its remaining moduli: all at once, (1 − Σg) of them after long, and energies with them; the softening keeps
 /// its shape.
 #[test]
 fn a_held_muscle_has_what_is_left_of_its_moduli() {
@@ -413,18 +413,18 @@ fn a_held_muscle_has_what_is_left_of_its_moduli() {
 /// (μ/2)(λ² + 2/λ − 3).
 #[test]
 fn rubber_is_conditioned_by_a_pressure_or_by_a_strain() {
-    let of = |text: &str| {
+    let rubber = |text: &str| {
         let material =
             "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.4\nsoftening = { r = 1.5, m = 0.05 }\n";
         parse_muscle(&format!("{material}conditioned = {text}")).unwrap().tube().rubber.clone()
     };
     for text in ["\"100%\"", "\"100 %\""] {
-        assert_eq!(of(text).conditioned, Some(Conditioned::Strain { strain: 1.0 }));
-        let (_, seen_mpa) = of(text).conditioned_alike().unwrap();
+        assert_eq!(rubber(text).conditioned, Some(Conditioned::Strain { strain: 1.0 }));
+        let (_, seen_mpa) = rubber(text).conditioned_alike().unwrap();
         assert!((seen_mpa - 0.2 * (4.0 + 1.0 - 3.0)).abs() < 1e-15);
     }
-    assert_eq!(of("0.25").conditioned, Some(Conditioned::Pressure(0.25)));
-    assert_eq!(of("\"2.5 bar\"").conditioned().map(|c| c.1), Some(0.25));
+    assert_eq!(rubber("0.25").conditioned, Some(Conditioned::Pressure(0.25)));
+    assert_eq!(rubber("\"2.5 bar\"").conditioned().map(|c| c.1), Some(0.25));
     let gent = "[tube.material]\nlaw = \"gent\"\nmu = 0.4\njm = 2\nsoftening = { r = 1.5, m = 0.05 }\n";
     let locked = parse_muscle(&format!("{gent}conditioned = \"100 %\"")).unwrap_err().to_string();
     assert!(locked.contains("at which the rubber's law has locked"), "{locked}");

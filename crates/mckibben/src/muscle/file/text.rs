@@ -91,8 +91,8 @@ fn written(kind: &str, value: &Value) -> String {
 /// A ratio in percent that reads back as the same number, where there is one.
 fn percent(ratio: f64) -> String {
     let usual = 100.0 * ratio;
-    let found = [usual, usual.next_up(), usual.next_down()].into_iter().find(|p| p / 100.0 == ratio);
-    quantity(found.unwrap_or(usual), "%")
+    let exact = [usual, usual.next_up(), usual.next_down()].into_iter().find(|p| p / 100.0 == ratio);
+    quantity(exact.unwrap_or(usual), "%")
 }
 
 /// A text in quotes, on one line.

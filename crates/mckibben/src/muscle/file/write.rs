@@ -9,7 +9,7 @@ use crate::sleeve::{self, Sleeve};
 use crate::units::Dimension;
 
 /// The text of a muscle file. Reading it gives the same muscle to the last bit, save that a cross-section of
-/// strands which the braid's stiffness does not use is left as a comment, and that a strain in percent may differ in its last bit.
+/// strands which the braid's stiffness does not use becomes a comment, and that a strain in percent may differ in its last bit.
 pub fn to_toml(muscle: &Muscle) -> String {
     let mut out = Text::default();
     out.line(concat!("# McKibben muscle, written by mckibben ", env!("CARGO_PKG_VERSION"), "."));
@@ -65,8 +65,8 @@ impl Text {
     }
 
     fn rubber(&mut self, rubber: &Rubber, reach: f64) {
-        let found = |name: &&str| library::find_for(name, reach).is_ok_and(|r| r == *rubber);
-        let named = rubber.name.as_deref().filter(found);
+        let is_named = |name: &&str| library::find_for(name, reach).is_ok_and(|r| r == *rubber);
+        let named = rubber.name.as_deref().filter(is_named);
         if let Some(name) = named {
             self.key("rubber", &text(name), "or [tube.material] with a law and its constants");
             return;
@@ -86,9 +86,9 @@ impl Text {
         self.table("braid");
         let sleeve = named_sleeve(braid, outer_diameter_mm);
         self.stated("name", sleeve.as_ref().map(|s| text(s.name())), "a sleeve: `mckibben parts show`");
-        let own = braid.clone().on_diameter(outer_diameter_mm).map(|b| b.angle_deg);
-        let is_own = sleeve.is_some() && own == Ok(braid.angle_deg);
-        let angle = Some(braid.angle_deg).filter(|_| !is_own).map(|angle_deg| quantity(angle_deg, "deg"));
+        let angle_deg = braid.clone().on_diameter(outer_diameter_mm).map(|b| b.angle_deg);
+        let is_usual = sleeve.is_some() && angle_deg == Ok(braid.angle_deg);
+        let angle = Some(braid.angle_deg).filter(|_| !is_usual).map(|angle_deg| quantity(angle_deg, "deg"));
         self.stated("angle", angle, "strands to the muscle's axis, at rest");
         let stiffness = match braid.stiffness {
             BraidStiffness::Paper => Some(text("paper")),
@@ -137,7 +137,7 @@ fn written(muscle: &Muscle, section: &str) -> impl Iterator<Item = (&'static Mea
     plain.filter_map(|m| Some((m, muscle.measure(m)?)))
 }
 
-/// The sleeve that the braid was cut from, where its name and angle may stand beside each other in a file.
+/// The sleeve that the braid was cut from, where its name and angle may be written together in a file.
 fn named_sleeve(braid: &Braid, outer_diameter_mm: f64) -> Option<Sleeve> {
     let shape = braid.sleeve.as_ref()?;
     let sleeve = sleeve::library::find(&shape.name).ok().filter(|s| s.shape == *shape)?;

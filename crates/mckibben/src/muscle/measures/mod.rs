@@ -71,7 +71,7 @@ pub enum Bounds {
     Between(f64, f64),
     /// Even whole numbers above zero.
     Even,
-    /// Checked by its part, with words of its own.
+    /// Checked by its part, with special messages.
     OfPart,
 }
 
@@ -174,7 +174,7 @@ pub struct Facts {
     pub dimension: Dimension,
     /// Its kind in the list of keys of muscle files, where that is not the name of its dimension.
     pub kind: Option<&'static str>,
-    /// Whether muscle files write it by rules of its own, in the code of its table.
+    /// Whether muscle files write it by special rules, in the code of its table.
     pub has_rules: bool,
     /// Its unit, where that is not the one of its dimension.
     pub unit: Option<&'static str>,
@@ -182,13 +182,13 @@ pub struct Facts {
     pub bounds: Bounds,
     /// Value of a muscle that does not state it, where there is one.
     pub default: Option<f64>,
-    /// Whether `check` has a line for it where it is stated; others are shown by rules of their own.
+    /// Whether `check` has a line for it where it is stated; others have special rules.
     pub is_shown: bool,
     /// Models that use it, where not all of them may.
     pub models: Vec<&'static str>,
     /// A measure that must be given with it, and the sentence that says so.
     pub beside: Option<(&'static str, &'static str)>,
-    /// Whether the muscle's digest has it as a line of its own.
+    /// Whether the muscle's digest has a line for it.
     pub digested: bool,
     /// How it is identified, where it can be.
     pub identify: Option<Identify>,
@@ -276,7 +276,7 @@ impl Measure {
         Some(name.replace('_', "-"))
     }
 
-    /// What stands for its value in help texts: `LENGTH`, or the symbol of a plain number that a keyboard has.
+    /// The placeholder of its value in help texts: `LENGTH`, or the symbol of a plain number that a keyboard has.
     pub fn value_name(&self) -> String {
         let noun = self.dimension.noun().rsplit(' ').next().unwrap_or_default();
         (if self.is_plain() && self.symbol.is_ascii() { self.symbol } else { noun }).to_uppercase()
@@ -407,10 +407,10 @@ mod tests {
             (m.set)(&mut full, value);
         }
         for m in MEASURES {
-            let Some(own) = (m.get)(&full) else { panic!("{} is not read", m.key) };
+            let Some(value) = (m.get)(&full) else { panic!("{} is not read", m.key) };
             let mut other = full.clone();
-            (m.set)(&mut other, 4.0 * own);
-            assert!(((m.get)(&other).unwrap() / (4.0 * own) - 1.0).abs() < 1e-12, "{}", m.key);
+            (m.set)(&mut other, 4.0 * value);
+            assert!(((m.get)(&other).unwrap() / (4.0 * value) - 1.0).abs() < 1e-12, "{}", m.key);
             // The braid's stiffness follows from other measures until it is stated itself.
             for rest in MEASURES.iter().filter(|r| **r != *m && r.key != "braid.stiffness") {
                 assert_eq!((rest.get)(&other), (rest.get)(&full), "{} changed {}", m.key, rest.key);

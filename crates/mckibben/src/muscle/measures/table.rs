@@ -88,7 +88,7 @@ pub static CONE_FACTOR: Measure = Measure::new(
     |p, v| p.terminals.cone_factor = Some(v),
 );
 
-/// k of one strand family. No field of its own: in requests `stiffness` is a number or a name, which no measure is
+/// k of one strand family. No field: in requests `stiffness` is a number or a name, which no measure is
 pub static STIFFNESS: Measure = Measure::new(
     "braid.stiffness",
     |p| p.braid.family_stiffness_n_per_mm(&p.tube),

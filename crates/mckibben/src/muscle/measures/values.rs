@@ -47,7 +47,7 @@ impl Serialize for MeasureValues {
 impl TryFrom<Map<String, Value>> for MeasureValues {
     type Error = serde_json::Error;
 
-    /// Reads fields; those of no measure are left to others.
+    /// Reads fields; those of no measure are ignored.
     fn try_from(given: Map<String, Value>) -> Result<Self, serde_json::Error> {
         let mut out = Self::default();
         for (field, measure) in fields() {

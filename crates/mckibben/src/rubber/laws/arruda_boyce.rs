@@ -103,17 +103,17 @@ impl Chain {
         let s = x * x;
         let mut beta = x * (3.0 - s * (6.0 + s - 2.0 * s * s) / 5.0) / (1.0 - s);
         for _ in 0..3 {
-            let (chain, excess) = Self::of(beta, x);
+            let (chain, excess) = Self::at_beta(beta, x);
             beta -= excess / chain.slope;
         }
-        Self::of(beta, x).0
+        Self::at_beta(beta, x).0
     }
 
     /// The chain at β, and L(β) − x.
     ///
     /// Near β = 0 in the series s = sinh(β)/β and p = L s/β, all of whose terms are positive: the differences in coth β − 1/β
     /// would cost digits there.
-    fn of(beta: f64, x: f64) -> (Self, f64) {
+    fn at_beta(beta: f64, x: f64) -> (Self, f64) {
         let y = beta * beta;
         if y < 1.0 {
             // r = (s − 1)/y = Σ y^k/(2k+3)!,  p = Σ 2(k+1) y^k/(2k+3)!, and their derivatives in y
@@ -210,7 +210,7 @@ mod tests {
             ),
             (40.0, [0.024375, -7.421875e-6, 0.000625, 3.3820266346738816123]),
         ] {
-            let chain = Chain::of(beta, 0.0).0;
+            let chain = Chain::at_beta(beta, 0.0).0;
             for (got, exact) in [chain.q, chain.q_y, chain.slope, chain.energy].into_iter().zip(exact) {
                 assert!((got / exact - 1.0).abs() < 1e-13, "{beta}: {got} {exact}");
             }

@@ -12,7 +12,7 @@ use crate::rubber::{Constant, LawConstants, Principal, RubberLaw};
 /// Gc  modulus of the network of crosslinks            MPa    > 0
 /// Ge  modulus of the constraint by entanglements      MPa    > 0
 /// Jm  largest I1 − 3 that the chains can reach, 1/δ²  –      > 2
-/// β   how far crosslinks give way, here 0.2           –      0 < β ≤ 1
+/// β   compliance of the crosslinks, here 0.2           –      0 < β ≤ 1
 /// ```
 ///
 /// For D < Jm; at and beyond the limit the energy is `+∞` and the derivatives are not numbers. Convex in the logarithms of the stretches, so stable

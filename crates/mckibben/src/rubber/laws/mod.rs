@@ -27,12 +27,12 @@ macro_rules! laws {
 
         impl Law {
             /// All laws, without the values of their constants.
-            pub const KINDS: &'static [LawKind] = &[$(LawKind::of::<$law>()),*];
+            pub const KINDS: &'static [LawKind] = &[$(LawKind::new::<$law>()),*];
 
             /// The law without the values of its constants.
             pub fn kind(&self) -> &'static LawKind {
                 match self {
-                    $(Law::$law(_) => const { &LawKind::of::<$law>() },)*
+                    $(Law::$law(_) => const { &LawKind::new::<$law>() },)*
                 }
             }
 

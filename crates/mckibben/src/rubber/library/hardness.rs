@@ -28,14 +28,14 @@ pub(super) fn find(name: &str) -> Option<Result<(Rubber, f64), LibraryError>> {
     let lower = name.trim().to_lowercase();
     let given: String = name.chars().take(60).collect();
     let wrong = |problem| LibraryError(format!("\"{given}\" is not a rubber by its data sheet: {problem}"));
-    let found = if let Some(rest) = lower.strip_prefix("shore:") {
+    let modulus = if let Some(rest) = lower.strip_prefix("shore:") {
         by_hardness(rest).map_err(wrong)
     } else {
         by_stress(lower.strip_prefix("s100:")?).map_err(wrong)
     };
-    Some(found.map(|(mu_mpa, factor)| {
+    Some(modulus.map(|(mu_mpa, factor)| {
         let law = Law::NeoHookean(NeoHookean { mu_mpa });
-        (Rubber { name: Some(lower.clone()), ..Rubber::of(law) }, factor)
+        (Rubber { name: Some(lower.clone()), ..Rubber::new(law) }, factor)
     }))
 }
 

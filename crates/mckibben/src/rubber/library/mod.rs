@@ -1,10 +1,10 @@
 //! Named rubbers, from `data/rubbers.toml`, which states source and terms of each.
 //!
-//! What a name means follows from the muscle alone, not from what is asked of it: `dragon-skin-30` is the law that `rubber`
+//! What a name means follows from the muscle alone, not from the question: `dragon-skin-30` is the law that `rubber`
 //! recommends, or holds for as good, in most of the [`Window`]s of the data; its constants are those of the data up to the stretches which this
 //! muscle reaches ([`Muscle::reach`](crate::muscle::Muscle::reach)), between two windows constants between theirs, so that a pull has no
 //! steps in the measures of a muscle. Beyond the data they are those of all. `dragon-skin-30:gent` is that law, found in the same way. Of
-//! rubbers without a measured curve the data are those that their table of fits stands for ([`TABLE_OF_FITS`]). [`warnings`] says what to
+//! rubbers without a measured curve the data are those that their table of fits represents ([`TABLE_OF_FITS`]). [`warnings`] says what to
 //! mind.
 
 mod entry;

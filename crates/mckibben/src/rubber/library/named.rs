@@ -35,8 +35,8 @@ pub fn find_for(name: &str, reach: f64) -> Result<Rubber, LibraryError> {
 
 /// The same from data up to a stretch.
 pub fn find_up_to(name: &str, stretch: f64) -> Result<Rubber, LibraryError> {
-    if let Some(found) = hardness::find(name) {
-        return found.map(|(rubber, _)| rubber);
+    if let Some(rubber) = hardness::find(name) {
+        return rubber.map(|(rubber, _)| rubber);
     }
     let (plain, law) = match name.split_once(':') {
         Some((plain, law)) => (plain, Some(law)),
@@ -44,7 +44,7 @@ pub fn find_up_to(name: &str, stretch: f64) -> Result<Rubber, LibraryError> {
     };
     let entry = entry(plain)?;
     let law = law.map(super::plain);
-    let found = entry.up_to(law.as_deref(), stretch).ok_or_else(|| {
+    let fit = entry.up_to(law.as_deref(), stretch).ok_or_else(|| {
         let law: String = law.as_deref().unwrap_or("").chars().take(60).collect();
         LibraryError(format!(
             "{} has no fit of the law \"{law}\"; it has {}",
@@ -52,7 +52,7 @@ pub fn find_up_to(name: &str, stretch: f64) -> Result<Rubber, LibraryError> {
             entry.laws().join(", ")
         ))
     })?;
-    Ok(entry.rubber(law.as_deref(), found))
+    Ok(entry.rubber(law.as_deref(), fit))
 }
 
 /// A rubber as a muscle that reaches `reach` has it: one of the library with the law for these stretches, any other as it is. A rubber
@@ -84,11 +84,11 @@ pub fn is_known_from_one_axis(rubber: &Rubber) -> bool {
     rubber.name.as_deref().and_then(exactly).is_some_and(of_one_axis)
 }
 
-/// Factor within which the stiffness of a rubber is known: of one that stands in for others, or follows from one number of a data sheet; 1 of any other.
+/// Factor within which the stiffness of a rubber is known: of one that represents others, or follows from one number of a data sheet; 1 of any other.
 pub fn stiffness_factor(rubber: &Rubber) -> f64 {
     let Some(name) = rubber.name.as_deref() else { return 1.0 };
-    if let Some(Ok((found, factor))) = hardness::find(name) {
-        return if found.law == rubber.law { factor } else { 1.0 };
+    if let Some(Ok((named, factor))) = hardness::find(name) {
+        return if named.law == rubber.law { factor } else { 1.0 };
     }
     known(rubber).map_or(1.0, |(entry, _)| entry.factor)
 }
@@ -101,26 +101,26 @@ fn exactly(name: &str) -> Option<(&'static RubberEntry, Option<&str>)> {
 
 /// The laws that the data of a rubber, up to the stretch `reach` of a muscle, do not tell from the law that is recommended: that
 /// one and those of equal standing with it (`TensionFit::of_equal_standing` of the fit), but for
-/// its own. What a muscle pulls with one and with another differs by what nobody knows from these data. Empty for rubbers without a
+/// its rubber. What a muscle pulls with one and with another differs by what nobody knows from these data. Empty for rubbers without a
 /// curve. Nothing is fitted.
-pub fn of_equal_standing(own: &Rubber, reach: f64) -> Vec<Rubber> {
-    let Some((entry, asked)) = own.name.as_deref().and_then(exactly) else { return vec![] };
+pub fn of_equal_standing(rubber: &Rubber, reach: f64) -> Vec<Rubber> {
+    let Some((entry, law)) = rubber.name.as_deref().and_then(exactly) else { return vec![] };
     let stretch = COVERING * reach;
-    let Some(window) = entry.up_to(asked, stretch).and_then(|found| found.window) else {
+    let Some(window) = entry.up_to(law, stretch).and_then(|fit| fit.window) else {
         return vec![];
     };
     let good =
-        window.laws.iter().filter(|l| l.standing != Standing::Behind && l.law.name() != own.law.name());
+        window.laws.iter().filter(|l| l.standing != Standing::Behind && l.law.name() != rubber.law.name());
     good.filter_map(|l| {
         let name = Some(l.name.as_str());
-        Some(Rubber { bulk: own.bulk, ..entry.rubber(name, entry.up_to(name, stretch)?) })
+        Some(Rubber { bulk: rubber.bulk, ..entry.rubber(name, entry.up_to(name, stretch)?) })
     })
     .collect()
 }
 
 /// A fit of a rubber.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Found<'a> {
+pub(super) struct LibraryFit<'a> {
     pub law: Law,
     /// Largest stretch of the data.
     pub fitted_to_stretch: Option<f64>,
@@ -129,7 +129,7 @@ pub(super) struct Found<'a> {
 }
 
 impl RubberEntry {
-    /// Names of the laws that can be asked for, each once; `ogden-2` beside `ogden`, which is the best of them.
+    /// Names of the laws that can be chosen, each once; `ogden-2` beside `ogden`, which is the best of them.
     pub fn laws(&self) -> Vec<String> {
         let mut laws: Vec<String> = vec![];
         let fits = self.fits.iter().filter(|_| self.windows.is_empty()).map(|f| f.law.name().to_owned());
@@ -145,39 +145,39 @@ impl RubberEntry {
 
     /// The fit to data up to a stretch: that of the smallest range which covers it, and between the ends of two ranges constants between theirs, in
     /// proportion. Of a law that is linear in its constants the energy lies between the two. Beyond all data the fit to all.
-    pub(super) fn up_to(&self, law: Option<&str>, stretch: f64) -> Option<Found<'_>> {
-        let mut lower: Option<Found<'_>> = None;
-        for mut found in self.each(law) {
-            let end = found.fitted_to_stretch;
+    pub(super) fn up_to(&self, law: Option<&str>, stretch: f64) -> Option<LibraryFit<'_>> {
+        let mut lower: Option<LibraryFit<'_>> = None;
+        for mut fit in self.each(law) {
+            let end = fit.fitted_to_stretch;
             if let Some((end, (lower, start))) =
                 end.zip(lower.and_then(|l| Some((l.law, l.fitted_to_stretch?))))
                 && start < stretch
                 && stretch < end
             {
-                found.law = lower.towards(&found.law, (stretch - start) / (end - start));
-                found.fitted_to_stretch = Some(stretch);
+                fit.law = lower.towards(&fit.law, (stretch - start) / (end - start));
+                fit.fitted_to_stretch = Some(stretch);
             }
             if end.is_none_or(|end| end >= stretch) {
-                return Some(found);
+                return Some(fit);
             }
-            lower = Some(found);
+            lower = Some(fit);
         }
         lower
     }
 
     /// Whether a rubber of this name has the constants that the library gives it.
     fn has(&self, law: Option<&str>, rubber: &Rubber) -> bool {
-        let found = self.up_to(law, rubber.fitted_to_stretch.unwrap_or(1.0));
-        found.is_some_and(|found| self.rubber(law, found) == *rubber)
+        let fit = self.up_to(law, rubber.fitted_to_stretch.unwrap_or(1.0));
+        fit.is_some_and(|fit| self.rubber(law, fit) == *rubber)
     }
 
     /// The fits of a law, or those that the name alone means, from the smallest range to the widest.
-    pub(super) fn each(&self, law: Option<&str>) -> impl Iterator<Item = Found<'_>> {
+    pub(super) fn each(&self, law: Option<&str>) -> impl Iterator<Item = LibraryFit<'_>> {
         // Without a curve: the first law of the table, which for the silicones is the neo-Hookean one.
         let published = law.or_else(|| self.published_default()).map(str::to_owned);
         let fits = self.fits.iter().filter(|_| self.windows.is_empty());
         let fits = fits.filter(move |f| Some(f.law.name()) == published.as_deref());
-        let published = fits.map(|f| Found {
+        let published = fits.map(|f| LibraryFit {
             law: f.law.clone(),
             fitted_to_stretch: self.reach(f).map(|strain| 1.0 + strain),
             window: None,
@@ -188,7 +188,7 @@ impl RubberEntry {
         };
         let fitted = self.windows.iter().filter_map(move |w| {
             let law = w.laws.iter().find(|l| Some(&l.name) == name)?.law.clone();
-            Some(Found { law, fitted_to_stretch: Some(w.fitted_to_stretch), window: Some(w) })
+            Some(LibraryFit { law, fitted_to_stretch: Some(w.fitted_to_stretch), window: Some(w) })
         });
         published.chain(fitted)
     }
@@ -220,13 +220,13 @@ impl RubberEntry {
         fit.up_to_strain.map(|strain| self.max_strain.map_or(strain, |max| strain.min(max)))
     }
 
-    pub(super) fn rubber(&self, law: Option<&str>, found: Found<'_>) -> Rubber {
+    pub(super) fn rubber(&self, law: Option<&str>, fit: LibraryFit<'_>) -> Rubber {
         // Where the name alone always means this law it says enough.
         let named = law.filter(|law| !self.windows.is_empty() || self.published_default() != Some(*law));
         Rubber {
             name: Some(named.map_or_else(|| self.name.clone(), |law| format!("{}:{law}", self.name))),
-            fitted_to_stretch: found.fitted_to_stretch,
-            ..Rubber::of(found.law)
+            fitted_to_stretch: fit.fitted_to_stretch,
+            ..Rubber::new(fit.law)
         }
     }
 }

@@ -74,10 +74,10 @@ fn silicones_carry_the_constants_of_the_table_of_fits() {
         assert!(close(neo.mu_mpa, 2.0 * number(&row, 7) / 1000.0), "{}", entry.name);
         let (c10, c01) = (number(&row, 3) / 1000.0, number(&row, 4) / 1000.0);
         match fit("mooney-rivlin") {
-            Some(found) => {
-                let Law::MooneyRivlin(MooneyRivlin { c10_mpa, c01_mpa }) = found.law else { panic!() };
+            Some(fit) => {
+                let Law::MooneyRivlin(MooneyRivlin { c10_mpa, c01_mpa }) = fit.law else { panic!() };
                 assert!(close(c10_mpa, c10) && close(c01_mpa, c01), "{}", entry.name);
-                assert_eq!(found.r_squared, Some(number(&row, 5)));
+                assert_eq!(fit.r_squared, Some(number(&row, 5)));
             }
             // Two rows are no law: their shear modulus at rest is below zero.
             None => assert!(c10 + c01 < 0.0, "{} up to {strain}", entry.name),
@@ -141,10 +141,10 @@ fn names_are_forgiving_and_slips_are_named() {
 
 #[test]
 fn one_axis_mooney_rivlin_fits_warn() {
-    let dragon = Rubber::of(published("dragon-skin-20", "mooney-rivlin", Some(0.5)));
-    let found = warnings(&dragon);
-    assert!(found[0].contains("from a hoop stretch of 1."), "{}", found[0]);
-    assert!(found[1].contains("-0.0838 MPa"));
+    let dragon = Rubber::new(published("dragon-skin-20", "mooney-rivlin", Some(0.5)));
+    let said = warnings(&dragon);
+    assert!(said[0].contains("from a hoop stretch of 1."), "{}", said[0]);
+    assert!(said[1].contains("-0.0838 MPa"));
     assert!(warnings(&find("natural-rubber:mooney-rivlin").unwrap()).is_empty());
 }
 

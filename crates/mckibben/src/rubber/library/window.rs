@@ -17,7 +17,7 @@ pub struct Window {
     pub fitted_to_stretch: f64,
     /// Number of points.
     pub points: usize,
-    /// One fit a law, lowest AICc first; laws that are not stable in a muscle are left out.
+    /// One fit a law, lowest AICc first; laws that are not stable in a muscle are omitted.
     pub laws: Vec<WindowLaw>,
 }
 

@@ -57,7 +57,7 @@ pub enum Held {
 }
 
 impl Prony {
-    /// What is left of a stress that came at once and was held so long.
+    /// Remaining share of a stress that came at once and was held so long.
     pub fn left(&self, held: Held) -> f64 {
         match held {
             Held::For(time_s) => self.left_after(time_s),
@@ -65,7 +65,7 @@ impl Prony {
         }
     }
 
-    /// The law whose stresses are what is left of those of the law at once.
+    /// The law whose stresses are the remaining shares of those of the law at once.
     ///
     /// Exact at t → ∞, whatever went before, and for a deformation that came at once and stayed; between, where a muscle creeps or its
     /// ends move, it leaves out that later strains are younger than earlier ones.
@@ -87,7 +87,7 @@ impl Prony {
         if sum < 1.0 {
             Ok(self)
         } else {
-            Err(constant("the sum of all shares g", sum, "below 1: what is left is the rubber at rest"))
+            Err(constant("the sum of all shares g", sum, "below 1: the remainder is the rubber at rest"))
         }
     }
 
@@ -101,7 +101,7 @@ impl Prony {
         1.0 - self.relaxing()
     }
 
-    /// 1 − Σ gᵢ (1 − e^(−t/τᵢ)): what is left of a stress that came at once, after a time in s.
+    /// 1 − Σ gᵢ (1 − e^(−t/τᵢ)): remaining share of a stress that came at once, after a time in s.
     pub fn left_after(&self, time_s: f64) -> f64 {
         let lost = |b: &Branch| -b.share * (-time_s / b.time_constant_s).exp_m1();
         1.0 - self.branches.iter().map(lost).sum::<f64>()

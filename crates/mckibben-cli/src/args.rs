@@ -1,8 +1,8 @@
 //! A command with its flags as they were typed, and the request that they make.
 
 use crate::{
-    Failure, Flag, Format, files, output, plot, quantities::check_contractions, quantity, shown, spec::Kind,
-    values,
+    Flag, Format, Problem, Units, bad_flag, files, output, plot, quantities::check_contractions, quantity,
+    shown, spec::Kind, values,
 };
 use clap::ArgMatches;
 use mckibben::units::{Dimension, Values};
@@ -20,7 +20,7 @@ const DIVISIONS: usize = 20;
 
 /// A command with its flags as they were typed.
 #[derive(Debug)]
-pub struct Asked {
+pub struct Args {
     pub format: Format,
     pub flags: Vec<Flag>,
     pub matches: ArgMatches,
@@ -28,7 +28,7 @@ pub struct Asked {
     pub request: Value,
 }
 
-impl Asked {
+impl Args {
     pub fn is(&self, flag: &str) -> bool {
         self.matches.try_get_one::<bool>(flag).ok().flatten().is_some_and(|is| *is)
     }
@@ -47,28 +47,28 @@ impl Asked {
     }
 
     /// The request that the flags make.
-    pub fn request<T: serde::de::DeserializeOwned>(&self) -> Result<T, Failure> {
-        Ok(understood(&Value::Object(self.fields()?))?)
+    pub fn request<T: serde::de::DeserializeOwned>(&self) -> Result<T, Problem> {
+        understood(&Value::Object(self.fields()?))
     }
 
     /// The fields of the request.
-    pub fn fields(&self) -> Result<Map<String, Value>, Failure> {
+    pub fn fields(&self) -> Result<Map<String, Value>, Problem> {
         self.fields_without(&[])
     }
 
     /// The same where some are left to the caller.
-    pub fn fields_without(&self, others: &[&str]) -> Result<Map<String, Value>, Failure> {
+    pub fn fields_without(&self, others: &[&str]) -> Result<Map<String, Value>, Problem> {
         plot::check(self)?;
         let mut out = Map::new();
         if let Some(text) =
-            self.text("tube").filter(|_| !self.flags.iter().any(|f| f.id == "tube" && f.is_asked))
+            self.text("tube").filter(|_| !self.flags.iter().any(|f| f.id == "tube" && f.is_in_request))
         {
             let (inner_mm, outer_mm) = tube(&text)?;
             out.insert("outer_diameter_mm".into(), outer_mm.into());
             out.insert("wall_mm".into(), (0.5 * (outer_mm - inner_mm)).into());
         }
         let mut shortenings = vec![];
-        for flag in self.flags.iter().filter(|flag| flag.is_asked && !others.contains(&&*flag.field)) {
+        for flag in self.flags.iter().filter(|flag| flag.is_in_request && !others.contains(&&*flag.field)) {
             let texts = self.texts(&flag.id);
             if flag.long == "contraction" && texts.first().is_some_and(|text| is_length(text)) {
                 shortenings.push((flag, texts));
@@ -103,22 +103,22 @@ impl Asked {
         Ok(out)
     }
 
-    /// L0 of the muscle that is asked about.
-    fn rest_length_mm(&self, fields: &Map<String, Value>, flag: &Flag) -> Result<f64, Failure> {
+    /// L0 of the muscle of the request.
+    fn rest_length_mm(&self, fields: &Map<String, Value>, flag: &Flag) -> Result<f64, Problem> {
         let of_one = ["muscle", "outer_diameter_mm", "length_mm"];
         let is_one = |field: &&str| self.request["properties"][*field]["x-quantity"] == "length";
         if !of_one[1..].iter().all(is_one) || self.flags.iter().any(|f| f.long == "stroke") {
             let message =
                 format!("{}: a shortening in mm needs one muscle, whose length is known", flag.name());
             let hint = "give a ratio such as 15%, or a stroke in mm with --stroke";
-            return Err(Failure::input(ProblemKind::Quantity, message, hint));
+            return Err(Problem::new(ProblemKind::Quantity, message, hint));
         }
         let muscle: MuscleFields = understood(&Value::Object(fields.clone()))?;
         Ok(muscle.resolve()?.tube().length_mm)
     }
 
     /// The files that texts of a request name.
-    fn add_files(&self, out: &mut Map<String, Value>) -> Result<(), Failure> {
+    fn add_files(&self, out: &mut Map<String, Value>) -> Result<(), Problem> {
         let has = |field: &str| self.request["properties"].get(field).is_some();
         let text = |field: &str| out.get(field).and_then(Value::as_str).map(str::to_owned);
         if let Some(path) = text("rubber")
@@ -148,8 +148,9 @@ impl Asked {
         &self,
         answer: &T,
         rows: &str,
-        text: impl FnOnce() -> String,
-    ) -> Result<u8, Failure> {
+        text: impl FnOnce(&T, &Units) -> String,
+    ) -> Result<u8, Problem> {
+        let text = || text(answer, &shown::units());
         output::show(answer, self.format, rows, text, self.path("output").as_deref())?;
         Ok(0)
     }
@@ -159,21 +160,21 @@ impl Asked {
         &self,
         answer: &T,
         rows: &str,
-        text: impl FnOnce() -> String,
-    ) -> Result<u8, Failure> {
-        output::show(answer, self.format, rows, text, None)?;
+        text: impl FnOnce(&T, &Units) -> String,
+    ) -> Result<u8, Problem> {
+        output::show(answer, self.format, rows, || text(answer, &shown::units()), None)?;
         Ok(0)
     }
 
     /// Writes the figure of an answer.
-    pub fn draw(&self, figure: &mut Option<Figure>) -> Result<(), Failure> {
+    pub fn draw(&self, figure: &mut Option<Figure>) -> Result<(), Problem> {
         plot::save(figure.take(), self)
     }
 }
 
 /// The tables of a load.
-pub fn load_tables(load: &str) -> Result<Value, Failure> {
-    let read = |name: &str| -> Result<Value, Failure> {
+pub fn load_tables(load: &str) -> Result<Value, Problem> {
+    let read = |name: &str| -> Result<Value, Problem> {
         Ok(json!(TextFile { name: name.into(), ..files::table(Path::new(name))? }))
     };
     Load::tables(load).map(read).collect()
@@ -181,20 +182,20 @@ pub fn load_tables(load: &str) -> Result<Value, Failure> {
 
 impl Flag {
     /// What was typed, as the request has it.
-    fn read(&self, texts: &[String]) -> Result<Value, Failure> {
+    fn read(&self, texts: &[String]) -> Result<Value, Problem> {
         let flag = self.name();
         let text = texts.first().map_or("", String::as_str);
         let of_contraction = |text: &str, list: &[f64]| match &*self.long {
             "contraction" => check_contractions(&flag, text, list),
             _ => Ok(()),
         };
-        let numbers = |text: &str, dimension| -> Result<Value, Failure> {
-            let found = values(&flag, text, dimension)?;
-            if self.field == "strand_length_per_turn_mm" && matches!(found, Values::Interval(..)) {
+        let numbers = |text: &str, dimension| -> Result<Value, Problem> {
+            let range = values(&flag, text, dimension)?;
+            if self.field == "strand_length_per_turn_mm" && matches!(range, Values::Interval(..)) {
                 let message = format!("{flag}: give the sleeves that are sold as a list");
-                return Err(Failure::input(ProblemKind::Range, message, "such as 90,110,130mm"));
+                return Err(Problem::new(ProblemKind::Range, message, "such as 90,110,130mm"));
             }
-            let list = found.sampled(DIVISIONS);
+            let list = range.sampled(DIVISIONS);
             of_contraction(text, &list)?;
             Ok(json!(list))
         };
@@ -218,8 +219,7 @@ impl Flag {
             "terminal" => return terminal(&flag, &text.replace("aluminum", "aluminium")),
             "weights" if matches!(self.kind, Kind::Text) => return weights(&flag, text),
             "columns" => {
-                let columns =
-                    Columns::parse(text).map_err(|e| Failure::flag(&flag, ProblemKind::Usage, e))?;
+                let columns = Columns::parse(text).map_err(|e| bad_flag(&flag, ProblemKind::Usage, e))?;
                 return Ok(json!(columns));
             }
             // A strain is in percent; a bare number is a stretch.
@@ -244,13 +244,13 @@ impl Flag {
             Kind::Texts(_) => json!(texts),
             Kind::File => json!(self.file(text)?),
             Kind::Files => {
-                texts.iter().map(|text| Ok(json!(self.file(text)?))).collect::<Result<_, Failure>>()?
+                texts.iter().map(|text| Ok(json!(self.file(text)?))).collect::<Result<_, Problem>>()?
             }
             Kind::Truth | Kind::Words(_) | Kind::Text => text.into(),
         })
     }
 
-    fn file(&self, name: &str) -> Result<TextFile, Failure> {
+    fn file(&self, name: &str) -> Result<TextFile, Problem> {
         let path = Path::new(name);
         match &*self.field {
             "muscle" => files::muscle(path),
@@ -267,11 +267,11 @@ fn is_length(text: &str) -> bool {
 }
 
 /// A tube as it is sold, bore and outer diameter in mm: `8x12mm`.
-fn tube(text: &str) -> Result<(f64, f64), Failure> {
+fn tube(text: &str) -> Result<(f64, f64), Problem> {
     let wrong = || {
         let message =
             format!("--tube: \"{text}\" is not a tube; expected its bore and outer diameter, such as 8x12mm");
-        Failure::input(ProblemKind::Quantity, message, "or give --outer-diameter and --wall")
+        Problem::new(ProblemKind::Quantity, message, "or give --outer-diameter and --wall")
     };
     let (inner, outer) = text.split_once(['x', 'X', '×']).ok_or_else(wrong)?;
     let outer = outer.trim();
@@ -288,17 +288,17 @@ fn tube(text: &str) -> Result<(f64, f64), Failure> {
 }
 
 /// A stiffness: a quantity or a word.
-fn stiffness(flag: &str, text: &str) -> Result<Value, Failure> {
+fn stiffness(flag: &str, text: &str) -> Result<Value, Problem> {
     match text.trim() {
         word @ ("inextensible" | "paper") => Ok(word.into()),
         other => mckibben::units::parse_quantity(other, Dimension::Stiffness).map(Value::from).map_err(|e| {
-            Failure::flag(flag, ProblemKind::Quantity, format!("{e}, or `inextensible`, or `paper`"))
+            bad_flag(flag, ProblemKind::Quantity, format!("{e}, or `inextensible`, or `paper`"))
         }),
     }
 }
 
 /// none, rigid or aluminium, with the insertion and the radius of the nose behind: `aluminium:20mm:3mm`.
-fn terminal(flag: &str, text: &str) -> Result<Value, Failure> {
+fn terminal(flag: &str, text: &str) -> Result<Value, Problem> {
     let words: Vec<&str> = text.split(':').map(str::trim).collect();
     let length = |at: usize| words.get(at).map(|text| quantity(flag, text, Dimension::Length)).transpose();
     match words[..] {
@@ -310,18 +310,18 @@ fn terminal(flag: &str, text: &str) -> Result<Value, Failure> {
             let message = format!(
                 "{flag}: \"{text}\" is not a terminal; expected none, rigid or aluminium, with an optional insertion and radius of the nose (aluminium:20mm:3mm)"
             );
-            Err(Failure::input(ProblemKind::Terminal, message, "leave it out for a rigid plane"))
+            Err(Problem::new(ProblemKind::Terminal, message, "leave it out for a rigid plane"))
         }
     }
 }
 
-fn weights(flag: &str, text: &str) -> Result<Value, Failure> {
+fn weights(flag: &str, text: &str) -> Result<Value, Problem> {
     let mut out = Map::new();
     for entry in text.split(',') {
         let bad = |why: &str| {
             let short: String = entry.trim().chars().take(60).collect();
             let message = format!("{flag}: \"{short}\" {why}");
-            Failure::input(ProblemKind::Usage, message, "write uniaxial=1,equibiaxial=2")
+            Problem::new(ProblemKind::Usage, message, "write uniaxial=1,equibiaxial=2")
         };
         let (mode, weight) = entry.split_once('=').ok_or_else(|| bad("has no ="))?;
         let weight = quantity(flag, weight, Dimension::Ratio)?;
@@ -333,10 +333,10 @@ fn weights(flag: &str, text: &str) -> Result<Value, Failure> {
 }
 
 /// What is required at a place: a pull at a contraction, a torque at an angle.
-fn at(flag: &str, text: &str, keys: [(&str, Dimension); 2], expected: &str) -> Result<Value, Failure> {
+fn at(flag: &str, text: &str, keys: [(&str, Dimension); 2], expected: &str) -> Result<Value, Problem> {
     let Some((first, second)) = text.split_once('@') else {
         let message = format!("{flag}: \"{text}\" is not a valid {expected}");
-        return Err(Failure::input(ProblemKind::Quantity, message, ""));
+        return Err(Problem::new(ProblemKind::Quantity, message, ""));
     };
     // An angle to either side: the joint is symmetric.
     let place = quantity(flag, second.trim().trim_start_matches(['±', '+']), keys[1].1)?;
@@ -346,7 +346,7 @@ fn at(flag: &str, text: &str, keys: [(&str, Dimension); 2], expected: &str) -> R
     Ok(json!({ (keys[0].0): quantity(flag, first.trim(), keys[0].1)?, (keys[1].0): place }))
 }
 
-fn tolerances(flag: &str, text: &str) -> Result<Tolerances, Failure> {
+fn tolerances(flag: &str, text: &str) -> Result<Tolerances, Problem> {
     let mut out = Tolerances::default();
     for part in text.split(',') {
         let wrong = || {
@@ -355,7 +355,7 @@ fn tolerances(flag: &str, text: &str) -> Result<Tolerances, Failure> {
                 "{flag}: \"{part}\" is not a valid tolerance; expected pressure, modulus, stiffness, {} with a half-width, such as wall=0.1mm, angle=1deg or modulus=10%",
                 names.join(", ")
             );
-            Failure::input(ProblemKind::Quantity, message, "")
+            Problem::new(ProblemKind::Quantity, message, "")
         };
         let (name, value) = part.split_once('=').ok_or_else(wrong)?;
         let read = |dimension| quantity(flag, value, dimension);

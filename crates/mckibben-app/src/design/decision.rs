@@ -1,0 +1,130 @@
+//! The decision: what to take, which pressure to set, what it pulls, what is sure, and what limits it.
+
+use super::CandidateAnswer;
+use crate::words::within;
+use crate::{Units, number, percent};
+use mckibben::units::Dimension;
+use mckibben_build::relief_mpa;
+use mckibben_design::{Candidate, Limit, Spec};
+
+/// What muscles are chosen among, for the lines of the decision.
+pub(super) struct Decision<'a> {
+    pub(super) spec: &'a Spec,
+    /// Whether their length was assumed.
+    pub(super) is_length_assumed: bool,
+    pub(super) candidates: &'a [Candidate],
+    /// Where none of them is sure: the best that is.
+    pub(super) to_be_sure: Option<&'a CandidateAnswer>,
+}
+
+impl Decision<'_> {
+    /// The lines; none where nothing fits. Each begins with its verb.
+    pub(super) fn lines(&self) -> Vec<String> {
+        let Some(first) = self.candidates.first() else { return vec![] };
+        vec![self.take(first), set(first), self.pulls(first), self.sure(first), limit(first)]
+    }
+
+    fn take(&self, first: &Candidate) -> String {
+        let many = if self.spec.count > 1 {
+            format!("{} muscles side by side, each of ", self.spec.count)
+        } else {
+            String::new()
+        };
+        let length = show(Dimension::Length, first.muscle.length_mm());
+        let assumed = if self.is_length_assumed { " (assumed: `length_mm` or `stroke_mm`)" } else { "" };
+        format!("Take {many}{}, {length} between the terminals{assumed}", parts(first))
+    }
+
+    fn pulls(&self, first: &Candidate) -> String {
+        let point = |q: &mckibben_design::CandidatePoint| {
+            let wanted_n = q.response.force_n;
+            let range = q.uncertainty_n.map(|half| {
+                let [low, high] = [wanted_n - half, wanted_n + half].map(|n| within(n, half));
+                format!(" ({low} to {high} N, 95 %)")
+            });
+            format!(
+                "{} at {}{}",
+                show(Dimension::Force, wanted_n),
+                percent(q.wanted.contraction),
+                range.unwrap_or_default()
+            )
+        };
+        let points: Vec<String> = first.points.iter().map(point).collect();
+        let facts = [
+            first.bulged_diameter_mm().map(|mm| format!("{} mm wide", number(mm, 3))),
+            first.muscle.mass_g().map(|g| format!("{} g", number(g, 3))),
+            first.air_normal_litres().map(|l| format!("{} normal L of air a stroke", number(l, 3))),
+            first.liquid_volume_mm3().map(|mm3| format!("{} mL of liquid", number(1e-3 * mm3, 3))),
+        ];
+        let facts: Vec<String> = facts.into_iter().flatten().collect();
+        let each = if self.spec.count > 1 { "each " } else { "" };
+        format!("Pulls {each}{}; {}", points.join(", "), facts.join(", "))
+    }
+
+    fn sure(&self, first: &Candidate) -> String {
+        let mpa = |p| show(Dimension::Pressure, p);
+        let share = percent(self.spec.guaranteed.unwrap_or(0.95));
+        if self.spec.guaranteed.is_some() {
+            return format!("Sure to {share}: the lower end of the ± meets what is required");
+        }
+        let sure = self.candidates.iter().find_map(|c| Some((c, c.sure_pressure_mpa?)));
+        match (sure, self.to_be_sure) {
+            (Some((c, p)), _) if c.muscle == first.muscle => format!("Sure to {share} at {}", mpa(p)),
+            (Some((c, p)), _) => format!("Sure to {share}: {} at {}", parts(c), mpa(p)),
+            (None, Some(sure)) => {
+                format!("Sure to {share}: {} at {}", parts(&sure.candidate), mpa(sure.candidate.pressure_mpa))
+            }
+            (None, None) => format!("Sure to {share}: no muscle of this search"),
+        }
+    }
+}
+
+fn show(kind: Dimension, value: f64) -> String {
+    Units::default().show(kind, number(value, 3).parse().unwrap_or(value))
+}
+
+/// The tube and the sleeve.
+fn parts(c: &Candidate) -> String {
+    let m = &c.muscle;
+    let [bore, outer] =
+        [m.outer_diameter_mm() - 2.0 * m.wall_mm(), m.outer_diameter_mm()].map(|mm| number(mm, 4));
+    let rubber = crate::words::rubber_name(m);
+    let name = c.tube.as_ref().map_or_else(String::new, |name| format!(" ({name})"));
+    let sleeve = match &m.braid().sleeve {
+        Some(sleeve) => format!("sleeve {}", sleeve.name),
+        None => format!("braid at {}°", number(m.braid().angle_deg, 4)),
+    };
+    format!("tube {bore} × {outer} mm {rubber}{name}, {sleeve}")
+}
+
+/// The pressures: to set, of the relief valve, and why no more.
+fn set(first: &Candidate) -> String {
+    let mpa = |p| show(Dimension::Pressure, p);
+    let (set_mpa, highest_mpa) = (first.pressure_mpa, first.highest_pressure_mpa);
+    let relief = mpa(relief_mpa(set_mpa, highest_mpa));
+    match first.below {
+        None => format!("Set {}, relief valve at {relief}", mpa(set_mpa)),
+        Some(below) => format!(
+            "Set {}, relief valve at {relief}; allowed up to {}: {}",
+            mpa(set_mpa),
+            mpa(highest_mpa),
+            below.describe(mpa)
+        ),
+    }
+}
+
+/// What has least to spare, and what is next.
+fn limit(first: &Candidate) -> String {
+    let name = |limit: Limit| match limit {
+        Limit::Force => "the pull",
+        Limit::BulgedDiameter => "the largest bulged diameter",
+        Limit::MaxStretch => "the largest stretch of the rubber",
+        Limit::Buckling => "the load at which it buckles",
+        Limit::LiquidVolume => "the largest liquid volume",
+    };
+    let one = |(limit, share): &(Limit, f64)| {
+        format!("{}, {} to spare", name(*limit), percent((1e3 * share).floor() / 1e3))
+    };
+    let all: Vec<String> = first.spare.iter().take(2).map(one).collect();
+    format!("Limit {}", all.join("; next: "))
+}

@@ -1,0 +1,174 @@
+//! Where nothing fits: what to change, in sentences.
+
+use super::assumed;
+use super::request::DesignRequest;
+use crate::{Units, number, percent};
+use mckibben::muscle::{Braid, BraidStiffness, Muscle};
+use mckibben::progress::Progress;
+use mckibben::sleeve::library;
+use mckibben::units::Dimension;
+use mckibben_design::tubes::cast_of;
+use mckibben_design::{
+    BraidChoice, Build, Closest, Demand, Lift, Models, OperatingPoint, Relaxation, Spec, design_with, fits,
+};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// A change with which a muscle fits.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct RelaxationAnswer {
+    /// The change.
+    #[serde(flatten)]
+    pub change: Relaxation,
+    /// The same in a sentence.
+    pub text: String,
+    /// Of a stroke that is shorter: the length between the terminals, mm, with which the stroke stays.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub length_mm: Option<f64>,
+}
+
+impl RelaxationAnswer {
+    /// Of a specification, where a stroke may set the contraction.
+    pub(super) fn of(change: Relaxation, spec: &Spec, has_stroke: bool) -> Self {
+        let mut text = text(&change, &spec.wanted);
+        let length_mm = match &change {
+            Relaxation::Contraction { share, .. } if has_stroke => {
+                Some((spec.base.length_mm() / share).ceil())
+            }
+            _ => None,
+        };
+        text.extend(length_mm.map(|mm| format!("; or keep the stroke with a length of {mm} mm")));
+        Self { change, text, length_mm }
+    }
+}
+
+/// An overexpanded sleeve expands to so many times its least diameter.
+const EXPANDS: f64 = 4.0;
+/// Least diameters in mm, and the ratio of one to the next.
+const SIZES: (f64, f64) = (2.0, 80.0);
+const RATIO: f64 = 1.15;
+/// Rubbers of which tubes are cast by hand, where another one is looked for.
+const CAST: [&str; 2] = ["ecoflex-00-50", "dragon-skin-10-medium"];
+/// Factors on the stiffness of strands that are looked at, and halvings between 1 and the first that does.
+const STIFFER: [f64; 4] = [1.5, 2.5, 5.0, 10.0];
+const HALVINGS: usize = 6;
+
+/// Other parts with which a muscle fits: a sleeve of another size, a tube of another rubber, stiffer strands. Not of a joint, whose search takes longer.
+pub(super) fn of_parts(
+    request: &DesignRequest,
+    spec: &Spec,
+    models: Models<'_>,
+    closest: &Closest,
+    progress: &dyn Progress,
+) -> Vec<Relaxation> {
+    let decide = models.settle.unwrap_or(models.search);
+    if assumed::is_paper(spec) {
+        return stiffer(spec, decide, &closest.muscle).into_iter().collect();
+    }
+    if spec.tubes.is_empty() || matches!(spec.wanted, Demand::Joint(_)) {
+        return vec![];
+    }
+    let search = |other: Spec| {
+        design_with(&Spec { top: 1, ..other }, models, progress).ok()?.candidates.into_iter().next()
+    };
+    let sizes = std::iter::successors(Some(SIZES.0), |d| Some(d * RATIO)).take_while(|d| *d <= SIZES.1);
+    let sized = |least_mm: f64| {
+        let least_mm = (10.0 * least_mm).round() / 10.0;
+        library::between("pet", least_mm, EXPANDS * least_mm).ok()?.on(least_mm).ok()
+    };
+    let sleeve = || {
+        let found =
+            search(Spec { braid: BraidChoice::Sleeves(sizes.filter_map(sized).collect()), ..spec.clone() })?;
+        let sleeve = found.muscle.braid().sleeve.as_ref()?.name.clone();
+        Some(Relaxation::Sleeve { sleeve, tube: found.tube })
+    };
+    let rubber = || {
+        let cast = CAST.into_iter().filter_map(|name| cast_of(name).ok()).flatten().collect();
+        let found = search(Spec { tubes: cast, ..spec.clone() })?;
+        Some(Relaxation::Rubber { rubber: found.muscle.tube().rubber.name.clone()?, tube: found.tube? })
+    };
+    let free_sleeve = request.braids.is_empty().then(sleeve).flatten();
+    let free_rubber = (request.tubes.is_empty() && request.rubbers.is_empty() && request.parts.is_none())
+        .then(rubber)
+        .flatten();
+    free_sleeve.into_iter().chain(free_rubber).collect()
+}
+
+/// How stiff the strands of the paper's braid have to be.
+fn stiffer(spec: &Spec, decide: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> {
+    let paper = muscle.family_stiffness_n_per_mm()?;
+    let does = |factor: f64| {
+        let braid =
+            Braid { stiffness: BraidStiffness::NewtonPerMm(factor * paper), ..muscle.braid().clone() };
+        muscle.with_braid(braid).is_ok_and(|stiff| fits(spec, decide, &stiff))
+    };
+    let mut high = STIFFER.into_iter().find(|&factor| does(factor))?;
+    let mut low = 1.0;
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        *(if does(middle) { &mut high } else { &mut low }) = middle;
+    }
+    Some(Relaxation::Stiffness { family_stiffness_n_per_mm: number(1.005 * high * paper, 3).parse().ok()? })
+}
+
+fn text(change: &Relaxation, wanted: &Demand) -> String {
+    let show = |kind, value| Units::default().show(kind, value);
+    let points = |points: &[OperatingPoint]| {
+        let one = |q: &OperatingPoint| {
+            format!("{} at {}", show(Dimension::Force, q.force_n), percent(q.contraction))
+        };
+        points.iter().map(one).collect::<Vec<_>>().join(" and ")
+    };
+    match change {
+        Relaxation::MaxPressure { pressure_mpa, extrapolated } => {
+            let far = if *extrapolated { " (extrapolated: outside of the model's range)" } else { "" };
+            format!("raise the supply to {}{far}", show(Dimension::Pressure, *pressure_mpa))
+        }
+        Relaxation::Force { points: list, share } => match wanted {
+            Demand::Points(_) => format!("reduce the pull to {}", points(list)),
+            Demand::Load { .. } => format!("reduce the load to {} of it", percent(*share)),
+            Demand::Joint(joint) => {
+                let torques = joint.torques.iter().map(|t| {
+                    format!("{} N m at ±{}°", number(share * t.torque_nm, 3), number(t.angle_deg, 4))
+                });
+                format!("reduce the torque to {}", torques.collect::<Vec<_>>().join(" and "))
+            }
+        },
+        Relaxation::Contraction { points: list, share } => match wanted {
+            Demand::Load { way: Lift::Stroke(stroke_mm), .. } => {
+                format!("reduce the stroke to {}", show(Dimension::Length, share * stroke_mm))
+            }
+            _ => format!("reduce the contraction: {}", points(list)),
+        },
+        Relaxation::OuterDiameter { outer_diameter_mm } => {
+            format!("take an outer diameter of {}", show(Dimension::Length, *outer_diameter_mm))
+        }
+        Relaxation::MaxBulgedDiameter { bulged_diameter_mm } => {
+            format!("allow a bulged diameter of {}", show(Dimension::Length, *bulged_diameter_mm))
+        }
+        Relaxation::MaxStretch { max_stretch } => format!("allow a stretch of {max_stretch}"),
+        Relaxation::MaxStrandStrain { strand_strain } => {
+            format!("allow a strand strain of {}", percent(*strand_strain))
+        }
+        Relaxation::MinBurstMargin { burst_margin } => format!("reduce the safety factor to {burst_margin}"),
+        Relaxation::Guided {} => "guide the muscle, so that it cannot buckle (`guided`)".into(),
+        Relaxation::MaxLiquidVolume { liquid_volume_mm3 } => {
+            format!("provide {} mL of liquid for each muscle", number(1e-3 * liquid_volume_mm3, 3))
+        }
+        Relaxation::Sleeve { sleeve, tube } => {
+            let tube = tube.as_ref().map_or_else(String::new, |tube| format!(" with the tube {tube}"));
+            format!("take another sleeve, {sleeve} (polyester that expands so far){tube}")
+        }
+        Relaxation::Rubber { tube, .. } => format!("cast the tube of another rubber: {tube}"),
+        Relaxation::Stiffness { family_stiffness_n_per_mm: k } => {
+            format!(
+                "take a stiffer sleeve: {} N/mm of one strand family (`braids`, `stiffness`, or a muscle file with strands)",
+                number(*k, 3)
+            )
+        }
+        Relaxation::Together { changes } => {
+            let all = changes.iter().map(|change| text(change, wanted));
+            all.collect::<Vec<_>>().join(", and together with that ")
+        }
+    }
+}

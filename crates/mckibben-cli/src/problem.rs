@@ -1,0 +1,141 @@
+//! What a command ends with when it does not end well: kind, message, hint, exit code, in the words of the command line.
+
+use crate::{Flag, clean, quantities::unit_hint, shown, spec};
+use mckibben_app::{Ending, Problem, ProblemKind};
+use mckibben_io::files::ReadError;
+use std::{io::ErrorKind, path::Path, sync::OnceLock};
+
+/// The flags of the command that runs.
+static FLAGS: OnceLock<Vec<Flag>> = OnceLock::new();
+
+/// Takes the flags of the command that runs, for its messages.
+pub fn take_flags(flags: &[Flag]) {
+    FLAGS.get_or_init(|| flags.to_vec());
+}
+
+/// A sentence with flags in place of the fields that it names in backquotes.
+pub fn in_flags(sentence: &str) -> String {
+    spec::in_flags(sentence, FLAGS.get().map_or(&[], Vec::as_slice))
+}
+
+/// A flag's value that means nothing.
+pub fn bad_flag(flag: &str, kind: ProblemKind, error: impl std::fmt::Display) -> Problem {
+    Problem::new(kind, format!("{flag}: {error}"), "")
+}
+
+/// A command line that clap refuses.
+pub fn unparsed(error: &clap::Error) -> Problem {
+    let text = error.render().to_string();
+    // The sentence and the indented lines below it; usage follows after an empty line.
+    let lines: Vec<&str> = text.lines().take_while(|l| !l.trim().is_empty()).map(str::trim).collect();
+    let message = lines.join(" ");
+    Problem::new(ProblemKind::Usage, message.trim_start_matches("error: "), "see `mckibben --help`")
+}
+
+/// A file that is not read, whatever it holds.
+pub fn unread(path: &Path, error: &ReadError) -> Problem {
+    let hint = match error {
+        ReadError::System(e) if e.kind() != ErrorKind::NotFound => {
+            "the operating system refused to read it; it is not necessarily damaged"
+        }
+        _ => "",
+    };
+    Problem::new(ProblemKind::File, format!("{} {error}", path.display()), hint)
+}
+
+/// Standard output that cannot be written. Where only its reader went away (`| head`) there is nothing to say.
+pub fn unprinted(error: &std::io::Error) -> Problem {
+    let message = match error.kind() {
+        ErrorKind::BrokenPipe => String::new(),
+        _ => format!("cannot write to standard output: {error}"),
+    };
+    Problem::new(ProblemKind::Output, message, "")
+}
+
+/// A problem in the words of the command line: flags in place of fields, and what to do where the layers below do not say it. A note on the unit of
+/// a pressure comes first, unless a text was not understood.
+pub fn in_words(mut problem: Problem) -> Problem {
+    // What is in backquotes there are keys of a file.
+    if !matches!(problem.kind, ProblemKind::File | ProblemKind::Formula) {
+        problem.message = in_flags(&problem.message);
+    }
+    let flags = FLAGS.get().map_or(&[][..], Vec::as_slice);
+    let flag = problem.field.as_deref().and_then(|field| spec::flag_of(field, flags));
+    if let Some(flag) = flag.filter(|flag| !problem.message.starts_with(flag)) {
+        problem.message = format!("{flag}: {}", problem.message);
+    }
+    problem.hint = match (&*problem.hint, problem.kind) {
+        ("", ProblemKind::Rubber) => "`mckibben parts list rubbers` shows all names".into(),
+        ("", ProblemKind::Braid) => "`mckibben parts list sleeves` shows all sleeves".into(),
+        ("", ProblemKind::Model) => "`mckibben parts list models` shows them".into(),
+        ("", ProblemKind::Formula) => "`mckibben fit` writes such files".into(),
+        ("", ProblemKind::Parameter) => "`mckibben identify --help` shows the forms".into(),
+        (hint, _) => in_flags(hint),
+    };
+    let is_understood =
+        !matches!(problem.kind, ProblemKind::Usage | ProblemKind::Quantity | ProblemKind::File);
+    problem.hint = match (&*problem.hint, unit_hint().filter(|_| is_understood)) {
+        (hint, None) => hint.into(),
+        ("", Some(note)) => note.into(),
+        (hint, Some(note)) => format!("{note}; else {hint}"),
+    };
+    problem
+}
+
+/// `error: …`, and the hint below it, in the units that the user reads.
+pub fn as_text(problem: &Problem) -> String {
+    let [message, hint] = [&problem.message, &problem.hint].map(|text| shown::sentence(text));
+    let (message, hint) = (clean::line(&message), clean::line(&hint));
+    if hint.is_empty() { format!("error: {message}") } else { format!("error: {message}\n  hint: {hint}") }
+}
+
+/// `{"error": {"kind", "message", "hint"}}` on one line.
+pub fn as_json(problem: &Problem) -> String {
+    serde_json::json!({ "error": problem }).to_string()
+}
+
+/// The exit code of an answer that may have a problem.
+pub fn exit_code(problem: Option<&Problem>) -> u8 {
+    problem.map_or(0, |problem| problem.kind.ending() as u8)
+}
+
+/// Exit code where no answer exists.
+pub const NO_ANSWER: u8 = Ending::NoAnswer as u8;
+/// Exit code for a computation that did not converge.
+pub const NOT_CONVERGED: u8 = Ending::NotConverged as u8;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fields_become_flags() {
+        let fields = serde_json::json!({ "pressures_mpa": {}, "two_sided": {} });
+        take_flags(&spec::flags(
+            "pressures_mpa=pressure two_sided",
+            &serde_json::json!({ "properties": fields }),
+        ));
+        let problem =
+            Problem::new(ProblemKind::Quantity, "`strand_length_mm` and `turns`, not `paper`", "`two_sided`");
+        let problem = in_words(problem.in_field("pressures_mpa"));
+        assert_eq!(
+            as_text(&problem),
+            "error: --pressure: --strand-length and --turns, not `paper`\n  hint: --two-sided"
+        );
+        assert_eq!(exit_code(Some(&problem)), 2);
+        assert!(as_json(&problem).contains("\"field\":\"pressures_mpa\""));
+    }
+
+    #[test]
+    fn a_panic_is_a_problem_with_its_exit_code() {
+        let index = [1, 2].len();
+        let work = || -> Result<u8, Problem> { Ok([1, 2][index]) };
+        let problem = mckibben_app::guarded(work).unwrap_err();
+        assert_eq!(exit_code(Some(&problem)), 4);
+        let text = as_text(&problem);
+        assert!(text.contains(": index out of bounds: the len is 2"), "{text}");
+        assert!(text.contains("hint: please report"), "{text}");
+        let json = as_json(&problem);
+        assert!(json.starts_with("{\"error\":{\"kind\":\"internal\""), "{json}");
+    }
+}
