@@ -382,7 +382,7 @@ fn built(case: &MuscleCase) -> Vec<Muscle> {
 }
 
 /// Parts of a ± that a measurement replaces: the name of the part, and what to do.
-const MEASURABLE: [(&str, &str); 5] = [
+const MEASURABLE: [(&str, &str); 6] = [
     (
         "friction unknown",
         "pulls while the muscle shortens and while it lengthens (`identify` finds the friction, and the rubber beside it)",
@@ -392,6 +392,7 @@ const MEASURABLE: [(&str, &str); 5] = [
         "stiffness of the braid",
         "number, diameter and modulus of the strands, or the blocked force at a high pressure (`identify`)",
     ),
+    ("data sheets", "the pull of your own muscle at some pressures (`identify`)"),
     ("another specimen", "the pull of your own muscle at some pressures (`identify`)"),
     ("formula", "nothing: the model `fe` does without this part"),
 ];

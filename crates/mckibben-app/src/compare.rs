@@ -2,8 +2,7 @@
 
 use crate::{
     AskFields, Columns, Direction, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind,
-    Result, TextFile, UnderstoodTable, Units, check_direction, contractions, figure, list, number, steps,
-    warnings,
+    Result, TextFile, UnderstoodTable, Units, contractions, figure, list, number, steps, warnings,
 };
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::{analysis::Evaluation, answer::Options};
@@ -151,14 +150,13 @@ impl Compared {
 pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<CompareAnswer> {
     let muscle = request.muscle.resolve()?;
     let mut asking = request.asking;
-    if asking.direction.is_mean() && muscle.friction().is_some() {
+    if asking.direction.is_mean() && (muscle.friction().is_some() || request.data.is_none()) {
         asking.direction = request.branch;
     }
     let options = asking.options(&muscle)?;
     if request.data.is_none() {
         let why = "it belongs to measured points, and no `data` are given";
         Problem::refuse_unused(&[("columns", request.columns != Columns::default())], why)?;
-        check_direction(request.branch, &muscle)?;
     }
     let models = request.chosen()?;
     let read = request.data.as_ref().map(|file| request.on_branch(file, &muscle)).transpose()?;

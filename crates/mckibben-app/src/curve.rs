@@ -105,7 +105,7 @@ fn each(
         Test::Isobaric => (pressures, contractions),
     };
     let branches: &[Direction] = if request.both {
-        check_both(question.options.direction, &question.muscle)?;
+        check_both(question.options, &question.muscle)?;
         &Direction::BRANCHES
     } else {
         &[question.options.direction]

@@ -105,6 +105,6 @@ pub struct AskFields {
     pub extrapolate: bool,
     /// Give the negative force, not slack, where the muscle would have to push.
     pub two_sided: bool,
-    /// Branch of the friction hysteresis; needs the braid's friction.
+    /// Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
     pub direction: Direction,
 }

@@ -1,6 +1,7 @@
 //! Every model there is, by name, and the one policy of which of them answers.
 
 use crate::{Direction, MeshFields, ModelFields, Problem, ProblemKind, Result, TextFile};
+use mckibben::answer::Options;
 use mckibben::formula::{Document, Formula, UniversalFormula};
 use mckibben::model::{
     ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Universal, unknown_model, with_ends,
@@ -180,21 +181,21 @@ impl MeshFields {
     }
 }
 
-/// Refuses both branches where one is requested, or where the muscle does not state its friction.
-pub(crate) fn check_both(direction: Direction, muscle: &Muscle) -> Result<()> {
-    if direction == Direction::Mean {
-        return check_direction(Direction::Contraction, muscle);
+/// Refuses both branches where one is requested, or where the friction is not known.
+pub(crate) fn check_both(options: Options, muscle: &Muscle) -> Result<()> {
+    if options.direction == Direction::Mean {
+        return check_branch(Options { direction: Direction::Contraction, ..options }, muscle);
     }
     let hint = "leave one of them out";
     Err(Problem::new(ProblemKind::Usage, "`direction` selects one branch and `both` selects two", hint))
 }
 
-/// Refuses a branch of the hysteresis of a muscle that does not state its friction.
-pub(crate) fn check_direction(direction: Direction, muscle: &Muscle) -> Result<()> {
-    if direction == Direction::Mean || muscle.friction().is_some() {
+/// Refuses a branch of the hysteresis of a muscle whose friction is neither stated nor estimated.
+pub(crate) fn check_branch(options: Options, muscle: &Muscle) -> Result<()> {
+    if options.direction.is_mean() || muscle.friction().is_some() || options.friction_share > 0.0 {
         return Ok(());
     }
-    let message = "`direction` needs the braid's friction, which this muscle does not state";
+    let message = "`direction` needs the braid's friction, which this muscle does not state; it is estimated only of muscles that contract, were not identified and have their strands outside of the rubber";
     let hint = "add [friction] with coefficient (N at 1 MPa) and exponent to the muscle file";
     Err(Problem::new(ProblemKind::MissingInput, message, hint))
 }

@@ -3,7 +3,7 @@
 use crate::{
     AskFields, BoundModel, LoadAnswer, LoadFields, Model, ModelFields, MuscleFields, MuscleSummary,
     PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, UncertaintyWords, burst_of, check_both,
-    check_direction, load::loaded, put_first, said_of,
+    check_branch, load::loaded, put_first, said_of,
 };
 use mckibben::answer::{Answer, Options};
 use mckibben::model::{ForceModel, Workspace};
@@ -155,7 +155,7 @@ fn answered(
 ) -> Result<PointAnswer> {
     let options = question.options;
     if both {
-        check_both(options.direction, &question.muscle)?;
+        check_both(options, &question.muscle)?;
     }
     let mut on = |options| ask(&mut question.evaluation().with(options));
     let mut all = || -> Result<(Answer, Vec<Answer>)> {
@@ -281,8 +281,9 @@ impl Question {
         let burst = self.burst()?;
         put_first(&mut of.warnings, said_of(&burst, highest_mpa, QUIET_MPA));
         let (parts, pressure_mpa) = (of.uncertainty_parts_n, of.response.pressure_mpa);
+        let model = &mut self.evaluation();
         Ok(Background {
-            uncertainty_words: UncertaintyWords::at(parts, &mut self.evaluation(), pressure_mpa),
+            uncertainty_words: UncertaintyWords::at(parts, model, pressure_mpa).with_branch(of, model),
             limits: (&burst).into(),
             muscle: (&self.muscle).into(),
             about: ModelAbout {
@@ -296,9 +297,9 @@ impl Question {
 impl AskFields {
     /// How a model of this muscle is evaluated.
     pub(crate) fn options(self, muscle: &Muscle) -> Result<Options> {
-        check_direction(self.direction, muscle)?;
-        let options =
-            Options { extrapolate: self.extrapolate, two_sided: self.two_sided, direction: self.direction };
+        let Self { extrapolate, two_sided, direction } = self;
+        let options = Options { extrapolate, two_sided, direction, friction_share: muscle.friction_share() };
+        check_branch(options, muscle)?;
         Ok(options.for_muscle(muscle))
     }
 }

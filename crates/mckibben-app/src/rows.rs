@@ -212,6 +212,7 @@ pub fn point_rows(answer: &PointAnswer, computed: PointQuantity, u: &Units) -> V
     list.extend(listed(&row, STRETCHES, u));
     let words = &b.uncertainty_words;
     list.extend(words.text_in(u).map(|text| ("uncertainty".to_owned(), format!("{of}{text}"))));
+    list.extend(words.branch_in(u).map(|text| ("selected branch".to_owned(), text)));
     list.extend(words.bench_in(u).map(|text| ("suggested test".to_owned(), text)));
     list
 }

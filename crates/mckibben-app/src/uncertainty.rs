@@ -1,7 +1,7 @@
 //! The ± in words: one text for the terminal, the report and the page.
 
 use crate::{Scale, Units, words::part};
-use mckibben::{analysis::Evaluation, uncertainty::UncertaintyParts};
+use mckibben::{analysis::Evaluation, answer::Answer, uncertainty::UncertaintyParts};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -23,6 +23,11 @@ pub struct UncertaintyWords {
     pub bench_uncertainty_n: Option<f64>,
     /// That bench: `10 points on both branches at 0.1 MPa and 0.3 MPa would reduce the ± to about 30 N`.
     pub bench: Option<String>,
+    /// What a selected branch would make of it, where the friction is not known: `a branch, shortening or lengthening, would reduce the ± to about 70 N`.
+    pub branch: Option<String>,
+    /// That ± while the muscle shortens, N.
+    #[serde(skip)]
+    pub branch_uncertainty_n: Option<f64>,
     #[serde(skip)]
     parts: Option<UncertaintyParts>,
     #[serde(skip)]
@@ -36,6 +41,21 @@ impl UncertaintyWords {
         let mut out = Self { bench_uncertainty_n: left, parts, pressure_mpa, ..Self::default() };
         (out.text, out.bench) = (out.text_in(&Units::default()), out.bench_in(&Units::default()));
         out
+    }
+
+    /// With what a branch would make of the ± of an answer.
+    pub(crate) fn with_branch(mut self, answer: &Answer, model: &mut Evaluation<'_>) -> Self {
+        let lifting = model.lifting(answer).map(|lifting| lifting.uncertainty_n);
+        self.branch_uncertainty_n =
+            lifting.filter(|half| answer.uncertainty_n.is_some_and(|whole| *half < WORTH * whole));
+        self.branch = self.branch_in(&Units::default());
+        self
+    }
+
+    /// What a selected branch would make of it, in units.
+    pub fn branch_in(&self, u: &Units) -> Option<String> {
+        let (half, force) = (u.force.half_width(self.branch_uncertainty_n?), &u.force.name);
+        Some(format!("a branch, shortening or lengthening, would reduce the ± to about {half} {force}"))
     }
 
     /// The ± with its parts, in units.

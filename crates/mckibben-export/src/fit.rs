@@ -362,19 +362,10 @@ fn errors(form: &Form, held_out: &[Sample], blocked_n: f64) -> FormErrors {
 
 /// h0 √q + h1 q of the friction that the muscle states, at a quarter of the free contraction.
 fn friction(model: &dyn ForceModel, w: &mut Workspace, supply: f64, high: f64) -> [f64; 2] {
-    if model.muscle().friction().is_none() {
-        return [0.0; 2];
-    }
-    let mut half = |q: f64| {
-        let at = |w: &mut Workspace, direction| {
-            Evaluation::new(model, w, direction).force_n(q * supply, 0.25 * high).ok()
-        };
-        let (more, less) = (at(w, Direction::Elongation)?, at(w, Direction::Contraction)?);
-        Some(0.5 * (more - less))
-    };
+    let mut half = |q: f64| Evaluation::new(model, w, Direction::Mean).half_width_n(q * supply, 0.25 * high);
     // Both numbers from the half-widths at a quarter of the supply and at the supply.
     match (half(0.25), half(1.0)) {
-        (Some(quarter), Some(whole)) => [4.0 * quarter - whole, 2.0 * whole - 4.0 * quarter],
+        (Ok(quarter), Ok(whole)) => [4.0 * quarter - whole, 2.0 * whole - 4.0 * quarter],
         _ => [0.0; 2],
     }
 }

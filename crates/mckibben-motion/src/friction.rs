@@ -1,7 +1,7 @@
 //! Friction of the braid that does not depend on the speed.
 
 use crate::{MotionError, Result, error::within};
-use mckibben::muscle::{Direction, Friction, Presliding};
+use mckibben::muscle::{Friction, Presliding};
 
 /// Friction of the braid with its history.
 ///
@@ -55,9 +55,8 @@ impl Hysteresis {
 
     /// F_c in N at a pressure, with G in N/mm.
     pub fn level_n(&self, pressure_mpa: f64, pivoting_n_per_mm: f64) -> f64 {
-        let rule = self.level.force_n(pressure_mpa, Direction::Elongation);
-        let contact = pressure_mpa > 0.0 && self.has_contact();
-        if contact { rule + self.level.lever_mm * pivoting_n_per_mm.max(0.0) } else { rule }
+        let half_n = || self.level.rule_n(pressure_mpa) + self.level.lever_mm * pivoting_n_per_mm.max(0.0);
+        if pressure_mpa > 0.0 { half_n() } else { 0.0 }
     }
 
     /// żᵢ where the sign of the speed is `sign`.

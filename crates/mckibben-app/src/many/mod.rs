@@ -8,8 +8,8 @@
 mod point;
 pub use point::with_parameters;
 
-use crate::{AskFields, Model, ModelFields, Problem, ProblemKind, Result};
-use mckibben::model::{ForceModel, ModelKind, Workspace};
+use crate::{AskFields, Model, ModelFields, Problem, ProblemKind, Result, check_branch};
+use mckibben::model::{ForceModel, ModelKind, Reference, Workspace};
 use mckibben::{answer::Options, muscle::Muscle, progress::Progress, threads::Threads};
 use mckibben_fit::identify::Target;
 use std::sync::Mutex;
@@ -82,9 +82,13 @@ impl std::fmt::Debug for BoundModel {
 impl BoundModel {
     /// The model that a request names, of this muscle.
     pub fn new(muscle: &Muscle, model: &ModelFields, asking: AskFields) -> Result<Self> {
-        let options = asking.options(muscle)?;
+        let mut options = asking.options(muscle)?;
         let choice = Model::choose(model)?;
         let model = choice.bound(muscle)?;
+        if matches!(model.info().accuracy.reference, Reference::ForceMap(_)) {
+            options.friction_share = 0.0;
+            check_branch(options, muscle)?;
+        }
         Ok(Self { model, options, choice })
     }
 

@@ -248,7 +248,7 @@ fn problems_name_the_field_and_never_a_flag() {
         ("force", json!({ "pressure_mpa": 0.2, "model": "belforte" }), ProblemKind::MissingInput, "strand"),
         (
             "force",
-            json!({ "pressure_mpa": 0.2, "direction": "contraction" }),
+            json!({ "pressure_mpa": 0.2, "direction": "contraction", "muscle": "lib:quadsegrity" }),
             ProblemKind::MissingInput,
             "friction",
         ),

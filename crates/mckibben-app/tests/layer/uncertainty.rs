@@ -1,6 +1,6 @@
 //! The breakdown of a ± in words.
 
-use mckibben::uncertainty::UncertaintyParts;
+use mckibben::uncertainty::{FrictionKnown, UncertaintyParts};
 use mckibben_app::units::Units;
 use mckibben_app::{bench, breakdown};
 
@@ -17,7 +17,7 @@ fn the_breakdown_names_the_parts_by_size() {
     let u = Units::default();
     let unknown = "± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1";
     assert_eq!(breakdown(&parts, &u.force), unknown);
-    let stated = UncertaintyParts { friction_is_stated: true, ..parts };
+    let stated = UncertaintyParts { friction_known: FrictionKnown::Stated, ..parts };
     assert!(breakdown(&stated, &u.force).contains(": friction 160,"));
     assert_eq!(breakdown(&UncertaintyParts::default(), &u.force), "± 0 N (95 %)");
 }

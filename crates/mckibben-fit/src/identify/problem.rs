@@ -126,7 +126,7 @@ impl<'a> Problem<'a> {
             let off = match point.measured {
                 Quantity::Force => match shares.as_ref().and_then(|list| list.get(i)) {
                     Some(share) => {
-                        let half = Evaluation::new(m, w, Direction::Elongation).friction_n(p, e)?;
+                        let half = Evaluation::new(m, w, branch).half_width_n(p, e)?;
                         m.force_n(w, p, e)? - share * half - at.force_n
                     }
                     None => Evaluation::new(m, w, branch).force_n(p, e)? - at.force_n,

@@ -7,7 +7,7 @@ use super::rubber::RubberCase;
 use crate::identify::Parameter;
 use crate::measured::DataPoint;
 use mckibben::cancel::Cancel;
-use mckibben::muscle::Muscle;
+use mckibben::muscle::{Friction, Muscle};
 use mckibben_io::table::TableError;
 use rust_embed::Embed;
 use serde::{Deserialize, Serialize};
@@ -51,6 +51,13 @@ pub struct MuscleCase {
     pub library_fit: usize,
     /// The muscle of the library, with its bench; `None` where the folder holds none.
     pub identified: Option<Box<Muscle>>,
+}
+
+impl MuscleCase {
+    /// c_f of the friction that is estimated on its branches; 0 of a product, whose strands are inside of the rubber.
+    pub fn friction_share(&self) -> f64 {
+        if self.facts.product.is_none() { Friction::OF_TENSION } else { 0.0 }
+    }
 }
 
 /// What is fitted to which points.

@@ -18,7 +18,8 @@ pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
         // Measurements that are built in and cannot be read: a case that fails.
         Err(error) => return Ok(vec![share_row(format!("measured muscles: {error}"), "", None, None)]),
     };
-    let residuals = threads::map(&sets, |set| first_fit_residuals(set, by).unwrap_or_default());
+    let residuals =
+        threads::map(&sets, |set| first_fit_residuals(set, set.friction_share(), by).unwrap_or_default());
     by.progress.check()?;
     let mut rows = vec![];
     for (set, all) in sets.into_iter().zip(residuals) {
@@ -70,10 +71,15 @@ fn rms(set: &'static MuscleCase, errors: &ForceErrors) -> VerificationRow {
     validated(row, Measure::Rms, error)
 }
 
-/// Identifies a muscle from the mean of its branches as its first fit says, and compares all its points with it.
-pub fn first_fit_residuals(set: &MuscleCase, by: Fitter<'_>) -> identify::Result<Vec<Residual>> {
+/// Identifies a muscle from the mean of its branches as its first fit says, and compares all its points with it; on single branches with a friction
+/// that is estimated by c_f.
+pub fn first_fit_residuals(
+    set: &MuscleCase,
+    friction_share: f64,
+    by: Fitter<'_>,
+) -> identify::Result<Vec<Residual>> {
     let Some(fit) = set.fits.first() else { return Ok(vec![]) };
     let means = mean_of_data(&set.points);
     let (muscle, _) = by.fitted(fit, &means)?;
-    Ok(residuals(by.build, &muscle, &compared(&means, &set.points)))
+    Ok(residuals(by.build, &muscle, &compared(&means, &set.points), friction_share))
 }

@@ -2,14 +2,11 @@
 
 use super::case::{CaseFit, MuscleCase, muscles};
 use super::coverage::{COVERAGE, share_row};
-use super::residual::{Fitter, ForceErrors, Residual};
-use crate::identify::{Identification, IdentifyError, Result};
+use super::residual::{Fitter, ForceErrors, Residual, residuals};
+use crate::identify::{Identification, Result};
 use crate::measured::{DataPoint, mean_of_data};
-use mckibben::analysis::Evaluation;
 use mckibben::cancel::Cancelled;
-use mckibben::model::Workspace;
 use mckibben::threads;
-use mckibben::uncertainty::UncertaintyParts;
 use mckibben::verification::VerificationRow;
 
 /// Parts into which the points of a set are divided; each is held out of one fit.
@@ -33,32 +30,12 @@ impl Fitter<'_> {
         else {
             return Ok(vec![]);
         };
-        let model = (self.build)(&muscle.clone().with_bench(bench.clone())).map_err(IdentifyError::Model)?;
-        let w = &mut Workspace::new();
         let is_of_muscle = |p: &&DataPoint| candidate.section_muscle(&p.section).is_ok_and(|m| m == muscle);
-        let one = |p: &DataPoint| {
-            let contraction = p.at.contraction + candidate.contraction_offset;
-            let (pressure_mpa, branch) = (p.at.pressure_mpa, p.at.direction());
-            if bench.outside(pressure_mpa, contraction) > 0.0 {
-                return None;
-            }
-            let mut evaluation = Evaluation::new(&*model, w, branch);
-            let force_n = evaluation.force_n(pressure_mpa, contraction).ok()?;
-            let parts = evaluation.uncertainty(pressure_mpa, contraction, force_n)?;
-            // The branch of the point was fitted: no ± for its friction.
-            let half_width_n = Some(UncertaintyParts { friction: None, ..parts }.total());
-            let blocked_n = model.force_n(w, pressure_mpa, 0.0).ok()?;
-            Some(Residual {
-                contraction,
-                contraction_share: contraction / muscle.max_ideal_contraction(),
-                difference_n: p.at.force_n - force_n.max(0.0),
-                branch,
-                pressure_mpa,
-                blocked_n,
-                half_width_n,
-            })
-        };
-        Ok(others.iter().filter(is_of_muscle).filter_map(one).collect())
+        let mut points: Vec<DataPoint> = others.iter().filter(is_of_muscle).copied().collect();
+        points.iter_mut().for_each(|p| p.at.contraction += candidate.contraction_offset);
+        points.retain(|p| bench.outside(p.at.pressure_mpa, p.at.contraction) <= 0.0);
+        let points: Vec<&DataPoint> = points.iter().collect();
+        Ok(residuals(self.build, &muscle.with_bench(bench), &points, 0.0))
     }
 }
 

@@ -1,6 +1,6 @@
 //! One hose in several lengths: the constants of some lengths against the points of the others.
 //!
-//! The ± of a muscle whose constants were identified at another length ([`mckibben::uncertainty::length_n`]) covers at least 95 % of the points of each
+//! The ± of a muscle whose constants were identified at another length (`length_transfer`) covers at least 95 % of the points of each
 //! length, by the constants of each other one and by those of all others together.
 
 use super::case::{By, CaseFit, MuscleCase, muscles};
@@ -47,7 +47,7 @@ fn rows(set: &'static MuscleCase, training: &Training<'_>, by: Fitter<'_>) -> Re
             p.at.direction().is_mean() && training.value(p).is_some_and(|length| same(length, length_mm))
         };
         let points: Vec<&DataPoint> = outside.iter().filter(has_length).collect();
-        let errors = ForceErrors::new(residuals(by.build, &muscle, &points).iter());
+        let errors = ForceErrors::new(residuals(by.build, &muscle, &points, 0.0).iter());
         let name = format!(
             "{}: {} points of {length_mm} mm by fe with the constants of {fitted}, within the ±",
             set.facts.title, errors.points

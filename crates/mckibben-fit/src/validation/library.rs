@@ -69,8 +69,8 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Libra
     let digest = muscle.digest();
     let is_of_muscle = |p: &&DataPoint| p.section.apply(muscle).is_ok_and(|m| m.digest() == digest);
     let (bench, others): (Vec<&DataPoint>, Vec<&DataPoint>) = points.iter().partition(is_of_muscle);
-    let on_bench = residuals(build, muscle, &bench);
-    let others = residuals(build, muscle, &others);
+    let on_bench = residuals(build, muscle, &bench, 0.0);
+    let others = residuals(build, muscle, &others, 0.0);
     let bench = muscle.bench().filter(|_| !on_bench.is_empty());
     let held = bench.map(|bench| {
         let covers =

@@ -127,7 +127,7 @@ fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<Measure
     let compared = compared(means, &case.points);
     let group = |name: String, blind: bool, keep: &dyn Fn(&DataPoint) -> bool| {
         let points: Vec<&DataPoint> = compared.iter().copied().filter(|p| keep(p)).collect();
-        let residuals = residuals(by.build, &muscle, &points);
+        let residuals = residuals(by.build, &muscle, &points, case.friction_share());
         Group { unanswered: points.len() - residuals.len(), ..Group::new(name, blind, &residuals) }
     };
     let mut groups = vec![group(label.clone(), nothing, &|p| training.holds(p))];

@@ -3,11 +3,11 @@
 use super::case::CaseFit;
 use crate::identify::{Build, Identification, Identified, Request, Result, identify};
 use crate::measured::{DataPoint, MeasuredPoint, Quantity, Section};
-use mckibben::analysis::Evaluation;
-use mckibben::model::{BlockedAt, ForceModel, Reference, Workspace};
+use mckibben::analysis::{Evaluation, Options};
+use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
-use mckibben::uncertainty::{length_n, measured_n, transfer_n};
+use mckibben::uncertainty::UncertaintyParts;
 use serde::Serialize;
 
 /// One measured point beside what a model says of it.
@@ -25,8 +25,7 @@ pub struct Residual {
     pub pressure_mpa: f64,
     /// The computed blocked force there, in N.
     pub blocked_n: f64,
-    /// The ± there in N, of what is known to err in the model and against measured muscles; on a single branch with that of its
-    /// friction. `None` where nobody has measured the model's error.
+    /// The ± there in N; on the mean of the branches without its part for friction. `None` where nobody has measured the model's error.
     pub half_width_n: Option<f64>,
 }
 
@@ -37,50 +36,24 @@ impl Residual {
     }
 }
 
-/// The ± of a model at a point, for its blocked force there.
-fn half_width_n(evaluation: &mut Evaluation<'_>, point: &DataPoint, blocked_n: f64) -> Option<f64> {
-    let model = evaluation.model;
-    let (accuracy, muscle) = (model.info().accuracy, model.muscle());
-    let scale_n = match accuracy.blocked_at {
-        BlockedAt::SamePressure => blocked_n,
-        BlockedAt::Pressure(p) => model.blocked_scale_n(evaluation.workspace, p).ok()?,
-    };
-    let model_n = accuracy.share_of_blocked? * scale_n;
-    if matches!(accuracy.reference, Reference::ForceMap(_)) {
-        return Some(model_n);
-    }
-    let elsewhere_n =
-        transfer_n(muscle, blocked_n).unwrap_or(0.0).hypot(length_n(muscle, blocked_n).unwrap_or(0.0));
-    let half_n = measured_n(muscle, blocked_n, point.at.contraction).hypot(model_n).hypot(elsewhere_n);
-    if point.at.direction().is_mean() {
-        return Some(half_n);
-    }
-    let at = &point.at;
-    Some(half_n.hypot(evaluation.friction_uncertainty_n(at.pressure_mpa, at.contraction, blocked_n)))
-}
-
 /// The model of the muscle of some rows, where it has one.
 struct SectionModel {
     section: Section,
     model: Option<Box<dyn ForceModel>>,
     workspace: Workspace,
-    /// Pressures in MPa with their blocked forces in N.
-    blocked: Vec<(f64, Option<f64>)>,
+    /// Of the blocked muscle: finite elements are fast next to their last point.
+    blocked: Workspace,
+    /// c_f of the friction that is estimated where the muscle states none.
+    friction_share: f64,
 }
 
 impl SectionModel {
-    /// Finite elements are fast next to their last point: the blocked force of each pressure is computed once.
     fn residual(&mut self, point: &DataPoint) -> Option<Residual> {
-        let (model, w) = (self.model.as_deref()?, &mut self.workspace);
+        let model = self.model.as_deref()?;
         let MeasuredPoint { pressure_mpa, contraction, force_n, .. } = point.at;
         let branch = point.at.direction();
-        let known = self.blocked.iter().find(|known| known.0 == pressure_mpa).map(|known| known.1);
-        let blocked_n = known.unwrap_or_else(|| {
-            let blocked_n = model.force_n(w, pressure_mpa, 0.0).ok();
-            self.blocked.push((pressure_mpa, blocked_n));
-            blocked_n
-        })?;
-        let mut evaluation = Evaluation::new(model, w, branch);
+        let options = Options { friction_share: self.friction_share, ..branch.into() };
+        let mut evaluation = Evaluation::new(model, &mut self.workspace, options);
         let here = evaluation.response(pressure_mpa, contraction).ok()?;
         let difference_n = match point.measured {
             // A slack muscle does not pull.
@@ -92,27 +65,47 @@ impl SectionModel {
                 (point.volume_mm3? - here.volume_mm3?) * per_contraction / volume_per_contraction
             }
         };
+        let parts = Evaluation::new(model, &mut self.blocked, options).uncertainty(
+            pressure_mpa,
+            contraction,
+            here.force_n,
+        );
+        let half_width_n = |parts: UncertaintyParts| {
+            let friction = parts.friction.filter(|_| !branch.is_mean());
+            UncertaintyParts { friction, ..parts }.total()
+        };
         Some(Residual {
             contraction,
             contraction_share: contraction / model.muscle().max_ideal_contraction(),
             difference_n,
             branch,
             pressure_mpa,
-            blocked_n,
-            half_width_n: half_width_n(&mut evaluation, point, blocked_n),
+            blocked_n: model.force_n(&mut self.blocked, pressure_mpa, 0.0).ok()?,
+            half_width_n: parts.map(half_width_n),
         })
     }
 }
 
-/// Measured points less the model of a muscle; without those to which the model has no answer.
-pub(super) fn residuals(build: &Build<'_>, muscle: &Muscle, points: &[&DataPoint]) -> Vec<Residual> {
+/// Measured points less the model of a muscle; without those to which the model has no answer; on single branches with a friction that is estimated by c_f.
+pub(super) fn residuals(
+    build: &Build<'_>,
+    muscle: &Muscle,
+    points: &[&DataPoint],
+    friction_share: f64,
+) -> Vec<Residual> {
     let mut models: Vec<SectionModel> = vec![];
     let mut out = vec![];
     for point in points {
         let known = models.iter().position(|m| m.section == point.section).unwrap_or_else(|| {
             let model = point.section.apply(muscle).ok().and_then(|m| build(&m).ok());
             let (section, workspace) = (point.section, Workspace::new());
-            models.push(SectionModel { section, model, workspace, blocked: vec![] });
+            models.push(SectionModel {
+                section,
+                model,
+                workspace,
+                blocked: Workspace::new(),
+                friction_share,
+            });
             models.len() - 1
         });
         out.extend(models.get_mut(known).and_then(|model| model.residual(point)));

@@ -1,6 +1,6 @@
 //! Muscles of one product in two laboratories: the constants of one, with the length of the other, against the points of the other.
 //!
-//! Specimen, fittings, gauge and zero of the length differ. The ± of a muscle that somebody else identified ([`mckibben::uncertainty::transfer_n`]) covers
+//! Specimen, fittings, gauge and zero of the length differ. The ± of a muscle that somebody else identified (`transfer`) covers
 //! at least 95 % of the points of each direction.
 
 use super::coverage::share_row;
@@ -26,7 +26,7 @@ pub fn cases(elements: &Build<'_>) -> Vec<VerificationRow> {
                 point.section.length_mm.get_or_insert(other.length_mm());
             }
             let means: Vec<&DataPoint> = points.iter().filter(|p| p.at.direction().is_mean()).collect();
-            let errors = ForceErrors::new(residuals(elements, muscle, &means).iter());
+            let errors = ForceErrors::new(residuals(elements, muscle, &means, 0.0).iter());
             let (title, other) = (&to_facts.title, &from.title);
             let name = format!(
                 "{title}: {} points by fe with the constants of {other}, within the ±",

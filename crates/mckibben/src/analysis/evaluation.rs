@@ -1,20 +1,22 @@
 //! A model with its memory and options, and what it says on a branch of the hysteresis loop.
 
 use crate::cancel;
-use crate::model::{ForceModel, ModelError, Response, Result, Workspace, pivoting_n_per_mm};
-use crate::muscle::{Direction, Friction, Muscle};
+use crate::model::{ForceModel, ModelError, Response, Result, ThickWall, Workspace, pivoting_n_per_mm};
+use crate::muscle::{Direction, Muscle};
 use serde::{Deserialize, Serialize};
 
 /// How questions are answered.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Options {
     /// Answer outside of the model's range, with a warning, instead of refusing.
     pub extrapolate: bool,
     /// Give negative forces where the muscle would have to push, instead of slack.
     pub two_sided: bool,
-    /// The branch of the hysteresis loop, for a muscle whose friction is known.
+    /// The branch of the hysteresis loop, for a muscle whose friction is known or estimated.
     pub direction: Direction,
+    /// c_f, by which the friction of a muscle that states none is estimated; 0: it is not.
+    pub friction_share: f64,
 }
 
 impl Options {
@@ -57,55 +59,58 @@ impl<'a> Evaluation<'a> {
         Evaluation::new(self.model, self.workspace, options)
     }
 
-    /// The friction that counts: none for the mean of both branches.
-    pub(super) fn friction(&self) -> Option<&'a Friction> {
-        friction(self.model, self.options.direction)
+    /// Whether friction is part of the pull: on a branch, where the muscle states it or it is estimated.
+    pub(crate) fn has_friction(&self) -> bool {
+        let known = self.options.friction_share > 0.0 || self.model.muscle().friction().is_some();
+        known && !self.options.direction.is_mean()
     }
 
-    fn pivoting_n_per_mm(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
-        pivoting_n_per_mm(self.model, self.workspace, pressure_mpa, contraction)
-    }
-
-    /// The friction that counts, in N, signed: of the branch of lengthening half the width of the hysteresis loop, C P^β + μw G.
-    pub fn friction_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
-        let Some(friction) = self.friction() else { return Ok(0.0) };
-        let direction = self.options.direction;
-        let rule = friction.force_n(pressure_mpa, direction);
-        if friction.lever_mm == 0.0 || pressure_mpa.is_nan() || pressure_mpa <= 0.0 {
-            return Ok(rule);
+    /// Half the width of the hysteresis loop in N ([`Friction`](crate::muscle::Friction)): C P^β + μw G, or where the muscle does not state it c_f T cosθ.
+    pub fn half_width_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
+        if pressure_mpa.is_nan() || pressure_mpa <= 0.0 {
+            return Ok(0.0);
         }
-        Ok(rule + direction.sign() * friction.lever_mm * self.pivoting_n_per_mm(pressure_mpa, contraction)?)
+        let (muscle, share) = (self.model.muscle(), self.options.friction_share);
+        match muscle.friction() {
+            Some(friction) if friction.lever_mm > 0.0 => {
+                let pivoting = pivoting_n_per_mm(self.model, self.workspace, pressure_mpa, contraction)?;
+                Ok(friction.rule_n(pressure_mpa) + friction.lever_mm * pivoting)
+            }
+            Some(friction) => Ok(friction.rule_n(pressure_mpa)),
+            None if share > 0.0 => {
+                Ok(share * ThickWall::new(muscle).strand_pull_n(pressure_mpa, contraction)?)
+            }
+            None => Ok(0.0),
+        }
     }
 
-    /// Everything that the model has at a pressure in MPa and a contraction, and its slopes in both with those of G.
+    /// What friction adds to the pull, in N.
+    pub fn friction_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
+        let sign = self.options.direction.sign();
+        if sign == 0.0 { Ok(0.0) } else { Ok(sign * self.half_width_n(pressure_mpa, contraction)?) }
+    }
+
+    /// Everything that the model has at a pressure in MPa and a contraction, and its slopes in both with those of the friction.
     pub fn response(&mut self, pressure_mpa: f64, contraction: f64) -> Result<Response> {
+        /// Of the pressure (relative) and the contraction, for differences of the friction.
+        const STEP: f64 = 1e-4;
         cancel::check().map_err(ModelError::Cancelled)?;
         let response = self.model.response(self.workspace, pressure_mpa, contraction)?;
         // The point is the given one, to the last bit: a model may compute with 1 − ε.
         let mut response = Response { pressure_mpa, contraction, ..response };
-        if let Some(friction) = self.friction() {
-            /// Of the pressure (relative) and the contraction, for differences of G.
-            const STEP: f64 = 1e-4;
-            let direction = self.options.direction;
+        if self.has_friction() && pressure_mpa > 0.0 {
             response.force_n += self.friction_n(pressure_mpa, contraction)?;
-            let mut slope = friction.slope_mm2(pressure_mpa, direction);
-            if friction.lever_mm > 0.0 && pressure_mpa > 0.0 {
-                let lever = direction.sign() * friction.lever_mm;
-                let h = STEP * pressure_mpa;
-                let mut difference = |h_mpa: f64, h: f64| {
-                    let above = self.pivoting_n_per_mm(pressure_mpa + h_mpa, contraction + h)?;
-                    Ok::<_, ModelError>(
-                        above - self.pivoting_n_per_mm(pressure_mpa - h_mpa, contraction - h)?,
-                    )
-                };
-                slope += lever * difference(h, 0.0)? / (2.0 * h);
-                // K = −(1/L0) ∂F/∂ε has its part of ∂G/∂ε as well.
-                if let Some(k) = &mut response.stiffness_n_per_mm {
-                    let by_contraction = difference(0.0, STEP)? / (2.0 * STEP);
-                    *k -= lever * by_contraction / self.model.muscle().length_mm();
-                }
+            let mut slope = |by_mpa: f64, by: f64| -> Result<f64> {
+                let above = self.friction_n(pressure_mpa + by_mpa, contraction + by)?;
+                let below = self.friction_n(pressure_mpa - by_mpa, contraction - by)?;
+                Ok((above - below) / (2.0 * (by_mpa + by)))
+            };
+            let by_pressure = slope(STEP * pressure_mpa, 0.0)?;
+            response.force_per_pressure_mm2 = response.force_per_pressure_mm2.map(|f| f + by_pressure);
+            // K = −(1/L0) ∂F/∂ε.
+            if let Some(k) = &mut response.stiffness_n_per_mm {
+                *k -= slope(0.0, STEP)? / self.model.muscle().length_mm();
             }
-            response.force_per_pressure_mm2 = response.force_per_pressure_mm2.map(|f| f + slope);
         }
         Ok(response)
     }
@@ -140,31 +145,28 @@ impl<'a> Evaluation<'a> {
     }
 }
 
-fn friction(model: &dyn ForceModel, direction: Direction) -> Option<&Friction> {
-    model.muscle().friction().filter(|_| !direction.is_mean())
-}
-
 /// Where an answer comes from: the model's source, and that of the friction.
 pub fn source_of(model: &dyn ForceModel, direction: Direction) -> String {
-    let branch = match (friction(model, direction), direction) {
-        (None, _) | (_, Direction::Mean) => return model.info().source.to_string(),
-        (_, Direction::Contraction) => "branch of shortening",
-        (_, Direction::Elongation) => "branch of lengthening",
-    };
-    let friction = match friction(model, direction) {
+    let source = &model.info().source;
+    if direction.is_mean() {
+        return source.to_string();
+    }
+    let friction = match model.muscle().friction() {
+        None => "estimated as a share of the strands' axial pull (Tondu 2012)",
         Some(f) if f.lever_mm > 0.0 && f.coefficient > 0.0 => {
             "C·P^β (Tondu 2012) and of the strands' contact"
         }
         Some(f) if f.lever_mm > 0.0 => "of the strands' contact",
         _ => "C·P^β (Tondu 2012)",
     };
-    format!("{}; braid friction {friction}, {branch}", model.info().source)
+    format!("{source}; braid friction {friction}, branch of {}", direction.motion())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::model::Ideal;
+    use crate::muscle::Friction;
 
     #[test]
     fn the_branches_lie_on_both_sides_of_the_mean() {

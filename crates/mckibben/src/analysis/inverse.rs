@@ -64,7 +64,7 @@ impl Evaluation<'_> {
         (low, high): (f64, f64),
         inverse: impl FnOnce(&mut Workspace) -> Option<f64>,
     ) -> Result<Option<f64>> {
-        let place = if self.friction().is_some() { None } else { inverse(self.workspace) };
+        let place = if self.has_friction() { None } else { inverse(self.workspace) };
         cancel::check().map_err(ModelError::from)?;
         let bits = LAST_BITS * place.map_or(1.0, |x| x.abs().max(1.0));
         let inside = place.filter(|x| *x >= low - bits && *x <= high + bits);

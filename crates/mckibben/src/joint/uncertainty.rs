@@ -17,7 +17,7 @@ use crate::model::Workspace;
 use crate::uncertainty::{Shifts, UncertaintyParts, stiffness_uncertainty_n_per_mm};
 
 /// The place of the friction among the parts.
-const FRICTION: usize = 5;
+const FRICTION: usize = 6;
 
 impl JointModel<'_> {
     /// The parts of the ± of the torque in N m; `None` where that of a muscle's pull is not known.
@@ -34,8 +34,8 @@ impl JointModel<'_> {
             let add = if i == FRICTION { |a, b| a + b } else { f64::hypot };
             each.iter().filter_map(|(parts, arm)| Some((parts.parts()[i]? * arm).abs())).reduce(add)
         };
-        let stated = each.iter().all(|(parts, _)| parts.friction_is_stated);
-        let parts = UncertaintyParts::of(std::array::from_fn(joined), stated);
+        let known = each.iter().map(|(parts, _)| parts.friction_known).min().unwrap_or_default();
+        let parts = UncertaintyParts::of(std::array::from_fn(joined), known);
         Some(match self.shared_shifts(workspaces, muscles, &each) {
             Some(shifts) => UncertaintyParts { rubber: shifts.rubber(), braid: shifts.braid(), ..parts },
             None => parts,

@@ -102,7 +102,8 @@ fn known(r: &mut Random) -> Option<Known> {
     let options = Options {
         two_sided: r.unit() < 0.5,
         extrapolate: r.unit() < 0.2,
-        direction: if muscle.friction().is_some() { r.one_of(&Direction::ALL) } else { Direction::Mean },
+        direction: r.one_of(&Direction::ALL),
+        friction_share: muscle.friction_share(),
     };
     let pressure_mpa = r.log(0.005, 3.0).clamp(range.pressure_mpa.0, range.pressure_mpa.1);
     let contraction = match options.extrapolate {
@@ -129,9 +130,8 @@ fn no_inverse_that_exists_is_denied() {
         let (model, f) = (&*k.model, k.force_n);
         let p = Evaluation::new(model, w, k.options).pressure_at(f, k.contraction);
         let e = Evaluation::new(model, w, k.options).contraction_or_stretch_at(f, k.pressure_mpa);
-        let direction = k.options.direction;
         let mut back = |p: f64, e: f64| {
-            Evaluation::new(model, w, direction).force_n(p, e).map_or(f64::INFINITY, |b| (b - f).abs())
+            Evaluation::new(model, w, k.options).force_n(p, e).map_or(f64::INFINITY, |b| (b - f).abs())
         };
         let failure = |what: &str, error: String| {
             format!(
@@ -176,7 +176,6 @@ fn no_place_comes_nearer_than_the_nearest() {
             continue;
         }
         let range = &model.info().range;
-        let direction = k.options.direction;
         let pulled = |v: f64| if k.options.two_sided { v } else { v.max(0.0) };
         let said = Evaluation::new(model, w, k.options).pressure_at(f, k.contraction);
         if let Err(AnalysisError::NoPressure { nearest_force_n, .. }) = said {
@@ -185,7 +184,7 @@ fn no_place_comes_nearer_than_the_nearest() {
             let nearest = (nearest_force_n - f).abs();
             for i in 0..=500 {
                 let p = range.pressure_mpa.0 + (high - range.pressure_mpa.0) * (f64::from(i) / 500.0).powi(2);
-                let Ok(there) = Evaluation::new(model, w, direction).force_n(p, k.contraction) else {
+                let Ok(there) = Evaluation::new(model, w, k.options).force_n(p, k.contraction) else {
                     continue;
                 };
                 let there = (pulled(there) - f).abs();
@@ -204,7 +203,7 @@ fn no_place_comes_nearer_than_the_nearest() {
             let nearest = (nearest_force_n - f).abs();
             for i in 0..=500 {
                 let e = low + (high.min(0.999) - low) * f64::from(i) / 500.0;
-                let Ok(there) = Evaluation::new(model, w, direction).force_n(k.pressure_mpa, e) else {
+                let Ok(there) = Evaluation::new(model, w, k.options).force_n(k.pressure_mpa, e) else {
                     continue;
                 };
                 let there = (pulled(there) - f).abs();

@@ -157,6 +157,13 @@ impl ThickWall {
         Ok(2.0 / 3.0 * pressed * turning.abs())
     }
 
+    /// T cosθ in N: the pull of all strands along the axis.
+    pub(crate) fn strand_pull_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
+        let (l, _, _) = self.stretch(pressure_mpa, contraction);
+        let s = self.state(pressure_mpa, l)?;
+        Ok(s.tension * self.cos2.sqrt() * l / (1.0 + s.strain))
+    }
+
     /// λ = 1 − kε with the end factor of the terminals, dλ/dε, dλ/dP.
     fn stretch(&self, p: f64, contraction: f64) -> (f64, f64, f64) {
         match self.info.muscle.terminals().end_factor {
