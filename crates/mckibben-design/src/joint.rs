@@ -28,12 +28,13 @@ pub fn design_joint(
     models: Models<'_>,
     progress: &dyn Progress,
 ) -> Result<(Spec, Outcome), SpecError> {
-    let with = |radius_mm: f64| match &spec.wanted {
+    let on_radius = |spec: &Spec, radius_mm: f64| match &spec.wanted {
         Demand::Joint(joint) => {
             Spec { wanted: Demand::Joint(JointDemand { radius_mm, ..joint.clone() }), ..spec.clone() }
         }
         _ => spec.clone(),
     };
+    let with = |radius_mm: f64| on_radius(spec, radius_mm);
     let (places, sections) = match radius_mm {
         Values::List(list) => (list.clone(), 0),
         Values::Interval(low, high) => (nice_steps(*low, *high, RADII.0), RADII.1),
@@ -42,25 +43,29 @@ pub fn design_joint(
     let total = places.len() + sections + 1 + if coarse { sections + NEAR } else { 0 };
     let mut done = 0;
     let mut first_error = None;
-    let mut tried = |radius: f64, models: Models<'_>| -> Tried {
+    // The best radius hardly depends on the model: where another one settles, the infinitely long muscle says about where it lies.
+    let roughly = if coarse { Models { search: THICK_WALL, settle: None } } else { models };
+    let mut tried = |spec: Spec, models: Models<'_>| -> (Merit, Spec) {
         progress.report(done, total);
         done += 1;
-        let spec = with(radius);
-        let merit = match spec.check() {
-            _ if progress.cancelled() => Merit::NONE,
+        match spec.check() {
+            _ if progress.cancelled() => (Merit::NONE, spec),
             Ok(()) => {
-                Search::of(&Spec { extrapolate: true, ..spec }, models, &CancelOnly(progress)).run().best()
+                let spec = Spec { extrapolate: true, ..spec };
+                let quiet = CancelOnly(progress);
+                let mut search = Search::of(&spec, models, &quiet);
+                search.screens = models.settle.is_some();
+                let result = search.run();
+                (result.best(), search.of_parts(&result))
             }
             Err(error) => {
                 first_error.get_or_insert(error);
-                Merit::NONE
+                (Merit::NONE, spec)
             }
-        };
-        (radius, merit)
+        }
     };
-    // The best radius hardly depends on the model: where another one settles, the infinitely long muscle says about where it lies.
-    let roughly = if coarse { Models { search: THICK_WALL, settle: None } } else { models };
-    let samples: Vec<Tried> = places.iter().map(|&r| tried(r, roughly)).collect();
+    let looked: Vec<(Merit, Spec)> = places.iter().map(|&r| tried(with(r), roughly)).collect();
+    let samples: Vec<Tried> = places.iter().zip(&looked).map(|(&r, look)| (r, look.0)).collect();
     let best = least(&samples, |t| t.1).filter(|&i| samples[i].1 != Merit::NONE);
     let Some(i) = best else {
         return match first_error {
@@ -74,6 +79,9 @@ pub fn design_joint(
         };
     };
     let mut chosen = samples[i];
+    // Near the best radius with its best parts alone.
+    let near_best = looked[i].1.clone();
+    let mut tried = |r: f64, models: Models<'_>| (r, tried(on_radius(&near_best, r), models).0);
     if sections > 0 {
         let mut found = refine(&samples, i, sections, |t| t.1, &mut |r| tried(r, roughly));
         if coarse {

@@ -27,6 +27,8 @@ const NEARLY_SHORT: f64 = 0.15;
 const SHORT: f64 = 3.0;
 /// Tubes are screened by the thick-wall model: what misses its limits by more than this is not asked of another one.
 const FAR: f64 = 0.3;
+/// Muscles whose parts are looked at again near the best radius of a joint: so many of the best, and of those that miss by least.
+const BEST_PARTS: usize = 20;
 /// Least bore of a muscle in an interval of diameters, as a share of its outer diameter: half of that of the thickest tube that is sold.
 const LEAST_BORE: f64 = 0.25;
 /// Samples of an interval of walls, angles and lengths, and golden sections after them.
@@ -67,6 +69,8 @@ pub(super) struct Search<'a> {
     pub(super) done: AtomicUsize,
     /// Whether another model decides.
     pub(super) settles: bool,
+    /// Whether the thick-wall model looks at tubes before the one that searches.
+    pub(super) screens: bool,
     /// Golden sections towards the best score of a line.
     pub(super) steps: usize,
 }
@@ -135,7 +139,7 @@ impl<'a> Search<'a> {
         let settles = models.settle.is_some();
         let steps = if settles { COARSE_STEPS } else { line::STEPS };
         let build = models.search;
-        Search { spec, build, rubbers, progress, done: AtomicUsize::new(0), settles, steps }
+        Search { spec, build, rubbers, progress, done: AtomicUsize::new(0), settles, screens: true, steps }
     }
 
     pub(super) fn muscle(&self, pick: Pick) -> Result<Muscle, MuscleError> {
@@ -177,7 +181,7 @@ impl<'a> Search<'a> {
 
     /// Holds one muscle of the search against the specification, by the model that `build` makes of it.
     fn sample(&self, pick: Pick, build: &Build<'_>, result: &mut SearchResult, scored: bool) -> Sample {
-        let none = Sample { x: pick.d0, excess: vec![], score: NO_SCORE };
+        let none = Sample::none(pick.d0);
         if self.progress.cancelled() {
             return none;
         }
@@ -241,7 +245,11 @@ impl<'a> Search<'a> {
             }
             // The infinitely long muscle pulls harder than a short one: where even it is far from its limits, no better model is asked.
             let mut screened = SearchResult::default();
-            let sample = self.sample(pick, THICK_WALL, &mut screened, true);
+            let sample = if self.screens {
+                self.sample(pick, THICK_WALL, &mut screened, true)
+            } else {
+                Sample::none(pick.d0)
+            };
             if sample.violation().is_finite() && sample.violation() > FAR {
                 self.keep_miss(&sample, pick, &mut screened);
                 return screened;
@@ -398,6 +406,23 @@ impl<'a> Search<'a> {
         // Tubes have their rubbers.
         let rubbers = if self.spec.tubes.is_empty() { self.rubbers.len() } else { 1 };
         self.gather((0..rubbers).map(|rubber| self.search_rubber(rubber)))
+    }
+
+    /// The specification with the tubes and sleeves of the best and nearest muscles alone, where parts are searched.
+    pub(super) fn of_parts(&self, result: &SearchResult) -> Spec {
+        let fits = result.fits.iter().take(BEST_PARTS).map(|f| f.1.choice);
+        let near: Vec<Choice> =
+            fits.chain(result.misses.iter().take(BEST_PARTS).map(|m| m.1.choice)).collect();
+        let BraidChoice::Sleeves(sleeves) = &self.spec.braid else { return self.spec.clone() };
+        let is_near =
+            |i: usize| near.iter().any(|c| matches!(c.braid, BraidRule::Sleeve(sleeve) if sleeve == i));
+        let sleeves = sleeves.iter().enumerate().filter(|(i, _)| is_near(*i)).map(|s| s.1.clone());
+        let tubes = self.spec.tubes.iter().enumerate().filter(|(i, _)| near.iter().any(|c| c.rubber == *i));
+        Spec {
+            tubes: tubes.map(|t| t.1.clone()).collect(),
+            braid: BraidChoice::Sleeves(sleeves.collect()),
+            ..self.spec.clone()
+        }
     }
 
     fn gather(&self, parts: impl Iterator<Item = SearchResult>) -> SearchResult {

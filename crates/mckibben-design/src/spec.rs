@@ -165,10 +165,12 @@ impl Spec {
         }
     }
 
-    /// How its models are asked: with friction, for the pull that remains while the muscle shortens.
+    /// How its models are evaluated: with the friction that is stated or estimated, for the pull that remains while the muscle shortens.
     pub fn options(&self) -> Options {
-        let direction = if self.base.friction().is_some() { Direction::Contraction } else { Direction::Mean };
-        Options { extrapolate: self.extrapolate, direction, ..Options::default() }
+        let friction_share = self.base.friction_share();
+        let known = friction_share > 0.0 || self.base.friction().is_some();
+        let direction = if known { Direction::Contraction } else { Direction::Mean };
+        Options { extrapolate: self.extrapolate, direction, friction_share, ..Options::default() }
     }
 
     /// Half-widths of the pull that it must hold against: 1 for 95 %, none where the pull itself is meant.

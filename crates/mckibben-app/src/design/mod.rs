@@ -46,12 +46,10 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     let (look, decide) = (|m: &Muscle| policy.look(m), |m: &Muscle| policy.model.bound(m));
     let settle = policy.quick.as_ref().map(|_| &decide as &Build<'_>);
     let models = Models { search: &look, settle };
-    let search = |spec: &Spec, progress: &dyn Progress| match &radius_mm {
-        Some(radius_mm) => design_joint(spec, radius_mm, models, progress),
-        None => design_with(spec, models, progress).map(|outcome| (spec.clone(), outcome)),
+    let (spec, outcome) = match &radius_mm {
+        Some(radius_mm) => design_joint(&spec, radius_mm, models, progress)?,
+        None => design_with(&spec, models, progress).map(|outcome| (spec, outcome))?,
     };
-    let wanted = spec;
-    let (spec, outcome) = search(&wanted, progress)?;
     let tolerance = spreads(request.tolerance.as_ref(), &decide, &outcome)?;
     let winner = outcome.candidates.first();
     if winner.is_none()
@@ -71,9 +69,10 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     let is_sure = outcome.candidates.iter().any(|c| c.sure_pressure_mpa.is_some());
     let to_be_sure = match winner {
         Some(_) if spec.guaranteed.is_none() && !is_sure => {
-            let guaranteed = Spec { guaranteed: Some(0.95), top: 1, ..wanted };
-            let (spec, sure) = search(&guaranteed, &CancelOnly(progress))?;
-            sure.candidates.first().map(|c| CandidateAnswer::new(c, &spec))
+            // Of a joint on the same pulley.
+            let guaranteed = Spec { guaranteed: Some(0.95), top: 1, ..spec.clone() };
+            let sure = design_with(&guaranteed, models, &CancelOnly(progress))?;
+            sure.candidates.first().map(|c| CandidateAnswer::new(c, &guaranteed))
         }
         _ => None,
     };
