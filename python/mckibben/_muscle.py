@@ -222,12 +222,7 @@ class Design(_answers.DesignAnswer):
     def __repr__(self) -> str:
         if not self.candidates:
             return f"Design({self.model}: none of {self.looked_at} muscles fits)"
-        best = self._data["candidates"][0]
-        said = f"D0 {best['outer_diameter_mm']:.4g} mm, s {best['wall_mm']:.3g} mm, {best['rubber']}, {best['braid']}"
-        point = (best.get("points") or [{}])[0]
-        pull = f"; {point['force_n']:.4g} N" + (f" ± {point['uncertainty_n']:.3g} N" if point.get("uncertainty_n") else "") if point.get("force_n") else ""
-        limits = f"; limited by {str(best['binds']).replace('_', ' ')}" if best.get("binds") else ""
-        return f"Design({self.model}: {self.fitting} of {self.looked_at} fit; best {said}, {best['pressure_mpa']:.3g} MPa{pull}{limits})"
+        return "\n".join(self._data["decision"])
 
 
 class Identification(Fit, _answers.IdentifyAnswer):

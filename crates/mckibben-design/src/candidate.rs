@@ -47,9 +47,6 @@ pub struct Candidate {
     /// What it is ranked by: smaller is better.
     #[serde(skip)]
     pub(super) score: Score,
-    /// The limit that keeps it from being better: the one that is met by least, where less than 1 % of it is left.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub binds: Option<Limit>,
     /// The kinds of limits with the least share that is to spare of each, the tightest first.
     #[serde(skip)]
     pub spare: Vec<(Limit, f64)>,
@@ -100,9 +97,6 @@ impl Candidate {
         self.points.iter().filter_map(of).reduce(f64::max)
     }
 }
-
-/// The limit that decides: one of which less than this share is left.
-const BINDS: f64 = 0.01;
 
 /// Everything about a muscle that fits, as its probe says.
 pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate, ModelError> {
@@ -174,7 +168,6 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
         tube: None,
         model: trial.model.info().name.to_string(),
         score: probe.score,
-        binds: probe.worst().filter(|c| c.excess() > -BINDS).map(|c| c.limit),
         muscle: muscle.clone(),
     })
 }

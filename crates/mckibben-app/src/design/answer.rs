@@ -119,8 +119,6 @@ pub struct SearchedAnswer {
     pub min_burst_margin: Option<f64>,
     /// Safety factor of the tube.
     pub min_tube_margin: Option<f64>,
-    /// Of a bundle: how many muscles share the requirement. What is wanted, and all numbers of the candidates, are those of one of them.
-    pub count: Option<u32>,
     /// Whether it was checked: the strength of the strands is known.
     pub burst_checked: bool,
     /// Largest strain of the strands, where there is one.
@@ -263,7 +261,6 @@ impl SearchedAnswer {
                 _ => has_strength(spec.base.braid()),
             },
             max_strand_strain: spec.limits.strand_strain,
-            count: Some(spec.count).filter(|n| *n > 1),
             guaranteed: spec.guaranteed,
         }
     }

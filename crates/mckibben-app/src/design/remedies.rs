@@ -22,9 +22,6 @@ pub struct RelaxationAnswer {
     pub change: Relaxation,
     /// The same in a sentence.
     pub text: String,
-    /// Of a stroke that is shorter: the length between the terminals, mm, with which the stroke stays.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub length_mm: Option<f64>,
 }
 
 impl RelaxationAnswer {
@@ -38,7 +35,7 @@ impl RelaxationAnswer {
             _ => None,
         };
         text.extend(length_mm.map(|mm| format!("; or keep the stroke with a length of {mm} mm")));
-        Self { change, text, length_mm }
+        Self { change, text }
     }
 }
 

@@ -59,7 +59,7 @@ fn as_text(answer: &DesignAnswer, file: Option<&Path>, all: bool, u: &Units) -> 
         let parts = [bundle(answer, u), joint(answer, file, u), verified(answer, u)];
         out.extend(parts.into_iter().chain([spread_text(&answer.tolerance, u)]));
     }
-    row["each"] = searched.count.into();
+    row["each"] = answer.candidates.first().map(|c| c.count).filter(|n| *n > 1).into();
     if all {
         row["what"] = wanted(&row, u).into();
         row["gas"] = answer.liquid.as_ref().map(|l| l.gas_share).filter(|share| *share > 0.0).into();

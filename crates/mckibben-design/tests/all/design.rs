@@ -171,7 +171,7 @@ fn the_largest_liquid_volume_binds_at_the_volume_that_is_found() {
     spec.limits.liquid_volume_mm3 = Some(volume_mm3 * (1.0 + 1e-6));
     let outcome = design(&spec, BUILD).unwrap();
     assert_eq!(outcome.candidates.len(), 1);
-    assert_eq!(outcome.candidates[0].binds, Some(Limit::LiquidVolume));
+    assert_eq!(outcome.candidates[0].spare[0].0, Limit::LiquidVolume);
     spec.limits.liquid_volume_mm3 = Some(volume_mm3 * (1.0 - 1e-6));
     let outcome = design(&spec, BUILD).unwrap();
     assert!(outcome.candidates.is_empty());
