@@ -31,7 +31,7 @@ pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
     if !spec.tubes.is_empty() {
         let estimated = |braid: &Braid| braid.stiffness_factor > 1.0;
         if matches!(&spec.braid, BraidChoice::Sleeves(list) if list.iter().any(estimated)) {
-            out.push("diameter, stiffness and strength of strands that the seller does not publish are estimated (the catalogue of parts marks them); the ± includes the estimate of the stiffness, not what no data sheet states: where muscles were predicted from their dimensions alone, they were off by 20 to 30 %".into());
+            out.push("diameter, stiffness and strength of strands that the seller does not publish are estimated (the catalogue of parts marks them); the ± includes the estimate of the stiffness and, as its part of data sheets, what they do not state".into());
         }
         let cast = rubbers(spec.tubes.iter().filter(|tube| tube.is_cast)).join(", ");
         if !cast.is_empty() {
