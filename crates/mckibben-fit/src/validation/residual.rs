@@ -65,11 +65,8 @@ impl SectionModel {
                 (point.volume_mm3? - here.volume_mm3?) * per_contraction / volume_per_contraction
             }
         };
-        let parts = Evaluation::new(model, &mut self.blocked, options).uncertainty(
-            pressure_mpa,
-            contraction,
-            here.force_n,
-        );
+        let mut evaluation = Evaluation::new(model, &mut self.blocked, options);
+        let parts = evaluation.uncertainty(pressure_mpa, contraction, here.force_n);
         let half_width_n = |parts: UncertaintyParts| {
             let friction = parts.friction.filter(|_| !branch.is_mean());
             UncertaintyParts { friction, ..parts }.total()
@@ -98,14 +95,8 @@ pub(super) fn residuals(
     for point in points {
         let known = models.iter().position(|m| m.section == point.section).unwrap_or_else(|| {
             let model = point.section.apply(muscle).ok().and_then(|m| build(&m).ok());
-            let (section, workspace) = (point.section, Workspace::new());
-            models.push(SectionModel {
-                section,
-                model,
-                workspace,
-                blocked: Workspace::new(),
-                friction_share,
-            });
+            let (section, workspace, blocked) = (point.section, Workspace::new(), Workspace::new());
+            models.push(SectionModel { section, model, workspace, blocked, friction_share });
             models.len() - 1
         });
         out.extend(models.get_mut(known).and_then(|model| model.residual(point)));
