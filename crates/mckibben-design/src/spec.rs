@@ -99,6 +99,8 @@ pub struct Spec {
     pub wanted: Demand,
     /// Muscles side by side that share the requirement; `wanted` is that of one.
     pub count: u32,
+    /// The branch on which it must pull, where its friction is stated or estimated.
+    pub direction: Direction,
     /// What the supply gives, in MPa.
     pub max_pressure_mpa: f64,
     /// Liquid that fills the muscle; air where there is none.
@@ -148,6 +150,7 @@ impl Spec {
         Self {
             wanted: points.into(),
             count: 1,
+            direction: Direction::Contraction,
             max_pressure_mpa,
             liquid: None,
             tubes: vec![],
@@ -165,11 +168,11 @@ impl Spec {
         }
     }
 
-    /// How its models are evaluated: with the friction that is stated or estimated, for the pull that remains while the muscle shortens.
+    /// How its models are evaluated: with the friction that is stated or estimated, on the branch that is wanted.
     pub fn options(&self) -> Options {
-        let friction_share = self.base.friction_share();
+        let friction_share = if self.wanted.extends() { 0.0 } else { self.base.friction_share() };
         let known = friction_share > 0.0 || self.base.friction().is_some();
-        let direction = if known { Direction::Contraction } else { Direction::Mean };
+        let direction = if known { self.direction } else { Direction::Mean };
         Options { extrapolate: self.extrapolate, direction, friction_share, ..Options::default() }
     }
 

@@ -7,7 +7,7 @@ use crate::{
     ProblemKind, Result, Stiffness, TextFile, Units, above_zero, finite, given, ratio, rubber, sleeve,
 };
 use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
-use mckibben::muscle::{Braid, Muscle, Tube};
+use mckibben::muscle::{Braid, Direction, Muscle, Tube};
 use mckibben::sleeve::{SleeveEntry, library};
 use mckibben::{units::Values, warning::strand_strength_n};
 use mckibben_design::tubes::{self, TubePart};
@@ -218,6 +218,7 @@ impl DesignRequest {
         let spec = Spec {
             wanted,
             count: self.count()?,
+            direction: Direction::Contraction,
             max_pressure_mpa,
             liquid: self.liquid.named_supply()?,
             length_mm: match &self.length_mm {
