@@ -45,9 +45,8 @@ impl UncertaintyWords {
 
     /// With what a branch would make of the ± of an answer.
     pub(crate) fn with_branch(mut self, answer: &Answer, model: &mut Evaluation<'_>) -> Self {
-        let lifting = model.lifting(answer).map(|lifting| lifting.uncertainty_n);
-        self.branch_uncertainty_n =
-            lifting.filter(|half| answer.uncertainty_n.is_some_and(|whole| *half < WORTH * whole));
+        let whole = answer.uncertainty_n.unwrap_or(0.0);
+        self.branch_uncertainty_n = model.on_branch_n(answer).filter(|half| *half < WORTH * whole);
         self.branch = self.branch_in(&Units::default());
         self
     }

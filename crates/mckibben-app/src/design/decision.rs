@@ -58,7 +58,8 @@ impl Decision<'_> {
         ];
         let facts: Vec<String> = facts.into_iter().flatten().collect();
         let each = if self.spec.count > 1 { "each " } else { "" };
-        format!("Pulls {each}{}; {}", points.join(", "), facts.join(", "))
+        let way = if self.spec.options().direction.is_mean() { "" } else { " while it shortens" };
+        format!("Pulls {each}{}{way}; {}", points.join(", "), facts.join(", "))
     }
 
     fn sure(&self, first: &Candidate) -> String {

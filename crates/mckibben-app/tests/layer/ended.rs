@@ -66,22 +66,14 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         "pressure" | "contraction" | "force" | "shape" => {
             let kept: &[&str] =
                 if command == "shape" { &["length_mm", "mesh"] } else { &["model", "length_mm", "mesh"] };
-            let quantities: &[&str] = match command {
+            let taken: &[&str] = match command {
                 "pressure" => &["force_n", "contraction"],
                 "contraction" | "shape" => &["force_n", "pressure_mpa"],
                 _ => &["pressure_mpa", "contraction"],
             };
-            let is_taken = |(key, _): &(&String, &Value)| {
-                kept.contains(&key.as_str()) || quantities.contains(&key.as_str())
-            };
-            vec![
-                slim.as_object()
-                    .unwrap()
-                    .iter()
-                    .filter(is_taken)
-                    .map(|(k, v)| (k.clone(), v.clone()))
-                    .collect(),
-            ]
+            let is =
+                |(key, _): &(&String, &Value)| kept.contains(&key.as_str()) || taken.contains(&key.as_str());
+            vec![slim.as_object().unwrap().iter().filter(is).map(|(k, v)| (k.clone(), v.clone())).collect()]
         }
         "fill" => vec![
             json!({ "model": "fe", "length_mm": 30000, "mesh": "2x1024", "volume_mm3": 6e6, "load": "mass:5kg" }),

@@ -25,7 +25,8 @@ fn the_liquid_of_a_design_pushed_in_by_fill_gives_back_its_point() {
             request
         };
         let wanted = json!({ "force_n": 300, "contraction": 0.1, "max_pressure_mpa": 0.25, "model": model,
-            "outer_diameter_mm": 32, "wall_mm": 1.5, "verify": "none" });
+            "outer_diameter_mm": 32, "wall_mm": 1.5, "verify": "none",
+            "muscle": { "name": "smooth.toml", "text": "[friction]\ncoefficient = 1e-9\nexponent = 0\n" } });
         let design = reply("design", with_liquid(wanted));
         let best = &design["candidates"][0];
         assert_eq!(

@@ -140,17 +140,6 @@ pub enum FrictionKnown {
     Stated,
 }
 
-/// A pull while the muscle shortens, as it lifts a load.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Lifting {
-    /// The pull on the branch of shortening in N; the mean of the branches where its friction is not known.
-    pub force_n: f64,
-    /// Its 95 % half-width in N.
-    pub uncertainty_n: f64,
-    /// The lower end of the ± in N: no higher than that of the mean of the branches, because no measured muscle supports an estimate that guarantees more.
-    pub least_n: f64,
-}
-
 impl UncertaintyParts {
     /// The parts with their names, in the order of their fields.
     fn slots(&mut self) -> [(&'static str, &mut Option<f64>); 10] {
@@ -269,22 +258,17 @@ impl Evaluation<'_> {
         }
     }
 
-    /// What an answer is worth while the muscle shortens; `None` where it has no ±.
-    pub fn lifting(&mut self, answer: &Answer) -> Option<Lifting> {
-        let (parts, Response { pressure_mpa, contraction, force_n, .. }) =
-            (answer.uncertainty_parts_n?, answer.response);
-        let stated = Lifting { force_n, uncertainty_n: parts.total(), least_n: force_n - parts.total() };
+    /// The ± in N that a mean of the branches would have on one of them, where its friction is estimated.
+    pub fn on_branch_n(&mut self, mean: &Answer) -> Option<f64> {
+        let Response { pressure_mpa, contraction, .. } = mean.response;
         let friction_share = self.model.muscle().friction_share();
-        if friction_share == 0.0 || parts.friction.is_none() || !answer.direction.is_mean() {
-            return Some(stated);
+        let parts = mean.uncertainty_parts_n.filter(|parts| parts.friction.is_some())?;
+        if friction_share == 0.0 || !mean.direction.is_mean() {
+            return None;
         }
-        let half_n = self
-            .with(Options { friction_share, ..self.options })
-            .half_width_n(pressure_mpa, contraction)
-            .ok()?;
-        let uncertainty_n = UncertaintyParts { friction: Some(half_n), ..parts }.total();
-        let force_n = force_n - half_n;
-        Some(Lifting { force_n, uncertainty_n, least_n: stated.least_n.min(force_n - uncertainty_n) })
+        let mut model = self.with(Options { friction_share, ..self.options });
+        let half_n = model.half_width_n(pressure_mpa, contraction).ok()?;
+        Some(UncertaintyParts { friction: Some(half_n), ..parts }.total())
     }
 
     /// The blocked force that shares are taken of.
