@@ -249,9 +249,9 @@ fn every_change_makes_a_muscle_fit_and_none_is_larger_than_it_has_to_be() {
                     changed.limits.stretch = Some(towards(*max_stretch, 1.05))
                 }
                 Relaxation::Contraction { share, .. } => {
-                    let nearer = Relaxation::Contraction { share: towards(*share, 1.0), points: vec![] };
-                    changed = spec.clone();
-                    nearer.apply(&mut changed);
+                    // The whole way again, and the shorter one.
+                    let back = towards(*share, 1.0) / share;
+                    Relaxation::Contraction { share: back, points: vec![] }.apply(&mut changed);
                 }
                 // Of the closest muscle alone.
                 Relaxation::OuterDiameter { .. } => continue,

@@ -250,11 +250,8 @@ fn a_muscle_that_lifts_pulls_less_by_a_share_of_what_its_strands_pull() {
     let cos = 0.9 * 28f64.to_radians().cos();
     let r = 15.0 * (1.0 - cos * cos).sqrt() / 28f64.to_radians().sin();
     let h = 0.085 * (force_n + std::f64::consts::PI * r * r * p);
-    let options = Options {
-        direction: Direction::Contraction,
-        friction_share: m.friction_share(),
-        ..Options::default()
-    };
+    let (direction, friction_share) = (Direction::Contraction, m.friction_share());
+    let options = Options { direction, friction_share, ..Options::default() };
     let branch = Evaluation::new(&model, w, options).point(p, e).unwrap();
     assert!((force_n - branch.response.force_n - h).abs() < 1e-6 * h, "{branch:?} {h}");
     assert_eq!(branch.uncertainty_parts_n.unwrap().friction_known, FrictionKnown::Estimated);
