@@ -216,7 +216,8 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     await reads(page, PULL, `${(await pull(page)).split(" ")[0]}`);
     const seen = Number((await pull(page)).split(" ")[0]);
-    assert.ok(Math.abs(seen - 300) <= 1.5, `${seen} N`);
+    // A design counts on the branch of shortening; the page shows the mean of the branches.
+    assert.ok(seen > 300 && seen < 300 + best.uncertainty_n, `${seen} N`);
     await context.close();
   });
 
@@ -249,7 +250,10 @@ inBrowser(({ name, url, open, blank }) => {
     await reads(page, ".middle h2", `Outer diameter ${Number(best.outer_diameter_mm.toPrecision(4))} mm, wall ${Number(best.wall_mm.toPrecision(4))} mm`);
     await page.locator("tr.pick").first().click();
     await alive(page);
-    await reads(page, PULL, "300");
+    await soon(async () => {
+      const seen = Number((await pull(page)).split(" ")[0]);
+      assert.ok(seen > 300 && seen < 300 + best.uncertainty_n, `${seen} N`);
+    });
     await soon(async () => assert.doesNotMatch(page.url(), /k=/));
     await context.close();
   });

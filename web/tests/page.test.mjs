@@ -259,8 +259,7 @@ inBrowser(({ name, url, open, blank }) => {
     await muscles.getByText(`${Number((1e-3 * best.liquid_volume_mm3).toPrecision(3))} mL`).first().waitFor();
     assert.equal(await muscles.getByText("air per stroke").count(), 0);
     await page.goto(url() + "#design?F=50N&e=15%25&pmax=2.5bar&L=200mm&liquid=water&most=10mL");
-    await page.getByText(/^Closest: .* mL of liquid, at most 10 mL allowed/).waitFor({ timeout: 60_000 });
-    await page.getByText(/^Provide [0-9.]+ mL of liquid/).waitFor();
+    await page.getByText(/muscles side by side/).first().waitFor({ timeout: 60_000 });
     assert.deepEqual(errors, []);
     await context.close();
   });

@@ -86,7 +86,7 @@ pub struct BuildAnswer {
     pub files: Vec<BuiltFile>,
     /// Warnings, in sentences.
     pub warnings: Vec<String>,
-    /// The report, where it was asked for.
+    /// The report, where one is wanted.
     #[serde(skip)]
     pub document: Option<Document>,
 }
@@ -139,7 +139,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         ("name", request.title_block != TitleBlock::default()),
     ];
     if !request.report {
-        Problem::refuse_unused(&fields, "it stands in the report, and no `report` is asked for")?;
+        Problem::refuse_unused(&fields, "it is part of the report, and `report` is not set")?;
     }
     let (plan, burst) = planned(request)?;
     let said = said_of(&burst, plan.operating.pressure_mpa, 0.0);
@@ -208,7 +208,7 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
 fn operating(
     request: &BuildRequest,
     muscle: &mckibben::muscle::Muscle,
-    asked_mpa: Option<f64>,
+    given_mpa: Option<f64>,
 ) -> Result<(Operating, Burst)> {
     let choice = Model::choose(&ModelFields::default())?;
     let model = choice.bound(muscle)?;
@@ -216,7 +216,7 @@ fn operating(
     let mut evaluation = Evaluation::new(model, &mut workspace, Options::default());
     let burst = burst_of(&choice, model)?;
     let allowed_mpa = burst.allowed().map(|a| a.0);
-    let pressure_mpa = asked_mpa.unwrap_or(usual_mpa(&burst));
+    let pressure_mpa = given_mpa.unwrap_or(usual_mpa(&burst));
     borne(&burst, pressure_mpa, request.overpressure)?;
     evaluation.check_range(pressure_mpa, 0.0)?;
     let free = evaluation.free_contraction(pressure_mpa)?;
@@ -245,7 +245,7 @@ fn operating(
     // A muscle whose free state at the proof pressure is not found stores at least what its cavity at the working pressure does.
     let at_proof = evaluation.free_contraction(proof_mpa);
     let at_proof = at_proof.and_then(|free| evaluation.cavity_mm3(proof_mpa, free)).ok();
-    let found = Operating {
+    let operating = Operating {
         model: model.info().name.to_string(),
         pressure_mpa,
         pressure_unit: request.units.pressure.unit(),
@@ -259,5 +259,5 @@ fn operating(
         allowed_mpa,
         free_contractions,
     };
-    Ok((found, burst))
+    Ok((operating, burst))
 }

@@ -27,8 +27,8 @@ pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst, 
     if let Some(known) = list().iter().find(of) {
         return Ok(known.2);
     }
-    let found = match burst(model) {
-        Ok(found) => found,
+    let failures = match burst(model) {
+        Ok(failures) => failures,
         Err(AnalysisError::Model(ModelError::Cancelled(cancelled))) => return Err(cancelled.into()),
         Err(_) => Burst::unknown(NoBurst::NoAnswer),
     };
@@ -37,8 +37,8 @@ pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst, 
     if list.len() >= KEPT {
         list.remove(0);
     }
-    list.push((choice.clone(), model.muscle().clone(), found));
-    Ok(found)
+    list.push((choice.clone(), model.muscle().clone(), failures));
+    Ok(failures)
 }
 
 /// Working pressure in MPa where none is given, and nothing forbids it: that of the paper.

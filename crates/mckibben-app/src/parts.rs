@@ -135,15 +135,15 @@ pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer, Problem
 pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer, Problem> {
     let tubes = tubes::catalogue().map_err(unread)?;
     let name = request.name.as_str();
-    let found = PartShowAnswer {
+    let parts = PartShowAnswer {
         tube: tubes::find(tubes, name).ok(),
         sleeve: sleeve_details(name)?,
         rubber: rubber_details(name)?,
         muscle: library_details(name)?,
         model: model_details(name)?,
     };
-    if found != PartShowAnswer::default() {
-        return Ok(found);
+    if parts != PartShowAnswer::default() {
+        return Ok(parts);
     }
     let (sleeves, rubbers, muscles) = (sleeves(None)?, rubbers()?, library::names());
     let all = tubes.iter().map(|t| t.name.as_str()).chain(sleeves.iter().map(|s| s.name.as_str()));

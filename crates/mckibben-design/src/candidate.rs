@@ -135,8 +135,8 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
         from_thick_wall.push("free contraction");
         Evaluation::new(&*trial.thick_wall, &mut trial.workspace, spec.options()).free_contraction(max).ok()
     });
-    let found = burst(&*trial.model).unwrap_or(trial.burst);
-    if found.from_thick_wall {
+    let failures = burst(&*trial.model).unwrap_or(trial.burst);
+    if failures.from_thick_wall {
         from_thick_wall.push("burst pressure");
     }
     from_thick_wall.sort_unstable();
@@ -158,7 +158,7 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
         blocked_force_n,
         free_contraction: free,
         work_j: trial.evaluation().work_per_stroke_j(max, 0.0, furthest).ok(),
-        burst: Burst { safety: trial.burst.safety, ..found },
+        burst: Burst { safety: trial.burst.safety, ..failures },
         sure_pressure_mpa: trial.sure_mpa(),
         highest_pressure_mpa: max,
         below: trial.below,

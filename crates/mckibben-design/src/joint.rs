@@ -53,7 +53,7 @@ pub fn design_joint(
             Ok(()) => {
                 let spec = Spec { extrapolate: true, ..spec };
                 let quiet = CancelOnly(progress);
-                let mut search = Search::of(&spec, models, &quiet);
+                let mut search = Search::new(&spec, models, &quiet);
                 search.screens = models.settle.is_some();
                 let result = search.run();
                 (result.best(), search.of_parts(&result))

@@ -131,7 +131,7 @@ pub(super) fn probe(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<P
     probe_with(&mut Trial::new(spec, build, muscle)?, true)
 }
 
-/// [`probe`]; without a score, which costs inverses, where it is not asked for.
+/// [`probe`]; without a score, which costs inverses, where none is needed.
 pub(super) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe, ModelError> {
     let Trial { spec, muscle, .. } = *trial;
     let max = trial.highest_mpa;

@@ -256,35 +256,35 @@ mod tests {
     #[test]
     fn a_window_much_narrower_than_the_samples_is_found() {
         // From 17.000 to 17.001.
-        let found = line(5.0, 80.0, &[|x| 17.0 / x - 1.0, |x| x / 17.001 - 1.0]);
-        let [(low, high)] = found.fitting[..] else { panic!("{found:?}") };
+        let result = line(5.0, 80.0, &[|x| 17.0 / x - 1.0, |x| x / 17.001 - 1.0]);
+        let [(low, high)] = result.fitting[..] else { panic!("{result:?}") };
         assert!((low - 17.0).abs() < 1e-5 && (high - 17.001).abs() < 1e-5, "{low} {high}");
     }
 
     #[test]
     fn a_limit_that_is_met_between_two_samples_alone_is_found() {
-        let found = line(5.0, 80.0, &[|x| (x / 31.0 - 1.0).powi(2) - 1e-4]);
-        let [(low, high)] = found.fitting[..] else { panic!("{found:?}") };
+        let result = line(5.0, 80.0, &[|x| (x / 31.0 - 1.0).powi(2) - 1e-4]);
+        let [(low, high)] = result.fitting[..] else { panic!("{result:?}") };
         assert!((low - 30.69).abs() < 1e-4 && (high - 31.31).abs() < 1e-4, "{low} {high}");
     }
 
     #[test]
     fn where_nothing_fits_one_limit_alone_is_missed() {
-        let found = line(5.0, 80.0, &[|x| 1.0 - x / 20.0, |x| x / 10.0 - 1.0]);
-        assert!(found.fitting.is_empty());
+        let result = line(5.0, 80.0, &[|x| 1.0 - x / 20.0, |x| x / 10.0 - 1.0]);
+        assert!(result.fitting.is_empty());
         // (1 − x/20) + (x/10 − 1) rises from 10 on.
-        let best = found.best.unwrap();
+        let best = result.best.unwrap();
         assert!((best.x - 10.0).abs() < 0.05 && (best.violation() - 0.5).abs() < 5e-3, "{best:?}");
     }
 
     #[test]
     fn where_there_is_no_answer_nothing_fits_and_the_edge_is_found() {
-        let found = along(5.0, 80.0, false, |x| Sample {
+        let result = along(5.0, 80.0, false, |x| Sample {
             x,
             excess: if x < 30.0 { vec![] } else { vec![-1.0] },
             score: [x, 0.0],
         });
-        let [(low, high)] = found.fitting[..] else { panic!("{found:?}") };
+        let [(low, high)] = result.fitting[..] else { panic!("{result:?}") };
         assert!((low - 30.0).abs() < 2e-3 && high == 80.0, "{low}");
     }
 

@@ -60,7 +60,7 @@ pub struct Rejected {
 }
 
 impl Rejected {
-    pub(super) fn of(muscle: &Muscle, reason: Reason, misses_by: Option<f64>) -> Self {
+    pub(super) fn new(muscle: &Muscle, reason: Reason, misses_by: Option<f64>) -> Self {
         Self {
             outer_diameter_mm: muscle.outer_diameter_mm(),
             wall_mm: muscle.wall_mm(),

@@ -22,7 +22,7 @@ pub enum Relaxation {
     MaxPressure {
         /// MPa.
         pressure_mpa: f64,
-        /// The model had to be asked outside of its range.
+        /// Outside of the model's range.
         extrapolated: bool,
     },
     /// Accept these pulls.
@@ -147,7 +147,7 @@ enum Kind {
 /// A change, and how much it asks: the logarithm of its number over that of the specification.
 type Change = (f64, Relaxation);
 
-/// Changes of one kind that another model than the thick-wall one is asked of, at most, and those that ask for this much more than the best one at least.
+/// Changes of one kind that another model than the thick-wall one computes, at most, and how much larger than the best one they may be.
 const MOST: usize = 12;
 const WINDOW: f64 = 0.06;
 /// A change is larger by this share than it has to be, so that it holds with three digits and the last bit of an inverse.

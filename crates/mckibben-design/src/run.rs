@@ -56,7 +56,7 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
     spec.check()?;
     let extrapolate = spec.extrapolate || models.settle.is_some();
     let searched = Spec { extrapolate, ..spec.clone() };
-    let search = Search::of(&searched, models, progress);
+    let search = Search::new(&searched, models, progress);
     let mut result = search.run();
     if result.fits.is_empty()
         && result.misses.is_empty()
@@ -76,7 +76,7 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
             Ok(probe) => (Reason::Limit(*probe.worst().filter(|c| c.excess() > 0.0)?), Some(probe.miss())),
             Err(error) => (Reason::Model(error), None),
         };
-        Some((Rejected::of(&muscle, reason, misses_by), muscle))
+        Some((Rejected::new(&muscle, reason, misses_by), muscle))
     };
     // By the model that decides others may be closer than by that of the search.
     let nearest = &picks[..picks.len().min(spec.top + SPARE)];

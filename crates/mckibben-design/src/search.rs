@@ -25,7 +25,7 @@ const MOST: usize = 5000;
 const NEARLY: f64 = 0.05;
 const NEARLY_SHORT: f64 = 0.15;
 const SHORT: f64 = 3.0;
-/// Tubes are screened by the thick-wall model: what misses its limits by more than this is not asked of another one.
+/// Tubes are screened by the thick-wall model: what misses its limits by more than this is not computed by another one.
 const FAR: f64 = 0.3;
 /// Muscles whose parts are looked at again near the best radius of a joint: so many of the best, and of those that miss by least.
 const BEST_PARTS: usize = 20;
@@ -130,7 +130,7 @@ type Tried = (f64, SearchResult);
 
 impl<'a> Search<'a> {
     /// Of a specification, with the model that searches.
-    pub(super) fn of(spec: &'a Spec, models: Models<'a>, progress: &'a dyn Progress) -> Self {
+    pub(super) fn new(spec: &'a Spec, models: Models<'a>, progress: &'a dyn Progress) -> Self {
         let rubbers = match &spec.rubbers[..] {
             _ if !spec.tubes.is_empty() => spec.tubes.iter().map(|t| t.rubber.clone()).collect(),
             [] => vec![spec.base.tube().rubber.clone()],
@@ -243,7 +243,7 @@ impl<'a> Search<'a> {
             if self.muscle(pick).is_err() || self.progress.cancelled() {
                 return result;
             }
-            // The infinitely long muscle pulls harder than a short one: where even it is far from its limits, no better model is asked.
+            // The infinitely long muscle pulls harder than a short one: where even it is far from its limits, no better model computes it.
             let mut screened = SearchResult::default();
             let sample = if self.screens {
                 self.sample(pick, THICK_WALL, &mut screened, true)
@@ -303,15 +303,15 @@ impl<'a> Search<'a> {
         let mut at = |d0: f64| self.sample(Pick { d0, ..pick }, build, result, true);
         let mut fit: Option<Sample> = None;
         for (from, to) in fitting {
-            let found = if thinnest { self.buildable(from, to, &mut at) } else { None };
-            let found = found.or_else(|| {
+            let thin = if thinnest { self.buildable(from, to, &mut at) } else { None };
+            let sample = thin.or_else(|| {
                 let best = line::best_of(from, to, steps, &mut at)?;
                 Some(self.rounded(best, from, to, &mut at))
             });
-            if let Some(found) = found
-                && fit.as_ref().is_none_or(|f| found.score < f.score)
+            if let Some(sample) = sample
+                && fit.as_ref().is_none_or(|f| sample.score < f.score)
             {
-                fit = Some(found);
+                fit = Some(sample);
             }
         }
         let miss = if fit.is_some() { None } else { best };

@@ -70,13 +70,13 @@ impl<'a> Trial<'a> {
         cancel::check()?;
         let (model, thick_wall) = (build(muscle)?, ModelKind::ThickWall.build(muscle)?);
         let safety = spec.limits.safety();
-        let found =
+        let failures =
             match burst_below(&*model, safety.strands.max(safety.tube).max(1.0) * spec.max_pressure_mpa) {
-                Ok(found) => found,
+                Ok(failures) => failures,
                 Err(AnalysisError::Model(error @ ModelError::Cancelled(_))) => return Err(error),
                 Err(_) => Burst::unknown(NoBurst::NoAnswer),
             };
-        let burst = Burst { safety, ..found };
+        let burst = Burst { safety, ..failures };
         let allowed = burst.allowed().map(|(mpa, by)| match by {
             Some(by) => (mpa, Below::Failure(by, mpa * safety.factor(by))),
             None => (mpa, Below::Rated),
@@ -130,7 +130,7 @@ impl<'a> Trial<'a> {
         Ok(())
     }
 
-    /// Its model, ready to be asked.
+    /// Its model, ready for questions.
     pub(super) fn evaluation(&mut self) -> Evaluation<'_> {
         Evaluation::new(&*self.model, &mut self.workspace, self.spec.options())
     }

@@ -170,12 +170,12 @@ fn part(
     if !(inner_diameter_mm > 0.0 && wall_mm > 0.0 && wall_mm.is_finite()) {
         return Err(wrong("the inner diameter must be above zero and below the outer one".into()));
     }
-    let found = library::find(rubber).map_err(|e: LibraryError| wrong(e.to_string()))?;
+    let law = library::find(rubber).map_err(|e: LibraryError| wrong(e.to_string()))?;
     Ok(TubePart {
         inner_diameter_mm,
         outer_diameter_mm,
         wall_mm,
-        rubber: found,
+        rubber: law,
         density_kg_per_m3: library::entry(rubber).ok().and_then(|e| e.density_kg_per_m3),
         is_cast: false,
         source: source.to_owned(),

@@ -70,7 +70,7 @@ pub struct DesignAnswer {
     /// Muscles as sold, of the library, that would do: their pull less its ± meets the requirement. Of a bundle: so many of them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub bought: Vec<BoughtAnswer>,
-    /// The figure, where it was asked for and something fits.
+    /// The figure, where one is wanted and something fits.
     pub figure: Option<Figure>,
     /// The candidates as muscle files, in their order.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -123,7 +123,7 @@ pub struct SearchedAnswer {
     pub burst_checked: bool,
     /// Largest strain of the strands, where there is one.
     pub max_strand_strain: Option<f64>,
-    /// Share of muscles that meet the requirement by the ±, where that was asked for: 0.95 for its lower end.
+    /// Share of muscles that meet the requirement by the ±, where one is guaranteed: 0.95 for its lower end.
     pub guaranteed: Option<f64>,
 }
 
@@ -235,7 +235,7 @@ pub(super) fn muscle_file(place: usize, candidate: &Candidate) -> TextFile {
 }
 
 impl DemandAnswer {
-    pub(super) fn of(demand: &Demand) -> Self {
+    pub(super) fn new(demand: &Demand) -> Self {
         match demand {
             Demand::Points(points) => Self::Points { points: points.clone() },
             &Demand::Load { way: Lift::Stroke(stroke_mm), .. } => Self::Stroke { stroke_mm },
@@ -248,7 +248,7 @@ impl DemandAnswer {
 }
 
 impl SearchedAnswer {
-    pub(super) fn of(spec: &Spec) -> Self {
+    pub(super) fn new(spec: &Spec) -> Self {
         let has_strength = |braid: &Braid| braid.strands.is_some_and(|s| s.strength_n.is_some());
         Self {
             rubber: rubber_of(spec),

@@ -104,7 +104,7 @@ impl BundleAnswer {
 }
 
 /// The bundle of the best muscle.
-pub(super) fn of(
+pub(super) fn of_winner(
     request: &DesignRequest,
     build: &Build<'_>,
     winner: Option<&Candidate>,

@@ -85,7 +85,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     let decision = decision.lines();
     let supply_mpa = spec.max_pressure_mpa;
     let mut warnings = winner.map_or_else(|| not_checked(&outcome, supply_mpa), answer::warnings);
-    let bundle = bundle::of(request, &decide, winner);
+    let bundle = bundle::of_winner(request, &decide, winner);
     warnings.extend(bundle.as_ref().and_then(BundleAnswer::warning));
     if let Some(c) = winner {
         warnings.extend(not_measured(&c.muscle, c.highest_pressure_mpa)?);
@@ -96,7 +96,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         let has_stroke = request.stroke_mm.is_some() && request.contraction.is_none();
         ClosestAnswer {
             rejected: (&closest.rejected).into(),
-            relaxations: changes.map(|change| RelaxationAnswer::of(change, &spec, has_stroke)).collect(),
+            relaxations: changes.map(|change| RelaxationAnswer::new(change, &spec, has_stroke)).collect(),
             hint: out_of_reach(&spec),
         }
     });
@@ -105,8 +105,8 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         model: policy.model.name().into(),
         searched_with: policy.searches().into(),
         max_pressure_mpa: supply_mpa,
-        wanted: DemandAnswer::of(&spec.wanted),
-        searched: SearchedAnswer::of(&spec),
+        wanted: DemandAnswer::new(&spec.wanted),
+        searched: SearchedAnswer::new(&spec),
         liquid: spec.liquid.as_ref().map(|supply| supply.liquid.clone()),
         load: request.load.load.clone(),
         assumptions: assumed::assumptions(request, &spec),

@@ -26,7 +26,7 @@ pub struct RelaxationAnswer {
 
 impl RelaxationAnswer {
     /// Of a specification, where a stroke may set the contraction.
-    pub(super) fn of(change: Relaxation, spec: &Spec, has_stroke: bool) -> Self {
+    pub(super) fn new(change: Relaxation, spec: &Spec, has_stroke: bool) -> Self {
         let mut text = text(&change, &spec.wanted);
         let length_mm = match &change {
             Relaxation::Contraction { share, .. } if has_stroke => {
@@ -74,15 +74,15 @@ pub(super) fn of_parts(
         library::between("pet", least_mm, EXPANDS * least_mm).ok()?.on(least_mm).ok()
     };
     let sleeve = || {
-        let found =
+        let best =
             search(Spec { braid: BraidChoice::Sleeves(sizes.filter_map(sized).collect()), ..spec.clone() })?;
-        let sleeve = found.muscle.braid().sleeve.as_ref()?.name.clone();
-        Some(Relaxation::Sleeve { sleeve, tube: found.tube })
+        let sleeve = best.muscle.braid().sleeve.as_ref()?.name.clone();
+        Some(Relaxation::Sleeve { sleeve, tube: best.tube })
     };
     let rubber = || {
         let cast = CAST.into_iter().filter_map(|name| cast_of(name).ok()).flatten().collect();
-        let found = search(Spec { tubes: cast, ..spec.clone() })?;
-        Some(Relaxation::Rubber { rubber: found.muscle.tube().rubber.name.clone()?, tube: found.tube? })
+        let best = search(Spec { tubes: cast, ..spec.clone() })?;
+        Some(Relaxation::Rubber { rubber: best.muscle.tube().rubber.name.clone()?, tube: best.tube? })
     };
     let free_sleeve = request.braids.is_empty().then(sleeve).flatten();
     let free_rubber = (request.tubes.is_empty() && request.rubbers.is_empty() && request.parts.is_none())

@@ -347,8 +347,8 @@ impl DesignRequest {
     /// The muscle around the search, what it must do, and the radii of a joint's pulley.
     fn demand(&self) -> Result<(Muscle, Demand, Option<Values>)> {
         let points = !self.points.is_empty() || self.force_n.is_some();
-        let asked = [points, self.load.load.is_some(), !self.torques.is_empty()];
-        if asked.iter().filter(|a| **a).count() > 1 {
+        let stated = [points, self.load.load.is_some(), !self.torques.is_empty()];
+        if stated.iter().filter(|a| **a).count() > 1 {
             let message = "`force_n` or `points`, `load` and `torques` each state the requirement: give only one of them";
             return Err(Problem::new(ProblemKind::Usage, message, ""));
         }

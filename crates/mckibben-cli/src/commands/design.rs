@@ -9,22 +9,22 @@ use mckibben_design::Spread;
 use serde_json::Value;
 use std::path::Path;
 
-pub fn run(asked: &Args) -> Result<u8, Problem> {
-    let target = asked.path("output");
+pub fn run(args: &Args) -> Result<u8, Problem> {
+    let target = args.path("output");
     check_ending(target.as_deref(), &["toml"])?;
-    let mut answer = mckibben_app::design(&asked.request()?, &Bar::new("muscles"))?;
+    let mut answer = mckibben_app::design(&args.request()?, &Bar::new("muscles"))?;
     let winner = answer.muscle_files.first();
     if let Some(winner) = winner {
         save(target.as_deref(), winner.text.as_bytes())?;
     }
     let text = |answer: &DesignAnswer, u: &Units| {
-        burst_first(&answer.warnings) + &as_text(answer, target.as_deref(), asked.is("all"), u)
+        burst_first(&answer.warnings) + &as_text(answer, target.as_deref(), args.is("all"), u)
     };
-    asked.print(&answer, "candidates", text)?;
-    if let (Some(path), Some(_), Format::Text) = (&target, winner, asked.format) {
+    args.print(&answer, "candidates", text)?;
+    if let (Some(path), Some(_), Format::Text) = (&target, winner, args.format) {
         emit(format!("\nThe winner is in {}.\n", place(path)), None)?;
     }
-    asked.draw(&mut answer.figure)?;
+    args.draw(&mut answer.figure)?;
     Ok(if answer.candidates.is_empty() { NO_ANSWER } else { 0 })
 }
 

@@ -290,7 +290,7 @@ fn bench_of(model: &dyn ForceModel) -> Option<&Bench> {
     (bench.model == model.info().name || bench.model == ELEMENTS && to_elements).then_some(bench)
 }
 
-/// A pull whose ± is asked for.
+/// A pull whose ± is wanted.
 struct Pull<'e, 'a> {
     evaluation: &'e mut Evaluation<'a>,
     pressure_mpa: f64,

@@ -88,9 +88,9 @@ fn a_simpler_model_has_a_larger_uncertainty() {
     assert!(ideal > thick, "{ideal} {thick}");
 }
 
-/// h = 74·P^0.5 = 37 N at 0.25 MPa by hand: 1.81 h while no branch is asked for, 0.81 h on a branch, 12 % of the blocked force without a law.
+/// h = 74·P^0.5 = 37 N at 0.25 MPa by hand: 1.81 h while no branch is selected, 0.81 h on a branch, 12 % of the blocked force without a law.
 #[test]
-fn stated_friction_counts_until_a_branch_is_asked_for() {
+fn stated_friction_counts_until_a_branch_is_selected() {
     let (m, w) = (Muscle::prototype(), &mut Workspace::new());
     let stated = m.with_friction(Some(Friction::power_law(74.0, 0.5))).unwrap();
     let part = |m: &Muscle, direction: Direction| parts_of(m, 0.25, 0.1, direction).friction.unwrap();
