@@ -233,7 +233,7 @@ inBrowser(({ name, open, blank, url }) => {
     assert.equal(found.length, 9, JSON.stringify(found));
     assert.deepEqual([...new Set(found.map(({ limit }) => limit))].sort(), ["force"]);
     const off = found.map(({ drawn, exact }) => Math.abs(drawn - exact)).sort((a, b) => a - b);
-    assert.ok(off[16] < 0.15 / 40 && off[17] < 0.15 / 4, off.join(" "));
+    assert.ok(off[7] < 0.15 / 40 && off[8] < 0.15 / 4, off.join(" "));
     assert.deepEqual(errors, []);
     await context.close();
   });
