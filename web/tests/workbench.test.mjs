@@ -507,8 +507,8 @@ inBrowser(({ name, url, open, blank }) => {
         `${column}: ${first[head.indexOf(column)]}`);
     }
     // The command line says which muscle is sure; a number alone is in the unit of the page.
-    const { to_be_sure: best, candidates: all } = ask("design", "-F", "300N", "-e", "10%", "-p", "4bar");
-    const sure = all.find((/** @type {any} */ c) => c.sure_pressure_mpa) ?? best;
+    const { to_be_sure: surest, candidates: all } = ask("design", "-F", "300N", "-e", "10%", "-p", "4bar");
+    const sure = all.find((/** @type {any} */ c) => c.sure_pressure_mpa) ?? surest;
     for (const [label, text] of [["Pull", "300"], ["at a contraction of", "10 %"], ["Pressure of the supply", "4"]])
       await page.getByRole("textbox", { name: label, exact: true }).fill(text);
     await page.getByRole("textbox", { name: "Pull", exact: true }).press("Enter");
