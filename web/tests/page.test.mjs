@@ -259,7 +259,7 @@ inBrowser(({ name, url, open, blank }) => {
     await muscles.getByText(`${Number((1e-3 * best.liquid_volume_mm3).toPrecision(3))} mL`).first().waitFor();
     assert.equal(await muscles.getByText("air per stroke").count(), 0);
     await page.goto(url() + "#design?F=50N&e=15%25&pmax=2.5bar&L=200mm&liquid=water&most=10mL");
-    await page.getByText(/muscles side by side/).first().waitFor({ timeout: 60_000 });
+    await page.getByText(/mL of liquid/).first().waitFor({ timeout: 60_000 });
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -342,7 +342,7 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   test("a move of the arm is played on Motion, and ends where finite elements hold the arm", async () => {
-    const { page, errors, context } = await open("#joint?phi=20deg&K=5&mass=0.8kg");
+    const { page, errors, context } = await open("#joint?phi=20deg&K=8&mass=0.8kg");
     await page.waitForSelector(".numbers dl", { timeout: 30_000 });
     await page.getByText("Move the arm").click();
     await page.getByRole("textbox", { name: "Move to", exact: true }).fill("-10");

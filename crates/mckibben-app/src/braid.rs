@@ -1,6 +1,6 @@
 //! Sleeves of the library, and what each is on a tube.
 
-use crate::{Problem, TextFile};
+use crate::{Problem, TextFile, parts::sleeve_entries};
 use mckibben::muscle::NEUTRAL_ANGLE_DEG;
 use mckibben::sleeve::{Sleeve, SleeveEntry, library};
 use schemars::JsonSchema;
@@ -102,14 +102,7 @@ pub(crate) fn sleeves(parts: Option<&TextFile>) -> Result<Vec<BraidSummary>, Pro
             source: entry.source.clone(),
         })
     };
-    match parts {
-        Some(file) => library::read(&file.text)
-            .map_err(|e| Problem::from(e).in_field("parts"))?
-            .iter()
-            .map(one)
-            .collect(),
-        None => library::entries()?.iter().map(one).collect(),
-    }
+    sleeve_entries(parts)?.iter().map(one).collect()
 }
 
 /// A sleeve; `None` where there is none of that name.

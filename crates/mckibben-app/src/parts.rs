@@ -7,11 +7,13 @@ use crate::{
 };
 use mckibben::model::{ModelEntry, ModelError};
 use mckibben::nearest::{meant, nearest};
+use mckibben::sleeve::{self, SleeveEntry};
 use mckibben::{muscle::Muscle, uncertainty::basis_of};
 use mckibben_design::tubes::{self, TubePart};
 use mckibben_fit::validation::library;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// What has a name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -109,8 +111,23 @@ pub(crate) fn model_details(name: &str) -> Result<Option<ModelDetails>, Problem>
     Ok(Some(ModelDetails { name, description, source, uncertainty_basis, needs }))
 }
 
-fn unread(error: tubes::TubeError) -> Problem {
+pub(crate) fn unread(error: tubes::TubeError) -> Problem {
     Problem::new(ProblemKind::Specification, error.to_string(), "")
+}
+
+/// The tubes of a user's table, where it has some: in place of the catalogue's.
+pub(crate) fn users_tubes(parts: Option<&TextFile>) -> Result<Option<Vec<TubePart>>, Problem> {
+    let read = parts.map(|file| tubes::read(&file.text)).transpose();
+    Ok(read.map_err(|e| unread(e).in_field("parts"))?.filter(|tubes| !tubes.is_empty()))
+}
+
+/// The sleeves of a user's table, where it has some, else those of the library.
+pub(crate) fn sleeve_entries(parts: Option<&TextFile>) -> Result<Cow<'static, [SleeveEntry]>, Problem> {
+    let read = parts.map(|file| sleeve::library::read(&file.text)).transpose();
+    match read.map_err(|e| Problem::from(e).in_field("parts"))?.filter(|sleeves| !sleeves.is_empty()) {
+        Some(sleeves) => Ok(sleeves.into()),
+        None => Ok(sleeve::library::entries()?.into()),
+    }
 }
 
 /// Everything with a name, or one kind of it.
@@ -120,8 +137,10 @@ pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer, Problem
     let whole = cfg!(feature = "whole");
     let tubes: Vec<TubePart> = match &request.parts {
         _ if !whole || !wants(PartKind::Tubes) => vec![],
-        Some(file) => tubes::read(&file.text).map_err(|e| unread(e).in_field("parts"))?,
-        None => tubes::catalogue().map_err(unread)?.to_vec(),
+        parts => match users_tubes(parts.as_ref())? {
+            Some(tubes) => tubes,
+            None => tubes::catalogue().map_err(unread)?.to_vec(),
+        },
     };
     Ok(PartsListAnswer {
         tubes,

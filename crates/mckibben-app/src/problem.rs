@@ -269,7 +269,7 @@ problems! {
         TensionFitError::TooFew { .. } => Fit "take a law with fewer constants, or leave `up_to_stretch` out";
     };
     JointError: File of Cancelled, around error in (JointError::Muscle { error, .. }) {
-        JointError::OutOfReach { .. } => NoAnswer "a higher `max_pressure_mpa`, or a larger pulley or muscle";
+        JointError::OutOfReach { .. } => NoAnswer "a value that it reaches, a higher `max_pressure_mpa`, or a larger pulley or muscle";
         JointError::Angle { .. } => OutOfRange in "angles_deg";
         JointError::Pressures { muscles: 2, .. } => Usage "such as 2 bar and 1 bar" in "pressures_mpa";
         JointError::Pressures { .. } => Usage "such as 2 bar" in "pressures_mpa";

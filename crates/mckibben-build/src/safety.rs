@@ -2,7 +2,7 @@
 
 use crate::text::significant;
 use mckibben::analysis::{ATMOSPHERE_MPA, FailureMode};
-use mckibben::units::Unit;
+use mckibben::units::{Unit, rounded};
 
 /// Results of a model for the muscle.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,8 +89,7 @@ const RELIEF: f64 = 1.1;
 /// The pressure of a relief valve in MPa to three digits: above the one that is set, and not above the highest that the muscle may have.
 pub fn relief_mpa(pressure_mpa: f64, highest_mpa: f64) -> f64 {
     let relief = highest_mpa.min(RELIEF * pressure_mpa);
-    let step = 10f64.powf(relief.log10().floor() - 2.0);
-    ((relief / step * (1.0 + 1e-9)).floor() * step).max(pressure_mpa.min(highest_mpa))
+    rounded(relief * (1.0 + 1e-9), 3, f64::floor).max(pressure_mpa.min(highest_mpa))
 }
 
 /// Pressure of the proof test in MPa.

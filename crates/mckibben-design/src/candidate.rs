@@ -141,6 +141,7 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
     }
     from_thick_wall.sort_unstable();
     from_thick_wall.dedup();
+    let pressure_mpa = points.iter().map(|p| p.response.pressure_mpa).fold(0.0, f64::max);
     let mut spare: Vec<(Limit, f64)> = probe.checks.iter().map(|c| (c.limit, -c.excess())).collect();
     spare.sort_by(|a, b| a.1.total_cmp(&b.1));
     let mut known = vec![];
@@ -153,13 +154,14 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
     let further = |a: f64, e: f64| if e.abs() > a.abs() { e } else { a };
     let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, further);
     Ok(Candidate {
-        pressure_mpa: points.iter().map(|p| p.response.pressure_mpa).fold(0.0, f64::max),
+        pressure_mpa,
         margin: points.iter().map(|p| p.margin).fold(f64::INFINITY, f64::min),
         blocked_force_n,
         free_contraction: free,
         work_j: trial.evaluation().work_per_stroke_j(max, 0.0, furthest).ok(),
         burst: Burst { safety: trial.burst.safety, ..failures },
-        sure_pressure_mpa: trial.sure_mpa(),
+        // Of a pull that is guaranteed it is the pressure to set.
+        sure_pressure_mpa: if spec.guaranteed.is_some() { Some(pressure_mpa) } else { trial.sure_mpa() },
         highest_pressure_mpa: max,
         below: trial.below,
         spare,

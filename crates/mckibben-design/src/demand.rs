@@ -137,12 +137,13 @@ impl Demand {
                 let one = |q: &OperatingPoint| OperatingPoint { contraction: share * q.contraction, ..*q };
                 Self::Points(points.iter().map(one).collect())
             }
-            Self::Load { load, way: Lift::Stroke(mm) } => {
-                Self::Load { load: load.clone(), way: Lift::Stroke(share * mm) }
-            }
-            Self::Load { load, way: Lift::Contraction(ratio) } => {
-                Self::Load { load: load.clone(), way: Lift::Contraction(share * ratio) }
-            }
+            Self::Load { load, way } => Self::Load {
+                load: load.clone(),
+                way: match way {
+                    Lift::Stroke(mm) => Lift::Stroke(share * mm),
+                    Lift::Contraction(ratio) => Lift::Contraction(share * ratio),
+                },
+            },
             Self::Joint(_) => self.clone(),
         }
     }

@@ -34,11 +34,6 @@ pub(super) struct Sample {
 }
 
 impl Sample {
-    /// Of a muscle that has no answer.
-    pub(super) fn none(x: f64) -> Self {
-        Self { x, excess: vec![], score: NO_SCORE }
-    }
-
     fn answered(&self) -> bool {
         !self.excess.is_empty()
     }

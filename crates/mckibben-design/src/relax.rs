@@ -5,17 +5,16 @@ use crate::search::{Pick, Search};
 use crate::spec::THICK_WALL;
 use crate::trial::{Below, Trial};
 use crate::{BraidChoice, Build, Check, Limit, OperatingPoint, Spec, fits, tubes};
-use mckibben::analysis::{Evaluation, Options, find_root};
+use mckibben::analysis::{Evaluation, Options, bisect, find_root};
 use mckibben::model::ModelError;
 use mckibben::muscle::{Braid, BraidStiffness, Muscle};
 use mckibben::sleeve::library;
 use mckibben::threads;
-use mckibben::units::Values;
+use mckibben::units::{Values, rounded};
 use serde::Serialize;
 
 /// A change of the specification with which a muscle fits.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
-#[schemars(rename = "RelaxationAnswer")]
 #[serde(tag = "relax", rename_all = "snake_case")]
 pub enum Relaxation {
     /// Supply this pressure.
@@ -115,10 +114,8 @@ impl Relaxation {
                 limits.liquid_volume_mm3 = Some(*liquid_volume_mm3)
             }
             Self::Sleeve { sleeve, .. } => {
-                let braid = library::find(sleeve);
-                let braid = braid.and_then(|sleeve| sleeve.on(sleeve.diameters().0));
-                spec.braid =
-                    braid.map_or_else(|_| spec.braid.clone(), |braid| BraidChoice::Sleeves(vec![braid]));
+                let braid = library::find(sleeve).and_then(|sleeve| sleeve.on(sleeve.diameters().0));
+                braid.into_iter().for_each(|braid| spec.braid = BraidChoice::Sleeves(vec![braid]));
             }
             Self::Rubber { rubber, tube } => {
                 let of_rubber = tubes::cast_of(rubber).unwrap_or_default();
@@ -126,7 +123,7 @@ impl Relaxation {
             }
             Self::Stiffness { family_stiffness_n_per_mm: k } => {
                 let braid = Braid { stiffness: BraidStiffness::NewtonPerMm(*k), ..spec.base.braid().clone() };
-                spec.base = spec.base.with_braid(braid).unwrap_or_else(|_| spec.base.clone());
+                spec.base.with_braid(braid).into_iter().for_each(|base| spec.base = base);
             }
             Self::Together { changes } => changes.iter().for_each(|change| change.apply(spec)),
         }
@@ -135,7 +132,7 @@ impl Relaxation {
 
 /// A kind of change.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Kind {
+pub(super) enum Kind {
     Pull,
     Contraction,
     Supply,
@@ -145,7 +142,7 @@ enum Kind {
 }
 
 /// A change, and how much it asks: the logarithm of its number over that of the specification.
-type Change = (f64, Relaxation);
+pub(super) type Change = (f64, Relaxation);
 
 /// Changes of one kind that another model than the thick-wall one computes, at most, and how much larger than the best one they may be.
 const MOST: usize = 12;
@@ -156,70 +153,92 @@ const EASED: f64 = 1e-5;
 const ROUGH: f64 = 1e-3;
 const NEAREST: usize = 200;
 
-/// The smallest change of each kind with which one of the muscles fits, those that ask for least first; where there is none, two or more together of the closest ones.
-pub(super) fn relaxations(search: &Search<'_>, build: &Build<'_>, picks: &[Pick]) -> Vec<Relaxation> {
-    let spec = search.spec;
-    let rough = |(place, pick): &(usize, Pick)| {
-        let muscle = search.muscle(*pick).ok()?;
-        let miss = Miss { spec, build: THICK_WALL, muscle: &muscle, proven: false };
-        let (mut trial, probe) = miss.held()?;
-        let changes = miss.kinds(&trial, &probe, *place < NEAREST).into_iter();
-        Some(
-            changes
-                .filter_map(|kind| Some((miss.change(kind, &mut trial, &probe)?.0, kind, *pick)))
-                .collect::<Vec<_>>(),
-        )
-    };
-    let rough: Vec<(f64, Kind, Pick)> =
-        threads::map(&picks.iter().copied().enumerate().collect::<Vec<_>>(), rough)
-            .into_iter()
-            .flatten()
-            .flatten()
-            .collect();
-    let mut kinds: Vec<Kind> = vec![];
-    rough.iter().for_each(|(_, kind, _)| {
-        if !kinds.contains(kind) {
-            kinds.push(*kind)
+/// The muscles of a search that do not fit, by the model that decides.
+pub(super) struct Misses<'a> {
+    pub(super) search: &'a Search<'a>,
+    pub(super) build: &'a Build<'a>,
+    pub(super) picks: &'a [Pick],
+    /// That of the search; what a muscle is chosen among is not copied with each change.
+    pub(super) spec: Spec,
+}
+
+impl<'a> Misses<'a> {
+    pub(super) fn new(search: &'a Search<'a>, build: &'a Build<'a>, picks: &'a [Pick]) -> Self {
+        let braid = BraidChoice::Sleeves(vec![]);
+        let spec = Spec { tubes: vec![], rubbers: vec![], braid, ..search.spec.clone() };
+        Self { search, build, picks, spec }
+    }
+
+    /// The smallest change of each kind with which one of the muscles fits, those that ask for least first; where there is none, two or more together of the
+    /// closest ones.
+    pub(super) fn relaxations(&self) -> Vec<Relaxation> {
+        let mut out = self.least(|_| true);
+        if let Some(first) = self.picks.first().filter(|_| self.search.spec.tubes.is_empty()) {
+            out.extend(self.proven(first, |miss, _, _| miss.wider()));
         }
-    });
-    let proven = |pick: &Pick, change: &dyn Fn(&Miss<'_>, &mut Trial<'_>, &Probe) -> Option<Change>| {
-        let muscle = search.muscle(*pick).ok()?;
-        let miss = Miss { spec, build, muscle: &muscle, proven: true };
+        if out.is_empty() {
+            let several = |pick: &Pick| self.proven(pick, |miss, trial, probe| miss.together(trial, probe));
+            out.extend(self.picks.iter().take(MOST).filter_map(several).min_by(|a, b| a.0.total_cmp(&b.0)));
+        }
+        out.sort_by(|a, b| a.0.total_cmp(&b.0));
+        out.into_iter().map(|change| change.1).collect()
+    }
+
+    /// The smallest change of each kind that is wanted: by the thick-wall model of all muscles, proven of those that ask for least.
+    pub(super) fn least(&self, wants: impl Fn(Kind) -> bool + Sync) -> Vec<Change> {
+        let rough = |(place, pick): &(usize, Pick)| -> Option<Vec<(f64, Kind, Pick)>> {
+            let muscle = self.search.muscle(*pick).ok()?;
+            let miss = Miss { spec: &self.spec, build: THICK_WALL, muscle: &muscle, proven: false };
+            let (mut trial, probe) = miss.held()?;
+            let kinds = miss.kinds(&trial, &probe, *place < NEAREST).into_iter().filter(|kind| wants(*kind));
+            let asks = kinds.map(|kind| Some((miss.change(kind, &mut trial, &probe)?.0, kind, *pick)));
+            Some(asks.flatten().collect())
+        };
+        let places: Vec<(usize, Pick)> = self.picks.iter().copied().enumerate().collect();
+        let mut rough: Vec<_> = threads::map(&places, rough).into_iter().flatten().flatten().collect();
+        rough.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut kinds: Vec<Kind> = vec![];
+        for (_, kind, _) in &rough {
+            if !kinds.contains(kind) {
+                kinds.push(*kind);
+            }
+        }
+        let least = |kind: &Kind| {
+            let mut best: Option<Change> = None;
+            for (ask, _, pick) in rough.iter().filter(|(_, other, _)| other == kind).take(MOST) {
+                if best.as_ref().is_some_and(|best| *ask > best.0 + WINDOW)
+                    || self.search.progress.cancelled()
+                {
+                    break;
+                }
+                let change = self.proven(pick, |miss, trial, probe| miss.change(*kind, trial, probe));
+                best = [best, change].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
+            }
+            best
+        };
+        threads::map(&kinds, least).into_iter().flatten().collect()
+    }
+
+    /// A change of a muscle that is held against the changed specification.
+    fn proven(
+        &self,
+        pick: &Pick,
+        change: impl Fn(&Miss<'_>, &mut Trial<'_>, &Probe) -> Option<Change>,
+    ) -> Option<Change> {
+        let muscle = self.search.muscle(*pick).ok()?;
+        let miss = Miss { spec: &self.spec, build: self.build, muscle: &muscle, proven: true };
         let (mut trial, probe) = miss.held()?;
         change(&miss, &mut trial, &probe)
-    };
-    let least = |kind: &Kind| {
-        let mut of_kind: Vec<_> = rough.iter().filter(|(_, other, _)| other == kind).collect();
-        of_kind.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut best: Option<Change> = None;
-        for (ask, _, pick) in of_kind.into_iter().take(MOST) {
-            if best.as_ref().is_some_and(|best| *ask > best.0 + WINDOW) || search.progress.cancelled() {
-                break;
-            }
-            let change = proven(pick, &|miss, trial, probe| miss.change(*kind, trial, probe));
-            best = [best, change].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
-        }
-        best
-    };
-    let mut out: Vec<Change> = threads::map(&kinds, least).into_iter().flatten().collect();
-    if let Some(first) = picks.first().filter(|_| spec.tubes.is_empty()) {
-        out.extend(proven(first, &|miss, _, _| miss.wider()));
     }
-    if out.is_empty() {
-        let several = |pick: &Pick| proven(pick, &|miss, trial, probe| miss.together(trial, probe));
-        out.extend(picks.iter().take(MOST).filter_map(several).min_by(|a, b| a.0.total_cmp(&b.0)));
-    }
-    out.sort_by(|a, b| a.0.total_cmp(&b.0));
-    out.into_iter().map(|change| change.1).collect()
 }
 
 /// A number with three digits, not below or not above it.
 fn three_digits(value: f64, up: bool) -> f64 {
-    let eased = value * if up { 1.0 + EASED } else { 1.0 - EASED };
-    let step = 10f64.powf(eased.abs().log10().floor() - 2.0);
-    let steps = if up == (value > 0.0) { (eased.abs() / step).ceil() } else { (eased.abs() / step).floor() };
-    // The nearest number that is written with so many digits.
-    format!("{:.2e}", steps * step * value.signum()).parse().unwrap_or(eased)
+    if up {
+        rounded(value * (1.0 + EASED), 3, f64::ceil)
+    } else {
+        rounded(value * (1.0 - EASED), 3, f64::floor)
+    }
 }
 
 /// A muscle that does not fit.
@@ -349,9 +368,12 @@ impl Miss<'_> {
 
     /// Whether it fits a specification that is changed.
     fn fits(&self, changes: &[Relaxation]) -> bool {
+        if !self.proven {
+            return true;
+        }
         let mut changed = self.spec.clone();
         changes.iter().for_each(|change| change.apply(&mut changed));
-        !self.proven || fits(&changed, self.build, self.muscle)
+        fits(&changed, self.build, self.muscle)
     }
 
     /// The pressure that all points need, where nothing bounds it.
@@ -372,11 +394,7 @@ impl Miss<'_> {
         };
         let wide = |i: i32| high * (1.0 + 0.05 * f64::from(i));
         let first = (1..=40).find(|&i| does(wide(i)))?;
-        let (mut low, mut top) = (wide(first - 1), wide(first));
-        for _ in 0..30 {
-            let mid = 0.5 * (low + top);
-            if does(mid) { top = mid } else { low = mid }
-        }
+        let (_, top) = bisect(wide(first - 1), wide(first), 30, |d0| !does(d0));
         let outer_diameter_mm = three_digits(top, true);
         Some(((outer_diameter_mm / high).ln(), Relaxation::OuterDiameter { outer_diameter_mm }))
     }

@@ -3,7 +3,7 @@
 use crate::candidate::candidate;
 use crate::limit::{Probe, Score, probe, probe_with};
 use crate::line::STEPS;
-use crate::relax::relaxations;
+use crate::relax::{Kind, Misses};
 use crate::search::{Pick, SPARE, Search, SearchResult};
 use crate::trial::Trial;
 use crate::{Build, Candidate, Models, Reason, Rejected, Relaxation, Spec, SpecError};
@@ -31,8 +31,27 @@ pub struct Closest {
     /// Its measures and why it does not fit.
     pub rejected: Rejected,
     pub muscle: Muscle,
-    /// The smallest change of each kind with which a muscle of the search fits.
-    pub relaxations: Vec<Relaxation>,
+    /// The muscles of the search, those that miss by least first.
+    picks: Vec<Pick>,
+}
+
+impl Closest {
+    /// The smallest change of each kind with which a muscle of the search of `spec` fits, those that ask for least first.
+    pub fn relaxations(&self, spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> Vec<Relaxation> {
+        let spec = searched(spec, models);
+        Misses::new(&Search::new(&spec, models, progress), models.decides(), &self.picks).relaxations()
+    }
+
+    /// The largest share of what is wanted that one of these muscles gives; `None` where less of it does not help.
+    pub fn largest_share(&self, spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> Option<f64> {
+        let spec = searched(spec, models);
+        let search = Search::new(&spec, models, progress);
+        let pulls = Misses::new(&search, models.decides(), &self.picks).least(|kind| kind == Kind::Pull);
+        pulls.into_iter().find_map(|change| match change.1 {
+            Relaxation::Force { share, .. } => Some(share),
+            _ => None,
+        })
+    }
 }
 
 /// What muscles are ranked by differs by less than this share between the two models.
@@ -54,8 +73,7 @@ pub fn design(spec: &Spec, build: &Build<'_>) -> Result<Outcome, SpecError> {
 /// [`design`] with two models, which tells how far it is and can be ended before it is done.
 pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> Result<Outcome, SpecError> {
     spec.check()?;
-    let extrapolate = spec.extrapolate || models.settle.is_some();
-    let searched = Spec { extrapolate, ..spec.clone() };
+    let searched = searched(spec, models);
     let search = Search::new(&searched, models, progress);
     let mut result = search.run();
     if result.fits.is_empty()
@@ -67,7 +85,7 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
     }
     let candidates = settled(&search, models, &result);
     progress.check()?;
-    let decides = models.settle.unwrap_or(models.search);
+    let decides = models.decides();
     let fitted = result.fits.iter().map(|fit| fit.1).filter(|_| candidates.is_empty());
     let picks: Vec<Pick> = fitted.chain(result.misses.iter().map(|miss| miss.1)).collect();
     let reject = |pick: &Pick| {
@@ -86,17 +104,22 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
     let closest = misses.first().filter(|_| candidates.is_empty()).map(|(rejected, muscle)| Closest {
         rejected: rejected.clone(),
         muscle: muscle.clone(),
-        relaxations: relaxations(&search, decides, &picks),
+        picks: picks.clone(),
     });
     progress.check()?;
     let rejected = misses.into_iter().take(spec.top).map(|miss| miss.0).collect();
     Ok(Outcome { candidates, rejected, looked_at: (result.looked_at, result.fitted), closest })
 }
 
+/// What is searched: outside of the range of a model as well, where another one decides.
+fn searched(spec: &Spec, models: Models<'_>) -> Spec {
+    Spec { extrapolate: spec.extrapolate || models.settle.is_some(), ..spec.clone() }
+}
+
 /// The muscles that hold by the model that decides, best first.
 fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Vec<Candidate> {
     let spec = search.spec;
-    let build = models.settle.unwrap_or(models.search);
+    let build = models.decides();
     let one = |pick: &Pick| -> Option<Candidate> {
         if search.progress.cancelled() {
             return None;

@@ -181,7 +181,7 @@ impl<'a> Search<'a> {
 
     /// Holds one muscle of the search against the specification, by the model that `build` makes of it.
     fn sample(&self, pick: Pick, build: &Build<'_>, result: &mut SearchResult, scored: bool) -> Sample {
-        let none = Sample::none(pick.d0);
+        let none = Sample { x: pick.d0, excess: vec![], score: NO_SCORE };
         if self.progress.cancelled() {
             return none;
         }
@@ -244,15 +244,13 @@ impl<'a> Search<'a> {
                 return result;
             }
             // The infinitely long muscle pulls harder than a short one: where even it is far from its limits, no better model computes it.
-            let mut screened = SearchResult::default();
-            let sample = if self.screens {
-                self.sample(pick, THICK_WALL, &mut screened, true)
-            } else {
-                Sample::none(pick.d0)
-            };
-            if sample.violation().is_finite() && sample.violation() > FAR {
-                self.keep_miss(&sample, pick, &mut screened);
-                return screened;
+            if self.screens {
+                let mut screened = SearchResult::default();
+                let sample = self.sample(pick, THICK_WALL, &mut screened, true);
+                if sample.violation().is_finite() && sample.violation() > FAR {
+                    self.keep_miss(&sample, pick, &mut screened);
+                    return screened;
+                }
             }
             self.try_one(pick, self.build, &mut result);
             result

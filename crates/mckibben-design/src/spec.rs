@@ -2,7 +2,7 @@
 
 use crate::{Demand, OperatingPoint, TubePart};
 pub use mckibben::analysis::SAFETY;
-use mckibben::analysis::{Options, Safety};
+use mckibben::analysis::{Options, Safety, bisect};
 use mckibben::cancel::Cancelled;
 use mckibben::liquid::LiquidSupply;
 use mckibben::model::{ForceModel, ModelError, ModelKind};
@@ -133,11 +133,7 @@ pub struct Spec {
 
 /// z with erf(z/√2) = p, by bisection: p from 0.5 to 0.999.
 fn deviations(p: f64) -> f64 {
-    let (mut low, mut high) = (0.0, 4.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if erf(middle * std::f64::consts::FRAC_1_SQRT_2) < p { low = middle } else { high = middle }
-    }
+    let (low, high) = bisect(0.0, 4.0, 60, |z| erf(z * std::f64::consts::FRAC_1_SQRT_2) < p);
     0.5 * (low + high)
 }
 
@@ -251,6 +247,13 @@ pub struct Models<'a> {
     /// Decides of those that are printed: their diameters are corrected until the specification holds by it, and all their numbers
     /// are its. `None`: the model of the search.
     pub settle: Option<&'a Build<'a>>,
+}
+
+impl<'a> Models<'a> {
+    /// The model that decides.
+    pub fn decides(self) -> &'a Build<'a> {
+        self.settle.unwrap_or(self.search)
+    }
 }
 
 /// Why a specification cannot be searched at all.

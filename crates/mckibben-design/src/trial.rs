@@ -172,17 +172,15 @@ impl<'a> Trial<'a> {
     /// The pressure at which the end of the 95 % interval of the pull is what is wanted at every point, up to the highest.
     pub(super) fn sure_mpa(&mut self) -> Option<f64> {
         let widths = self.half_widths.replace(self.half_widths.unwrap_or(1.0));
-        let mut needs = 0.0_f64;
         let points = self.spec.points(self.muscle);
-        let mut all = points.iter().map(|q| {
+        let mut need = |q: &OperatingPoint| {
             let pull_n = self.strongest_n(q.contraction).ok()?;
             let is_sure = self.sure_n(self.highest_mpa, q.contraction, pull_n) / q.force_n >= 1.0;
-            needs = needs.max(if is_sure { self.need(q).ok()? } else { return None });
-            Some(())
-        });
-        let sure = all.all(|one| one.is_some());
+            if is_sure { self.need(q).ok() } else { None }
+        };
+        let needs: Option<Vec<f64>> = points.iter().map(&mut need).collect();
         self.half_widths = widths;
-        sure.then_some(needs)
+        needs?.into_iter().reduce(f64::max)
     }
 
     fn pull_mpa(&mut self, point: &OperatingPoint) -> Result<f64> {

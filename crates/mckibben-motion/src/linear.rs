@@ -3,6 +3,7 @@
 use crate::integrate::Equations;
 use crate::system::System;
 use crate::{Drive, MotionError, Result};
+use mckibben::analysis::bisect;
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 
@@ -117,11 +118,6 @@ impl Linear {
                 return None;
             }
         }
-        let (mut a, mut b) = (low, low * 1.05);
-        for _ in 0..60 {
-            let mid = 0.5 * (a + b);
-            if below(mid) { b = mid } else { a = mid }
-        }
-        Some(b)
+        Some(bisect(low, low * 1.05, 60, |f| !below(f)).1)
     }
 }

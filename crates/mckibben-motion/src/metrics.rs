@@ -2,6 +2,7 @@
 
 use crate::system::System;
 use crate::{Command, Drive, Motion, MotionEnd, Moves, StepFigures, Target};
+use mckibben::analysis::bisect;
 
 /// A point that was integrated.
 #[derive(Debug, Clone, Copy)]
@@ -56,12 +57,7 @@ impl Track {
                 let r = 1.0 - s;
                 x * r * r * (1.0 + 2.0 * s) + y * s * s * (3.0 - 2.0 * s) + k * s * r * r - l * s * s * r
             };
-            let (mut low, mut high) = (0.0, 1.0);
-            for _ in 0..60 {
-                let mid = 0.5 * (low + high);
-                if cubic(mid) * x > 0.0 { low = mid } else { high = mid }
-            }
-            return Some(a + h * high);
+            return Some(a + h * bisect(0.0, 1.0, 60, |s| cubic(s) * x > 0.0).1);
         }
         None
     }

@@ -8,7 +8,7 @@ import { typed } from "./units.js";
 export const KINDS_OF =
   /** @type {const} */ ({ r: "length", low: "angle", high: "angle", e0: "ratio", phi: "angle", K: "angular-stiffness",
     pmax: "pressure", mass: "mass", centre: "length", inertia: "inertia" });
-const USUAL = { r: 25, low: -60, high: 60, e0: 0.12, phi: 20, K: 5, pmax: 0.5, mass: 0, centre: 150, inertia: 0.03 };
+const USUAL = { r: 25, low: -60, high: 60, e0: 0.12, phi: 20, K: 8, pmax: 0.5, mass: 0, centre: 150, inertia: 0.03 };
 /** @typedef {keyof typeof KINDS_OF} Key */
 /** @typedef {typeof USUAL} Values in mm, degrees, ratio, N m/rad, MPa, kg, kg m² */
 export const KEYS = /** @type {Key[]} */ (Object.keys(KINDS_OF));

@@ -200,7 +200,7 @@ pub struct ClosestAnswer {
     pub rejected: RejectedAnswer,
     /// Changes with which a muscle of the search fits, the smallest of each kind; those that ask for least first.
     pub relaxations: Vec<RelaxationAnswer>,
-    /// Contractions beyond every braid of the search, and the angle that reaches them; a stiffer sleeve that fits.
+    /// Contractions beyond every braid of the search, and the angle that reaches them.
     pub hint: Option<String>,
 }
 

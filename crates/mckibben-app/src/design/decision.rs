@@ -3,7 +3,7 @@
 use super::CandidateAnswer;
 use crate::words::within;
 use crate::{Units, number, percent};
-use mckibben::units::Dimension;
+use mckibben::units::{Dimension, rounded, tidy};
 use mckibben_build::relief_mpa;
 use mckibben_design::{Candidate, Limit, Spec};
 
@@ -81,7 +81,7 @@ impl Decision<'_> {
 }
 
 fn show(kind: Dimension, value: f64) -> String {
-    Units::default().show(kind, number(value, 3).parse().unwrap_or(value))
+    Units::default().show(kind, tidy(value, 3))
 }
 
 /// The tube and the sleeve.
@@ -108,7 +108,7 @@ fn set(first: &Candidate) -> String {
         Some(below) => format!(
             "Set {}, relief valve at {relief}; allowed up to {}: {}",
             mpa(set_mpa),
-            mpa(highest_mpa),
+            mpa(rounded(highest_mpa, 3, f64::floor)),
             below.describe(mpa)
         ),
     }

@@ -25,11 +25,11 @@ use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben_design::{
-    Build, Candidate, CandidatePoint, Models, Outcome, Relaxation, Spec, Spread, Tolerances, design_joint,
-    design_with, fits, spread,
+    Build, Candidate, CandidatePoint, Models, Outcome, Spec, Spread, Tolerances, design_joint, design_with,
+    fits, spread,
 };
 use mckibben_report::Figure;
-use remedies::RelaxationAnswer;
+use remedies::{RelaxationAnswer, of_parts};
 use request::Search;
 
 /// Curves are drawn of so many candidates.
@@ -40,24 +40,15 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     if let Some(tolerances) = &request.tolerance {
         tolerances.check()?;
     }
-    let Search { spec, policy, radius_mm } = request.search()?;
-    // A mesh that one muscle has no room for is no reason against each of them.
-    policy.model.bound(&spec.base)?;
-    let (look, decide) = (|m: &Muscle| policy.look(m), |m: &Muscle| policy.model.bound(m));
-    let settle = policy.quick.as_ref().map(|_| &decide as &Build<'_>);
-    let models = Models { search: &look, settle };
-    let (spec, outcome) = match &radius_mm {
-        Some(radius_mm) => design_joint(&spec, radius_mm, models, progress)?,
-        None => design_with(&spec, models, progress).map(|outcome| (spec, outcome))?,
+    let single = Searched::run(request, progress)?;
+    let (several, Searched { spec, policy, outcome }) = match single.as_bundle(request, progress)? {
+        Some((several, bundle)) => (Some(several), bundle),
+        None => (None, single),
     };
+    let request = several.as_ref().unwrap_or(request);
+    let decide = |m: &Muscle| policy.model.bound(m);
     let tolerance = spreads(request.tolerance.as_ref(), &decide, &outcome)?;
     let winner = outcome.candidates.first();
-    if winner.is_none()
-        && request.count.is_none()
-        && let Some(bundle) = as_bundle(request, &outcome, progress)?
-    {
-        return Ok(bundle);
-    }
     let verification = match (request.verify, winner) {
         (Verify::Fe, Some(winner)) if winner.model != Model::FE.name() => Some(verified(&spec, winner)?),
         _ => None,
@@ -71,7 +62,8 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         Some(_) if spec.guaranteed.is_none() && !is_sure => {
             // Of a joint on the same pulley.
             let guaranteed = Spec { guaranteed: Some(0.95), top: 1, ..spec.clone() };
-            let sure = design_with(&guaranteed, models, &CancelOnly(progress))?;
+            let sure =
+                policy.with_models(|models| design_with(&guaranteed, models, &CancelOnly(progress)))?;
             sure.candidates.first().map(|c| CandidateAnswer::new(c, &guaranteed))
         }
         _ => None,
@@ -91,8 +83,13 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         warnings.extend(not_measured(&c.muscle, c.highest_pressure_mpa)?);
     }
     let closest = outcome.closest.as_ref().map(|closest| {
-        let parts = remedies::of_parts(request, &spec, models, closest, &CancelOnly(progress));
-        let changes = closest.relaxations.iter().cloned().chain(parts);
+        let progress = &CancelOnly(progress);
+        let changes = policy.with_models(|models| {
+            let mut changes = closest.relaxations(&spec, models, progress);
+            changes.extend(of_parts(request, &spec, models, closest, progress));
+            changes
+        });
+        let changes = changes.into_iter();
         let has_stroke = request.stroke_mm.is_some() && request.contraction.is_none();
         ClosestAnswer {
             rejected: (&closest.rejected).into(),
@@ -100,6 +97,12 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
             hint: out_of_reach(&spec),
         }
     });
+    let mut assumptions = assumed::assumptions(request, &spec);
+    if let Some(count) = several.as_ref().and_then(|several| several.count) {
+        let said =
+            format!("{count} equal muscles share what is required, because no single one does it (`count`)");
+        assumptions.insert(0, said);
+    }
     Ok(DesignAnswer {
         decision,
         model: policy.model.name().into(),
@@ -109,7 +112,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         searched: SearchedAnswer::new(&spec),
         liquid: spec.liquid.as_ref().map(|supply| supply.liquid.clone()),
         load: request.load.load.clone(),
-        assumptions: assumed::assumptions(request, &spec),
+        assumptions,
         looked_at: outcome.looked_at.0,
         fitting: outcome.looked_at.1,
         candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, &spec)).collect(),
@@ -130,34 +133,43 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
 /// Counts that are tried, as multiples of the least.
 const COUNTS: [f64; 4] = [1.0, 1.01, 1.5, 2.0];
 
-/// Where no single muscle meets what is required: as few side by side as do, and as the envelope has room for.
-fn as_bundle(
-    request: &DesignRequest,
-    outcome: &Outcome,
-    progress: &dyn Progress,
-) -> Result<Option<DesignAnswer>> {
-    let changes = outcome.closest.iter().flat_map(|closest| &closest.relaxations);
-    let share = changes.into_iter().find_map(|change| match change {
-        Relaxation::Force { share, .. } => Some(*share),
-        _ => None,
-    });
-    for multiple in COUNTS {
-        let Some(share) = share else { break };
-        let count = (multiple / share).ceil();
-        if count > f64::from(mckibben_design::bundle::MOST) {
-            break;
-        }
-        let several = DesignRequest { count: Some(count as u32), ..request.clone() };
-        let mut answer = design(&several, &CancelOnly(progress))?;
-        if !answer.candidates.is_empty() {
-            let said = format!(
-                "{count} equal muscles share what is required, because no single one does it (`count`)"
-            );
-            answer.assumptions.insert(0, said);
-            return Ok(Some(answer));
-        }
+/// A specification with its models and what was found.
+struct Searched {
+    spec: Spec,
+    policy: ModelPolicy,
+    outcome: Outcome,
+}
+
+impl Searched {
+    fn run(request: &DesignRequest, progress: &dyn Progress) -> Result<Self> {
+        let Search { spec, policy, radius_mm } = request.search()?;
+        // A mesh that one muscle has no room for is no reason against each of them.
+        policy.model.bound(&spec.base)?;
+        let (spec, outcome) = policy.with_models(|models| match &radius_mm {
+            Some(radius_mm) => design_joint(&spec, radius_mm, models, progress),
+            None => design_with(&spec, models, progress).map(|outcome| (spec, outcome)),
+        })?;
+        Ok(Self { spec, policy, outcome })
     }
-    Ok(None)
+
+    /// Where no single muscle meets what is required, and no number of them is given: as few side by side as do, and as the envelope has room for.
+    fn as_bundle(
+        &self,
+        request: &DesignRequest,
+        progress: &dyn Progress,
+    ) -> Result<Option<(DesignRequest, Self)>> {
+        let closest = self.outcome.closest.as_ref().filter(|_| request.count.is_none());
+        let share = self.policy.with_models(|models| closest?.largest_share(&self.spec, models, progress));
+        let counts = share.into_iter().flat_map(|share| COUNTS.map(|multiple| (multiple / share).ceil()));
+        for count in counts.take_while(|count| *count <= f64::from(mckibben_design::bundle::MOST)) {
+            let several = DesignRequest { count: Some(count as u32), ..request.clone() };
+            let bundle = Self::run(&several, &CancelOnly(progress))?;
+            if !bundle.outcome.candidates.is_empty() {
+                return Ok(Some((several, bundle)));
+            }
+        }
+        Ok(None)
+    }
 }
 
 /// The ± of the winner in words, at the point where it is largest.
@@ -242,6 +254,12 @@ pub(super) fn near_the_box(muscle: &Muscle) -> bool {
 }
 
 impl ModelPolicy {
+    /// Does something with the models of a search.
+    fn with_models<T>(&self, work: impl FnOnce(Models<'_>) -> T) -> T {
+        let (look, decide) = (|m: &Muscle| self.look(m), |m: &Muscle| self.model.bound(m));
+        work(Models { search: &look, settle: self.quick.as_ref().map(|_| &decide as &Build<'_>) })
+    }
+
     /// Name of the model that searches.
     pub(super) fn searches(&self) -> &str {
         self.quick.as_ref().map_or(&self.model, |quick| &quick.0).name()

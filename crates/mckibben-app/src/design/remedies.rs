@@ -3,6 +3,7 @@
 use super::assumed;
 use super::request::DesignRequest;
 use crate::{Units, number, percent};
+use mckibben::analysis::bisect;
 use mckibben::muscle::{Braid, BraidStiffness, Muscle};
 use mckibben::progress::Progress;
 use mckibben::sleeve::library;
@@ -58,9 +59,8 @@ pub(super) fn of_parts(
     closest: &Closest,
     progress: &dyn Progress,
 ) -> Vec<Relaxation> {
-    let decide = models.settle.unwrap_or(models.search);
     if assumed::is_paper(spec) {
-        return stiffer(spec, decide, &closest.muscle).into_iter().collect();
+        return stiffer(spec, models.decides(), &closest.muscle).into_iter().collect();
     }
     if spec.tubes.is_empty() || matches!(spec.wanted, Demand::Joint(_)) {
         return vec![];
@@ -99,12 +99,8 @@ fn stiffer(spec: &Spec, decide: &Build<'_>, muscle: &Muscle) -> Option<Relaxatio
             Braid { stiffness: BraidStiffness::NewtonPerMm(factor * paper), ..muscle.braid().clone() };
         muscle.with_braid(braid).is_ok_and(|stiff| fits(spec, decide, &stiff))
     };
-    let mut high = STIFFER.into_iter().find(|&factor| does(factor))?;
-    let mut low = 1.0;
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        *(if does(middle) { &mut high } else { &mut low }) = middle;
-    }
+    let high = STIFFER.into_iter().find(|&factor| does(factor))?;
+    let (_, high) = bisect(1.0, high, HALVINGS, |factor| !does(factor));
     Some(Relaxation::Stiffness { family_stiffness_n_per_mm: number(1.005 * high * paper, 3).parse().ok()? })
 }
 

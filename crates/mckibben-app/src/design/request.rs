@@ -2,13 +2,14 @@
 
 use super::assumed::SUPPLY_MPA;
 use super::{ModelPolicy, SearchedMuscles, near_the_box};
+use crate::parts::{sleeve_entries, unread, users_tubes};
 use crate::{
     LiquidFields, LoadFields, MeshFields, Model, ModelFields, MuscleFields, NamedFields, Problem,
     ProblemKind, Result, Stiffness, TextFile, Units, above_zero, finite, given, ratio, rubber, sleeve,
 };
 use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
 use mckibben::muscle::{Braid, Direction, Muscle, Tube};
-use mckibben::sleeve::{SleeveEntry, library};
+use mckibben::sleeve::SleeveEntry;
 use mckibben::{units::Values, warning::strand_strength_n};
 use mckibben_design::tubes::{self, TubePart};
 use mckibben_design::{
@@ -17,6 +18,7 @@ use mckibben_design::{
 pub use mckibben_design::{Objective as ObjectiveWord, OperatingPoint, TorqueWanted};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// A specification: required pulls at contractions with a maximum pressure. All other fields have a default.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -279,14 +281,12 @@ impl DesignRequest {
 
     /// The tubes that are searched.
     fn tubes(&self) -> Result<Vec<TubePart>> {
-        let problem = |e: tubes::TubeError| Problem::new(ProblemKind::Specification, e.to_string(), "");
-        let own = self.parts.as_ref().map(|file| tubes::read(&file.text)).transpose();
-        let own = own.map_err(|e| problem(e).in_field("parts"))?.filter(|tubes| !tubes.is_empty());
-        let all = match &own {
-            Some(own) => &own[..],
-            None => tubes::catalogue().map_err(problem)?,
+        let of_user = users_tubes(self.parts.as_ref())?;
+        let all = match &of_user {
+            Some(tubes) => &tubes[..],
+            None => tubes::catalogue().map_err(unread)?,
         };
-        if own.is_some() && self.tubes.is_empty() && self.rubbers.is_empty() {
+        if of_user.is_some() && self.tubes.is_empty() && self.rubbers.is_empty() {
             return Ok(all.to_vec());
         }
         let rubbers: Vec<String> = match &self.rubbers[..] {
@@ -299,15 +299,15 @@ impl DesignRequest {
                 None => Ok(vec![tubes::find(all, name)?]),
             };
             let named: std::result::Result<Vec<Vec<TubePart>>, _> = self.tubes.iter().map(of_name).collect();
-            return Ok(named.map_err(|e| problem(e).in_field("tubes"))?.concat());
+            return Ok(named.map_err(|e| unread(e).in_field("tubes"))?.concat());
         }
         let wanted = rubbers.iter().map(|name| Ok(rubber(name)?.name)).collect::<Result<Vec<_>>>()?;
         let sold =
             all.iter().filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)));
         let mut found: Vec<TubePart> = sold.cloned().collect();
-        if own.is_none() {
+        if of_user.is_none() {
             for name in &rubbers {
-                found.extend(tubes::cast_of(name).map_err(problem)?);
+                found.extend(tubes::cast_of(name).map_err(unread)?);
             }
         }
         Ok(found)
@@ -315,20 +315,20 @@ impl DesignRequest {
 
     /// The named sleeves, all of the library where parts are searched, or the base muscle's.
     fn sleeves(&self, base: &Muscle, as_sold: bool) -> Result<Vec<Braid>> {
-        let own = self.parts.as_ref().map(|file| library::read(&file.text)).transpose();
-        let own = own.map_err(|e| Problem::from(e).in_field("parts"))?.unwrap_or_default();
+        let entries = sleeve_entries(self.parts.as_ref())?;
+        let on_least = |entry: &SleeveEntry| Ok(entry.sleeve.on(entry.sleeve.diameters().0)?);
         if self.braids.is_empty() && as_sold {
-            let on_least = |entry: &SleeveEntry| Ok(entry.sleeve.on(entry.sleeve.diameters().0)?);
-            let all = if own.is_empty() { library::entries()? } else { &own };
-            return all.iter().map(on_least).collect();
+            return entries.iter().map(on_least).collect();
         }
         if self.braids.is_empty() {
             let own = base.braid().sleeve.is_some() && self.angle_deg.is_none();
             return Ok(if own { vec![base.braid().clone()] } else { vec![] });
         }
         let braid = |name: &String| {
-            if let Some(entry) = own.iter().find(|entry| entry.sleeve.name() == name) {
-                return Ok(entry.sleeve.on(entry.sleeve.diameters().0)?);
+            if let Cow::Owned(of_user) = &entries
+                && let Some(entry) = of_user.iter().find(|entry| entry.sleeve.name() == name)
+            {
+                return on_least(entry);
             }
             let mut fields = MuscleFields::from(NamedFields {
                 braid: Some(name.clone()),

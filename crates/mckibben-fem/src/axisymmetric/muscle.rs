@@ -8,6 +8,7 @@ use crate::element::strand::STRAND_POINTS;
 use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::continuation::TAUT;
 use crate::solver::newton::{NewtonOptions, NewtonSystem};
+use mckibben::analysis::bisect;
 use mckibben::model::{ForceModel, Ideal, Workspace};
 use std::f64::consts::PI;
 
@@ -125,17 +126,11 @@ impl body::Body for Body {
         let Some(endless) = &self.endless else { return Ok(0.0) };
         let pull = |e: f64| endless.force_n(&mut Workspace::new(), pressure, e).ok();
         let end = 1.2 * endless.muscle().max_ideal_contraction();
-        let (mut low, mut high) = (end.min(-0.05), end.max(0.05));
+        let (low, high) = (end.min(-0.05), end.max(0.05));
         if pull(low).is_none() {
             return Ok(0.0);
         }
-        for _ in 0..40 {
-            let middle = 0.5 * (low + high);
-            match pull(middle) {
-                Some(f) if f > force => low = middle,
-                _ => high = middle,
-            }
-        }
+        let (low, _) = bisect(low, high, 40, |e| pull(e).is_some_and(|f| f > force));
         // The ends take a share of the infinitely long muscle's contraction.
         Ok(0.85 * low)
     }

@@ -8,6 +8,11 @@ pub(super) fn convert(value: f64, (num, den): (f64, f64)) -> f64 {
 
 /// `v` rounded to so many significant decimal digits, where that is possible without overflow.
 pub fn tidy(v: f64, digits: i32) -> f64 {
+    rounded(v, digits, f64::round)
+}
+
+/// The same by another rule: `f64::floor` gives a number that is not above `v`, `f64::ceil` one that is not below.
+pub fn rounded(v: f64, digits: i32, round: fn(f64) -> f64) -> f64 {
     if v == 0.0 || !v.is_finite() {
         return v;
     }
@@ -16,5 +21,5 @@ pub fn tidy(v: f64, digits: i32) -> f64 {
         return v;
     }
     let scale = 10f64.powi(shift.abs());
-    if shift >= 0 { (v * scale).round() / scale } else { (v / scale).round() * scale }
+    if shift >= 0 { round(v * scale) / scale } else { round(v / scale) * scale }
 }

@@ -12,7 +12,7 @@ mod range;
 mod short;
 mod unit;
 
-pub use convert::tidy;
+pub use convert::{rounded, tidy};
 pub use dimension::Dimension;
 pub use name::NamedUnit;
 pub use quantity::{BOUNDS, QuantityError, parse_quantity, plausible};

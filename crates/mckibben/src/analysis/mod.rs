@@ -16,5 +16,5 @@ pub use error::{AnalysisError, Result};
 pub use evaluation::{Evaluation, Options, source_of};
 pub use golden::{Abscissa, golden};
 pub(crate) use inverse::{HIGHEST_PRESSURE_MPA, straight_strands};
-pub use root::find_root;
+pub use root::{bisect, find_root};
 pub(crate) use sweep::Sweep;

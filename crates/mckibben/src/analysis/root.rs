@@ -57,6 +57,20 @@ pub fn find_root<E>(
     Ok(Some(if fa.abs() < fb.abs() { a } else { b }))
 }
 
+/// An interval, halved so often, with its lower end where something holds and its upper end where it does not.
+pub fn bisect(
+    mut low: f64,
+    mut high: f64,
+    halvings: usize,
+    mut holds: impl FnMut(f64) -> bool,
+) -> (f64, f64) {
+    for _ in 0..halvings {
+        let middle = 0.5 * (low + high);
+        *(if holds(middle) { &mut low } else { &mut high }) = middle;
+    }
+    (low, high)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -8,7 +8,7 @@ use crate::muscle::Direction;
 /// Parts into which the pulls that give the torque are cut in search of the stiffness.
 const SCAN: usize = 40;
 /// Share of the pulls' range by which both muscles are kept taut at its ends.
-const TAUT: f64 = 1e-9;
+const TAUT: f64 = 1e-8;
 
 /// What a joint shall do.
 #[derive(Debug, Clone, Copy, PartialEq)]
