@@ -16,7 +16,10 @@ pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
     let sets = match muscles() {
         Ok(sets) => sets,
         // Measurements that are built in and cannot be read: a case that fails.
-        Err(error) => return Ok(vec![share_row(format!("measured muscles: {error}"), "", None, None)]),
+        Err(error) => {
+            let name = format!("measured muscles: {error}");
+            return Ok(vec![share_row(name, "", &ForceErrors::default(), Coverage::Calibrated)]);
+        }
     };
     let residuals =
         threads::map(&sets, |set| first_fit_residuals(set, set.friction_share(), by).unwrap_or_default());
@@ -40,22 +43,39 @@ pub(super) fn validated(row: VerificationRow, measure: Measure, error: Option<f6
     VerificationRow { kind: CaseKind::Validation, measure, error, ok, ..row }
 }
 
-/// The row of a share of points that are covered: within a tolerance of [`COVERAGE`], or at least that.
+/// How near the share of covered points must be to [`COVERAGE`].
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Coverage {
+    /// At least that.
+    Calibrated,
+    /// At least that, less what chance makes of so few points.
+    Least,
+    /// That, within 0.02 or what chance makes.
+    Exact,
+}
+
+/// The row of the share of some points that are covered.
 pub(super) fn share_row(
     name: String,
     source: &'static str,
-    share: Option<f64>,
-    tolerance: Option<f64>,
+    errors: &ForceErrors,
+    coverage: Coverage,
 ) -> VerificationRow {
-    let row = VerificationRow::new(name, source, COVERAGE, share, tolerance.unwrap_or(0.0));
-    let error =
-        |share: f64| if tolerance.is_some() { (share - COVERAGE).abs() } else { (COVERAGE - share).max(0.0) };
-    validated(row, Measure::Share, share.map(error))
+    let by_chance = 1.96 * (COVERAGE * (1.0 - COVERAGE) / errors.points.max(1) as f64).sqrt();
+    let tolerance = match coverage {
+        Coverage::Calibrated => 0.0,
+        Coverage::Least => by_chance,
+        Coverage::Exact => by_chance.max(0.02),
+    };
+    let off = errors.held.map(|share| COVERAGE - share);
+    let error = off.map(|off| if coverage == Coverage::Exact { off.abs() } else { off.max(0.0) });
+    let row = VerificationRow::new(name, source, COVERAGE, errors.held, tolerance);
+    validated(row, Measure::Share, error)
 }
 
 fn covered(set: &'static MuscleCase, errors: &ForceErrors, what: &str) -> VerificationRow {
     let name = format!("{}: {} {what} within the ± of fe", set.facts.title, errors.points);
-    share_row(name, &set.facts.source, errors.held, None)
+    share_row(name, &set.facts.source, errors, Coverage::Calibrated)
 }
 
 /// The rms error of a set's identified muscle at the means of the branches, beside its largest blocked force.

@@ -1,7 +1,7 @@
 //! The share of points held out of a fit that the ± of the fit covers.
 
 use super::case::{CaseFit, MuscleCase, muscles};
-use super::coverage::{COVERAGE, share_row};
+use super::coverage::{Coverage, share_row};
 use super::residual::{Fitter, ForceErrors, Residual, residuals};
 use crate::identify::{Identification, Result};
 use crate::measured::{DataPoint, mean_of_data};
@@ -11,8 +11,6 @@ use mckibben::verification::VerificationRow;
 
 /// Parts into which the points of a set are divided; each is held out of one fit.
 const PARTS: usize = 5;
-/// The share of points may differ by so much from the 95 % that the ± states.
-const TOLERANCE: f64 = 0.02;
 
 /// The points of a set that a fit is made to.
 pub fn fit_points(set: &MuscleCase, fit: &CaseFit) -> Vec<DataPoint> {
@@ -68,12 +66,10 @@ pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
     by.progress.check()?;
     let row = |(set, list): (&'static MuscleCase, Vec<Residual>)| {
         let errors = ForceErrors::new(list.iter());
-        // Of few points the share that is covered by chance scatters more.
-        let by_chance = 1.96 * (COVERAGE * (1.0 - COVERAGE) / errors.points.max(1) as f64).sqrt();
         let title = &set.facts.title;
         let name =
             format!("{title}: {} points held out of fits of fe, within the ± of the fit", errors.points);
-        share_row(name, &set.facts.source, errors.held, Some(TOLERANCE.max(by_chance)))
+        share_row(name, &set.facts.source, &errors, Coverage::Exact)
     };
     Ok(sets.into_iter().zip(residuals).map(row).collect())
 }

@@ -11,7 +11,7 @@
 pub mod case;
 pub mod coverage;
 pub mod held_out;
-pub mod lengths;
+pub mod left_out;
 pub mod library;
 pub mod pulses;
 mod read;
@@ -19,7 +19,6 @@ pub mod report;
 pub mod residual;
 pub mod rubber;
 mod stress;
-pub mod transfer;
 
 use crate::compare::compare;
 use crate::identify::{Build, Parameter, Request, Target, identify};
@@ -45,8 +44,7 @@ pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<Verifi
     let by = Fitter { build: elements, progress: &CancelOnly(progress) };
     rows.extend(coverage::cases(by)?);
     rows.extend(held_out::cases(by)?);
-    rows.extend(lengths::cases(by)?);
-    rows.extend(transfer::cases(elements));
+    rows.extend(left_out::cases(by)?);
     rows.extend(pulses::cases(&case::muscles().unwrap_or_default(), by));
     Ok(rows)
 }

@@ -174,7 +174,7 @@ impl Group {
 
 /// Points that are fitted in one go.
 #[derive(Clone, Copy)]
-pub(super) struct Training<'a> {
+struct Training<'a> {
     case: &'a MuscleCase,
     pub fit: &'a CaseFit,
     /// The points of the case, with the means of its branches.
@@ -185,11 +185,7 @@ pub(super) struct Training<'a> {
     outside: bool,
 }
 
-pub(super) fn trainings<'a>(
-    case: &'a MuscleCase,
-    fit: &'a CaseFit,
-    means: &'a [DataPoint],
-) -> Vec<Training<'a>> {
+fn trainings<'a>(case: &'a MuscleCase, fit: &'a CaseFit, means: &'a [DataPoint]) -> Vec<Training<'a>> {
     let all = Training { case, fit, means, low: f64::NEG_INFINITY, high: f64::INFINITY, outside: false };
     let each = |outside| {
         let values = all.values(means).into_iter();

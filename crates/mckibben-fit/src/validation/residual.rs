@@ -152,6 +152,9 @@ pub struct ForceErrors {
     /// Largest blocked force of the points in N.
     #[serde(skip)]
     pub blocked_n: f64,
+    /// Mean ± over it.
+    #[serde(skip)]
+    pub half_width_of_blocked: f64,
 }
 
 impl ForceErrors {
@@ -163,6 +166,7 @@ impl ForceErrors {
             out.bias_n += r.difference_n;
             out.largest_n = out.largest_n.max(r.difference_n.abs());
             out.blocked_n = out.blocked_n.max(r.blocked_n);
+            out.half_width_of_blocked += r.half_width_n.unwrap_or(0.0);
             judged += usize::from(r.covered().is_some());
             held += usize::from(r.covered() == Some(true));
         }
@@ -170,6 +174,7 @@ impl ForceErrors {
         let rms_n = (squares / n).sqrt();
         let rms_of_blocked = if out.points > 0 { rms_n / out.blocked_n } else { 0.0 };
         let held = (judged > 0).then(|| held as f64 / judged as f64);
-        Self { rms_n, bias_n: out.bias_n / n, rms_of_blocked, held, ..out }
+        let half_width_of_blocked = out.half_width_of_blocked / (judged.max(1) as f64 * out.blocked_n);
+        Self { rms_n, half_width_of_blocked, bias_n: out.bias_n / n, rms_of_blocked, held, ..out }
     }
 }

@@ -144,6 +144,21 @@ impl Muscle {
         same.then_some(bench)
     }
 
+    /// The lowest pressure in MPa of the bench that its constants come from, also where the muscle was changed since; 0 without one.
+    pub(crate) fn identified_from_mpa(&self) -> f64 {
+        self.bench.as_deref().map_or(0.0, |bench| bench.pressure_mpa.0)
+    }
+
+    /// Whether its constants were identified from another specimen: by somebody else, or of a muscle that differs by more than its length.
+    pub(crate) fn has_constants_of_another(&self) -> bool {
+        self.laboratory().is_some() || self.differs_from_identified()
+    }
+
+    /// Whether it differs by more than its length from the muscle that its constants were identified from.
+    pub(crate) fn differs_from_identified(&self) -> bool {
+        self.bench.is_some() && self.bench_of_lengths().is_none()
+    }
+
     /// |D0/L0 − mean of D0/L| of a muscle that differs from the identified one by its length alone, L the lengths at which it was identified. `None` of
     /// every other muscle, and at one of these lengths.
     pub fn off_identified_lengths(&self) -> Option<f64> {

@@ -266,7 +266,7 @@ impl Muscle {
             return Some("[identified] is valid for the lengths that were measured, and this muscle has another one: the ± is that of a muscle without test data, with a part for the other length; identify it again".to_owned());
         }
         (self.bench.is_some() && self.bench().is_none()).then(|| {
-            "[identified] is valid for the muscle and the table as `identify` wrote them, and one of them was changed: the ± is that of a muscle without test data; identify it again".to_owned()
+            "[identified] is valid for the muscle and the table as `identify` wrote them, and one of them was changed: the ± has a part for another specimen; identify it again".to_owned()
         })
     }
 

@@ -25,10 +25,15 @@
 //!   the range's width: squares are weighted by 1 − x and x, x from 0 at the edge to 1. Nowhere, and at no other length, is the ± of that muscle below the
 //!   scatter.
 //!
-//! - `transfer`, beside the others, of constants that somebody else identified from a specimen of the same product ([`Muscle::laboratory`]): a share of
-//!   the blocked force at the same pressure, which the pulls of the same hose with other fittings, measured in two laboratories, give.
+//! - `transfer`, beside the others, of constants that were identified from another specimen: by somebody else ([`Muscle::laboratory`]), or of a muscle that
+//!   differs by more than its length. A share of the blocked force at the same pressure, which the pulls of the same hose with other fittings, measured in
+//!   two laboratories, give. Of a law that locks, `rubber` then has what its limit makes, against a neo-Hookean rubber of the same modulus: the limit that
+//!   the pull of one muscle gives is not that of its rubber.
 //! - `length_transfer`, beside the others, of a muscle whose constants were identified at other lengths ([`Muscle::off_identified_lengths`]): a share of the
 //!   blocked force at the same pressure, in proportion to |Δ(D0/L0)|, which the three lengths of a DMSP-10 hose give.
+//!
+//! Below the lowest pressure of the bench that the constants come from, the blocked force of `measured`, `transfer` and `length_transfer` is that at this
+//! pressure: what a sleeve takes up before it pulls is an error of the pressure, which does not vanish with it.
 //!
 //! a, b and c come from five sets of measured muscles (hand-made, 20° and 30°; DMSP-20-300; DMSP-10-250; DMSP-10 hose in three lengths), each
 //! with its rubber (and, of the three bought ones, the angle) identified from its own points: they hold at least 95 % of the points of
@@ -88,7 +93,7 @@ const IDENTIFIED: f64 = 0.06;
 const ELEMENTS: &str = "fe";
 
 /// What is known of every ± besides the model's own part, in a sentence.
-const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.42 times shear modulus times wall section, which cover 95 % of the points of each of five sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; braid: what the factor makes within which the stiffness of the strands is known, by thick-wall; data sheets: 20 % of the pressure's share of the pull, P ∂F/∂P, of a muscle in a named sleeve, by which pulls that were predicted from stated dimensions were off; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; on a selected branch of a muscle that does not, the estimated half-width, 0.085 of the pull of its strands along the axis, which covers 95 % of single branches of each of two braided muscles by the constant of the other one, of one laboratory; fit: in the place of all of these on the bench that the muscle was identified from, and nowhere below the scatter of its points, with friction beside it where they do not state both branches or their means; another length: 8.3 |Δ(D0/L0)| of the blocked force beside them where the muscle was identified at other lengths, which covers 95 % of the points of each of three lengths of one hose by the constants of each other one; another specimen: 24 % of the blocked force beside them where somebody else identified the muscle (`laboratory`), which covers 95 % of the points that two laboratories measured of one product; all parts add as squares; no muscle is known whose tube and sleeve are stated as sold and whose pull was published, so that no set tests a prediction from data sheets alone";
+const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.42 times shear modulus times wall section, which cover 95 % of the points of each of five sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; braid: what the factor makes within which the stiffness of the strands is known, by thick-wall; data sheets: 20 % of the pressure's share of the pull, P ∂F/∂P, of a muscle in a named sleeve, by which pulls that were predicted from stated dimensions were off; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; on a selected branch of a muscle that does not, the estimated half-width, 0.085 of the pull of its strands along the axis, which covers 95 % of single branches of each of two braided muscles by the constant of the other one, of one laboratory; fit: in the place of all of these on the bench that the muscle was identified from, and nowhere below the scatter of its points, with friction beside it where they do not state both branches or their means; another length: 8.3 |Δ(D0/L0)| of the blocked force beside them where the muscle was identified at other lengths, which covers 95 % of the points of each of three lengths of one hose by the constants of each other one; another specimen: 24 % of the blocked force beside them where somebody else identified the muscle (`laboratory`), or it differs by more than its length, which covers 95 % of the points that two laboratories measured of one product, and, with what the limit of its rubber makes, of two hand-made muscles of 20° and 30° by the constants of each other; below the lowest pressure of the bench the shares are of the blocked force there; all parts add as squares; no muscle is known whose tube and sleeve are stated as sold and whose pull was published, so that no set tests a prediction from data sheets alone";
 
 /// How the parts of a ± are known, in a sentence.
 pub fn basis_of(accuracy: &Accuracy) -> String {
@@ -119,7 +124,7 @@ pub struct UncertaintyParts {
     pub friction: Option<f64>,
     /// The bench that the muscle was identified from, against the fit.
     pub fit: Option<f64>,
-    /// Another specimen of the same product, with other fittings, against the one that was identified.
+    /// Another specimen, with other fittings or another angle, against the one that was identified.
     pub transfer: Option<f64>,
     /// Another length of the muscle against those that were identified.
     pub length_transfer: Option<f64>,
@@ -216,13 +221,13 @@ impl Evaluation<'_> {
     ) -> Option<UncertaintyParts> {
         let muscle = self.model.muscle();
         let own = Pull { evaluation: self, pressure_mpa, contraction, force_n }.of_specimen()?;
-        let transfer = muscle.laboratory().map(|_| TRANSFER);
+        let transfer = muscle.has_constants_of_another().then_some(TRANSFER);
         let length = muscle.off_identified_lengths().map(|off| LENGTH * off);
         // A formula of a bought muscle was held against measured pulls.
         if is_of_product(self.model) || transfer.is_none() && length.is_none() {
             return Some(own);
         }
-        let blocked = self.blocked_n(pressure_mpa)?;
+        let blocked = self.blocked_n(pressure_mpa.max(muscle.identified_from_mpa()))?;
         let of_blocked = |share: f64| share * blocked;
         Some(UncertaintyParts {
             transfer: transfer.map(of_blocked),
@@ -326,6 +331,7 @@ impl<'a> Pull<'_, 'a> {
         }
         let (p, e, muscle) = (self.pressure_mpa, self.contraction, self.model().muscle());
         let blocked = self.evaluation.blocked_n(p)?;
+        let measured_blocked = self.evaluation.blocked_n(p.max(muscle.identified_from_mpa()))?;
         let shifts = Shifts::of(self.evaluation.workspace, muscle, (p, e));
         // The mesh has no friction.
         let force_n = self.force_n - self.evaluation.friction_n(p, e).unwrap_or(0.0);
@@ -338,7 +344,7 @@ impl<'a> Pull<'_, 'a> {
                 let response = ThickWall::new(muscle).response(self.evaluation.workspace, p, e).ok()?;
                 Some(DATA_SHEET * p * response.force_per_pressure_mm2?)
             }),
-            measured: Some(measured_n(muscle, blocked, e)),
+            measured: Some(measured_n(muscle, measured_blocked, e)),
             friction: Some(self.evaluation.friction_uncertainty_n(p, e, blocked)),
             friction_known: self.evaluation.friction_known(),
             ..UncertaintyParts::default()

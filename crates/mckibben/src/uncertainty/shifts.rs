@@ -6,6 +6,7 @@
 use crate::model::{ForceModel, ThickWall, Workspace};
 use crate::muscle::{Braid, BraidStiffness, Muscle, Rubber, Tube};
 use crate::rubber::library::{is_known_from_one_axis, of_equal_standing, stiffness_factor};
+use crate::rubber::{Law, NeoHookean, RubberLaw};
 
 /// Share of the stiffness of a rubber that is known from one axis.
 pub const ONE_AXIS: f64 = 0.19;
@@ -28,7 +29,11 @@ impl Shifts {
     pub fn of(workspace: &mut Workspace, muscle: &Muscle, (pressure_mpa, contraction): (f64, f64)) -> Self {
         let own = &muscle.tube().rubber;
         let both = |factor: f64| if factor > 1.0 { vec![factor, 1.0 / factor] } else { vec![] };
-        let laws = of_equal_standing(own, muscle.reach());
+        let mut laws = of_equal_standing(own, muscle.reach());
+        if muscle.differs_from_identified() && own.law.locks_at().is_some() {
+            let law = Law::NeoHookean(NeoHookean { mu_mpa: own.law.shear_modulus_mpa() });
+            laws.push(Rubber { name: None, law, ..own.clone() });
+        }
         let one_axis: Vec<f64> = is_known_from_one_axis(own).then_some(1.0 + ONE_AXIS).into_iter().collect();
         let stand_in = both(stiffness_factor(own));
         let stiffness = muscle.family_stiffness_n_per_mm();

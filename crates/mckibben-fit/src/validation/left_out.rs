@@ -1,0 +1,106 @@
+//! Left out of a fit: one fifth of the pressures, one length, one angle or one specimen, predicted by the constants of the others.
+//!
+//! The ± is that of the muscle as `identify` writes it: outside of its bench, and with the parts for another length (`length_transfer`) and for
+//! another specimen (`transfer`). It covers at least 95 % of the points that were left out, less what chance makes of so few.
+
+use super::case::{CaseFit, MuscleCase, muscles};
+use super::coverage::{Coverage, share_row};
+use super::library::library;
+use super::residual::{Fitter, ForceErrors, Residual, residuals};
+use crate::identify::Build;
+use crate::measured::{DataPoint, distinct, mean_of_data, same};
+use mckibben::cancel::Cancelled;
+use mckibben::muscle::{Braid, Muscle};
+use mckibben::threads;
+use mckibben::verification::VerificationRow;
+
+/// Parts into which the pressures of a set are divided.
+const PARTS: usize = 5;
+
+/// The share of the points that are left out of fits to the others that the ± covers.
+pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
+    let sets = muscles().unwrap_or_default();
+    let rows = threads::map(&sets, |set| rows(set, by).unwrap_or_default());
+    by.progress.check()?;
+    Ok(rows.into_iter().flatten().chain(specimens(by.build)).collect())
+}
+
+/// Each part of the pressures of a set by the others; each length by the others, and by each other one.
+fn rows(set: &'static MuscleCase, by: Fitter<'_>) -> Option<Vec<VerificationRow>> {
+    let fit = set.fits.first()?;
+    let points = means(set);
+    let parts = |value: &dyn Fn(&DataPoint) -> f64, parts: usize| -> Vec<(f64, Vec<DataPoint>)> {
+        let values = distinct(points.iter().map(value));
+        let of_part = |part: &[f64]| {
+            let is_in = |p: &&DataPoint| part.iter().any(|v| same(*v, value(p)));
+            (part[0], points.iter().filter(is_in).copied().collect())
+        };
+        values.chunks(values.len().div_ceil(parts).max(1)).map(of_part).collect()
+    };
+    let predicted = |fitted: &[DataPoint], left_out: &[DataPoint]| -> Option<Vec<Residual>> {
+        let muscle = fitted.first()?.section.apply(&fit.muscle).ok()?;
+        let identified = by.identified(&CaseFit { muscle, ..fit.clone() }, fitted).ok()?;
+        Some(residuals(by.build, &identified.with_bench(), &left_out.iter().collect::<Vec<_>>(), 0.0))
+    };
+    let others = |parts: &[(f64, Vec<DataPoint>)], i: usize| {
+        let others = parts.iter().enumerate().filter(|(j, _)| *j != i);
+        others.flat_map(|(_, part)| part.1.clone()).collect::<Vec<DataPoint>>()
+    };
+    let by_pressure = parts(&|p| p.at.pressure_mpa, PARTS);
+    let left_out = by_pressure.iter().enumerate();
+    let left_out = left_out.filter_map(|(i, part)| predicted(&others(&by_pressure, i), &part.1));
+    let mut rows = vec![row(set, "the other pressures", &left_out.flatten().collect::<Vec<_>>())];
+    let by_length = parts(&|p| p.section.length_mm.unwrap_or(fit.muscle.length_mm()), usize::MAX);
+    for (i, (length, left_out)) in by_length.iter().enumerate().filter(|_| by_length.len() > 1) {
+        for (j, (from, of_length)) in by_length.iter().enumerate() {
+            let (from, fitted) = if i == j {
+                ("the other lengths".to_owned(), others(&by_length, i))
+            } else {
+                (format!("{from} mm"), of_length.clone())
+            };
+            rows.push(row(set, &format!("{from}, of {length} mm"), &predicted(&fitted, left_out)?));
+        }
+    }
+    Some(rows)
+}
+
+fn means(set: &MuscleCase) -> Vec<DataPoint> {
+    let mut means = mean_of_data(&set.points);
+    means.retain(|p| p.at.direction().is_mean());
+    means
+}
+
+fn row(set: &'static MuscleCase, from: &str, residuals: &[Residual]) -> VerificationRow {
+    let errors = ForceErrors::new(residuals.iter());
+    let (title, points, width) = (&set.facts.title, errors.points, 100.0 * errors.half_width_of_blocked);
+    let name = format!(
+        "{title}: {points} points by fe with the constants of {from}, within the ± ({width:.1} % of the blocked force)"
+    );
+    share_row(name, &set.facts.source, &errors, Coverage::Least)
+}
+
+/// Every ordered pair of muscles of the library that are one product (specimen, fittings, gauge and zero of the length differ) or siblings of another
+/// angle: the constants of one, with the length or the angle of the other, against the points of the other.
+fn specimens(build: &Build<'_>) -> Vec<VerificationRow> {
+    let all = library().unwrap_or_default();
+    let pairs = all.iter().flat_map(|from| all.iter().map(move |to| (from, to)));
+    let specimen =
+        |((from, muscle), (to, other)): (&(&MuscleCase, &Muscle), &(&'static MuscleCase, &Muscle))| {
+            let is_product = from.facts.product.is_some();
+            let is_sibling = is_product || muscle.tube().outer_diameter_mm == other.tube().outer_diameter_mm;
+            if from.facts.name == to.facts.name || from.facts.product != to.facts.product || !is_sibling {
+                return None;
+            }
+            let braid = if is_product { muscle.braid() } else { other.braid() };
+            let muscle =
+                muscle.with_braid(Braid { angle_deg: braid.angle_deg, ..muscle.braid().clone() }).ok()?;
+            let mut points = means(to);
+            // They state their length or have that of their muscle.
+            for point in &mut points {
+                point.section.length_mm.get_or_insert(other.length_mm());
+            }
+            let points: Vec<&DataPoint> = points.iter().collect();
+            Some(row(to, &from.facts.title, &residuals(build, &muscle, &points, 0.0)))
+        };
+    pairs.filter_map(specimen).collect()
+}
