@@ -52,14 +52,12 @@ fn rows(set: &'static MuscleCase, by: Fitter<'_>) -> Option<Vec<VerificationRow>
     let mut rows = vec![row(set, "the other pressures", &left_out.flatten().collect::<Vec<_>>())];
     let by_length = parts(&|p| p.section.length_mm.unwrap_or(fit.muscle.length_mm()), usize::MAX);
     for (i, (length, left_out)) in by_length.iter().enumerate().filter(|_| by_length.len() > 1) {
-        for (j, (from, of_length)) in by_length.iter().enumerate() {
-            let (from, fitted) = if i == j {
-                ("the other lengths".to_owned(), others(&by_length, i))
-            } else {
-                (format!("{from} mm"), of_length.clone())
-            };
-            rows.push(row(set, &format!("{from}, of {length} mm"), &predicted(&fitted, left_out)?));
-        }
+        let of_length =
+            |from: &str, residuals: &[Residual]| row(set, &format!("{from}, of {length} mm"), residuals);
+        rows.push(of_length("the other lengths", &predicted(&others(&by_length, i), left_out)?));
+        let each = by_length.iter().filter(|(from, _)| from != length);
+        let each = each.filter_map(|(_, fitted)| predicted(fitted, left_out)).flatten();
+        rows.push(of_length("each other length", &each.collect::<Vec<_>>()));
     }
     Some(rows)
 }
@@ -79,28 +77,28 @@ fn row(set: &'static MuscleCase, from: &str, residuals: &[Residual]) -> Verifica
     share_row(name, &set.facts.source, &errors, Coverage::Least)
 }
 
-/// Every ordered pair of muscles of the library that are one product (specimen, fittings, gauge and zero of the length differ) or siblings of another
-/// angle: the constants of one, with the length or the angle of the other, against the points of the other.
+/// The constants of each muscle of the library, with the length or the angle of another that is the same product (specimen, fittings, gauge and zero
+/// of the length differ) or a sibling of another angle, against the points of the other.
 fn specimens(build: &Build<'_>) -> Vec<VerificationRow> {
-    let all = library().unwrap_or_default();
-    let pairs = all.iter().flat_map(|from| all.iter().map(move |to| (from, to)));
-    let specimen =
-        |((from, muscle), (to, other)): (&(&MuscleCase, &Muscle), &(&'static MuscleCase, &Muscle))| {
-            let is_product = from.facts.product.is_some();
-            let is_sibling = is_product || muscle.tube().outer_diameter_mm == other.tube().outer_diameter_mm;
-            if from.facts.name == to.facts.name || from.facts.product != to.facts.product || !is_sibling {
-                return None;
-            }
-            let braid = if is_product { muscle.braid() } else { other.braid() };
-            let muscle =
-                muscle.with_braid(Braid { angle_deg: braid.angle_deg, ..muscle.braid().clone() }).ok()?;
-            let mut points = means(to);
-            // They state their length or have that of their muscle.
-            for point in &mut points {
-                point.section.length_mm.get_or_insert(other.length_mm());
-            }
-            let points: Vec<&DataPoint> = points.iter().collect();
-            Some(row(to, &from.facts.title, &residuals(build, &muscle, &points, 0.0)))
-        };
+    let (all, sets) = (library().unwrap_or_default(), muscles().unwrap_or_default());
+    let pairs = all.into_iter().flat_map(|from| sets.iter().map(move |to| (from, *to)));
+    let specimen = |((from, muscle), to): ((&MuscleCase, &Muscle), &'static MuscleCase)| {
+        let other = &to.fits.first()?.muscle;
+        let is_product = from.facts.product.is_some();
+        let is_sibling = is_product || muscle.tube().outer_diameter_mm == other.tube().outer_diameter_mm;
+        if from.facts.name == to.facts.name || from.facts.product != to.facts.product || !is_sibling {
+            return None;
+        }
+        let braid = if is_product { muscle.braid() } else { other.braid() };
+        let muscle =
+            muscle.with_braid(Braid { angle_deg: braid.angle_deg, ..muscle.braid().clone() }).ok()?;
+        let mut points = means(to);
+        // They state their length or have that of their muscle.
+        for point in &mut points {
+            point.section.length_mm.get_or_insert(other.length_mm());
+        }
+        let points: Vec<&DataPoint> = points.iter().collect();
+        Some(row(to, &from.facts.title, &residuals(build, &muscle, &points, 0.0)))
+    };
     pairs.filter_map(specimen).collect()
 }

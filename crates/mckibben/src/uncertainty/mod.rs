@@ -82,10 +82,6 @@ pub const STIFFNESS_WAY: f64 = 0.37;
 /// DMSP-10 muscles of one laboratory by the constants from the other one, in both directions.
 const TRANSFER: f64 = 0.24;
 
-/// What the constants of one length err by at another one, over the blocked force, for each unit of |Δ(D0/L0)|: with it the ± holds 95 % of the points
-/// of each length of a DMSP-10 hose by the constants of each other one.
-const LENGTH: f64 = 8.3;
-
 /// What identification from 10 points leaves, over the blocked force: 4 to 10 % of four measured muscles.
 const IDENTIFIED: f64 = 0.06;
 
@@ -222,7 +218,7 @@ impl Evaluation<'_> {
         let muscle = self.model.muscle();
         let own = Pull { evaluation: self, pressure_mpa, contraction, force_n }.of_specimen()?;
         let transfer = muscle.has_constants_of_another().then_some(TRANSFER);
-        let length = muscle.off_identified_lengths().map(|off| LENGTH * off);
+        let length = muscle.off_identified_lengths().filter(|_| transfer.is_none()).map(|off| TRANSFER * off);
         // A formula of a bought muscle was held against measured pulls.
         if is_of_product(self.model) || transfer.is_none() && length.is_none() {
             return Some(own);
