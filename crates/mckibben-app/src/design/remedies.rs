@@ -34,6 +34,9 @@ impl RelaxationAnswer {
             let mm = (spec.base.length_mm() / share).ceil();
             text += &format!("; or keep the stroke with a length of {mm} mm");
         }
+        if let Demand::Joint(joint) = &spec.wanted {
+            text += &format!(", with a pulley of radius {} mm (`radius_mm`)", number(joint.radius_mm, 5));
+        }
         Self { change, text }
     }
 }
