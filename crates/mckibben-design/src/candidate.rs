@@ -109,9 +109,10 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
         let pressure_mpa = trial.need(point)?;
         let (mut response, filled) = trial.full_response(pressure_mpa, point.contraction)?;
         response.pressure_mpa = pressure_mpa;
-        if spec.guaranteed.is_none() {
-            response.force_n = point.force_n;
-        }
+        response.force_n = match spec.guaranteed {
+            None => point.force_n,
+            Some(_) => trial.evaluation().force_n(pressure_mpa, point.contraction)?,
+        };
         from_thick_wall.extend(filled);
         let (stroke, helped) = trial.stroke(pressure_mpa, point.contraction);
         if helped {

@@ -5,7 +5,7 @@ use crate::trial::{Below, Trial};
 use crate::{Build, Objective, OperatingPoint, Spec};
 use mckibben::model::{ModelError, ThickWall};
 use mckibben::muscle::Muscle;
-use mckibben::units::Dimension;
+use mckibben::units::{Dimension, rounded};
 use serde::{Deserialize, Serialize};
 
 /// A kind of limit.
@@ -67,9 +67,10 @@ impl Check {
             Limit::Force => {
                 let mpa = |p| show(Dimension::Pressure, p);
                 let below = self.by.map_or_else(String::new, |below| format!("; {}", below.describe(mpa)));
+                let pull = rounded(value, 3, f64::floor).max(value.trunc());
                 format!(
                     "{} at {} and {} %, {} required{below}",
-                    show(Dimension::Force, if value * bound > 0.0 { value.trunc() } else { 0.0 }),
+                    show(Dimension::Force, if value * bound > 0.0 { pull } else { 0.0 }),
                     mpa(self.pressure_mpa),
                     round(100.0 * self.contraction),
                     show(Dimension::Force, bound)

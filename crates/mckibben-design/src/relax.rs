@@ -260,7 +260,8 @@ impl Miss<'_> {
     /// The kinds of change that may do alone: where one kind of limit is missed, and of a muscle that is `near` a shorter way where several are.
     fn kinds(&self, trial: &Trial<'_>, probe: &Probe, near: bool) -> Vec<Kind> {
         let mut missed = probe.checks.iter().filter(|c| c.excess() > 0.0).map(|c| c.limit);
-        let Some(first) = missed.next() else { return vec![] };
+        // What fits by the thick-wall model is too weak by the one that decides.
+        let first = missed.next().unwrap_or(Limit::Force);
         let alone = missed.all(|limit| limit == first);
         let by_pressure = match trial.below {
             None => Some(Kind::Supply),
@@ -307,7 +308,8 @@ impl Miss<'_> {
                     }
                     Ok::<f64, ModelError>(1.0 - least)
                 };
-                let share = find_root(missed, 0.0, 1.0, if weak { EASED } else { ROUGH }).ok()??;
+                let share = find_root(missed, 0.0, 1.0, if weak { EASED } else { ROUGH }).ok()?;
+                let share = share.or(probe.fits().then_some(1.0))?;
                 let share = if weak { share } else { share - ROUGH };
                 let share = three_digits(share * way, false) / way;
                 let points = wanted.shorter(share).points(length_mm).into_owned();

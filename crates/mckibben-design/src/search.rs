@@ -240,7 +240,8 @@ impl<'a> Search<'a> {
                 s: part.wall_mm,
             };
             // A sleeve that does not go over a tube makes no muscle.
-            if self.muscle(pick).is_err() || self.progress.cancelled() {
+            result.invalid = self.muscle(pick).err();
+            if result.invalid.is_some() || self.progress.cancelled() {
                 return result;
             }
             // The infinitely long muscle pulls harder than a short one: where even it is far from its limits, no better model computes it.

@@ -3,7 +3,7 @@
 use crate::analysis::{FailureMode, NoBurst, SAFETY};
 use crate::model::{Response, ThickWall};
 use crate::muscle::{Muscle, Rubber};
-use crate::units::short_numbers;
+use crate::units::{rounded, short_numbers};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 
@@ -67,12 +67,13 @@ impl Warning {
 
     /// Of a pressure in MPa above the allowed one, which keeps its distance from a failure; from none where the fittings are rated for it.
     pub fn above_allowed(pressure_mpa: f64, allowed_mpa: f64, by: Option<FailureMode>) -> Self {
+        let allowed = rounded(allowed_mpa, 4, f64::floor);
         let reason = by.map_or_else(
-            || format!("the fittings are rated for {allowed_mpa:.3} MPa"),
+            || format!("the fittings are rated for {allowed} MPa"),
             |by| {
                 let factor = SAFETY * by.share();
                 format!(
-                    "the allowed pressure is {allowed_mpa:.3} MPa, since {by} at {:.3} MPa (safety factor {factor})",
+                    "the allowed pressure is {allowed} MPa, since {by} at {:.3} MPa (safety factor {factor})",
                     allowed_mpa * factor
                 )
             },

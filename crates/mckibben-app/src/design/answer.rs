@@ -366,7 +366,7 @@ pub(super) fn out_of_reach(spec: &Spec) -> Option<String> {
     let most = |angle: f64| 1.0 - 1.0 / (3f64.sqrt() * angle.to_radians().cos());
     let points = spec.wanted.points(spec.length_mm.as_ref().map_or(spec.base.length_mm(), |l| l.bounds().1));
     let wanted = points.iter().map(|q| q.contraction).fold(0.0, f64::max);
-    if wanted < most(smallest) {
+    if wanted < most(smallest) || spec.wanted.extends() {
         return None;
     }
     let cos = 1.0 / (3f64.sqrt() * (1.0 - wanted));

@@ -9,10 +9,14 @@ use mckibben_design::{BraidChoice, Spec};
 /// Pressure of a supply in MPa where none is given: that of a usual workshop.
 pub(super) const SUPPLY_MPA: f64 = 0.6;
 
-/// Whether the length is an assumption.
-pub(super) fn length_is(request: &DesignRequest) -> bool {
-    let says = request.length_mm.is_some() || request.stroke_mm.is_some() && request.contraction.is_some();
-    !says && request.muscle.is_none()
+/// What would state the length, where it is an assumption.
+pub(super) fn length_by(request: &DesignRequest) -> Option<&'static str> {
+    let by = match (request.stroke_mm, request.contraction) {
+        (Some(_), Some(_)) => return None,
+        (Some(_), None) => "`length_mm`",
+        (None, _) => "`length_mm` or `stroke_mm`",
+    };
+    (request.length_mm.is_none() && request.muscle.is_none()).then_some(by)
 }
 
 /// What was assumed, in sentences.
@@ -23,7 +27,7 @@ pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
             "the supply gives {SUPPLY_MPA} MPa, because no pressure is given (`max_pressure_mpa`)"
         ));
     }
-    if length_is(request) {
+    if length_by(request).is_some() {
         let length_mm = number(spec.base.length_mm(), 5);
         let named = "(`length_mm`, or a muscle file)";
         out.push(format!("the length L0 is {length_mm} mm, because none is given {named}"));

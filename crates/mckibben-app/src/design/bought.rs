@@ -78,7 +78,7 @@ fn one(request: &DesignRequest, spec: &Spec, muscle: &Muscle) -> Option<BoughtAn
         return None;
     }
     let (model, w) = (Model::FE.build(&muscle).ok()?, &mut Workspace::new());
-    let mut model = Evaluation::new(&*model, w, held.options().direction);
+    let mut model = Evaluation::new(&*model, w, held.options());
     let mut at = |q: &OperatingPoint| {
         let force_n = model.force_n(max_pressure_mpa, q.contraction).ok()?;
         let parts = model.uncertainty(max_pressure_mpa, q.contraction, force_n)?;

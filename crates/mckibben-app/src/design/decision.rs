@@ -10,8 +10,8 @@ use mckibben_design::{Candidate, Limit, Spec};
 /// What muscles are chosen among, for the lines of the decision.
 pub(super) struct Decision<'a> {
     pub(super) spec: &'a Spec,
-    /// Whether their length was assumed.
-    pub(super) is_length_assumed: bool,
+    /// What states their length, where it was assumed.
+    pub(super) length_by: Option<&'static str>,
     pub(super) candidates: &'a [Candidate],
     /// Where none of them is sure: the best that is.
     pub(super) to_be_sure: Option<&'a CandidateAnswer>,
@@ -31,7 +31,7 @@ impl Decision<'_> {
             String::new()
         };
         let length = show(Dimension::Length, first.muscle.length_mm());
-        let assumed = if self.is_length_assumed { " (assumed: `length_mm` or `stroke_mm`)" } else { "" };
+        let assumed = self.length_by.map_or_else(String::new, |by| format!(" (assumed: {by})"));
         format!("Take {many}{}, {length} between the terminals{assumed}", parts(first))
     }
 
@@ -102,13 +102,16 @@ fn parts(c: &Candidate) -> String {
 fn set(first: &Candidate) -> String {
     let mpa = |p| show(Dimension::Pressure, p);
     let (set_mpa, highest_mpa) = (first.pressure_mpa, first.highest_pressure_mpa);
-    let relief = mpa(relief_mpa(set_mpa, highest_mpa));
+    // What is typed as printed is allowed.
+    let digits = if tidy(set_mpa, 3) > highest_mpa { 4 } else { 3 };
+    let most_mpa = rounded(highest_mpa, 4, f64::floor);
+    let at_most = |p: f64| Units::default().show(Dimension::Pressure, p.min(most_mpa));
+    let [set, relief] = [set_mpa, relief_mpa(set_mpa, highest_mpa)].map(|p| at_most(tidy(p, digits)));
     match first.below {
-        None => format!("Set {}, relief valve at {relief}", mpa(set_mpa)),
+        None => format!("Set {set}, relief valve at {relief}"),
         Some(below) => format!(
-            "Set {}, relief valve at {relief}; allowed up to {}: {}",
-            mpa(set_mpa),
-            mpa(rounded(highest_mpa, 3, f64::floor)),
+            "Set {set}, relief valve at {relief}; allowed up to {}: {}",
+            at_most(most_mpa),
             below.describe(mpa)
         ),
     }

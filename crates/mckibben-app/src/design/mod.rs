@@ -70,7 +70,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     };
     let decision = Decision {
         spec: &spec,
-        is_length_assumed: assumed::length_is(request),
+        length_by: assumed::length_by(request),
         candidates: &outcome.candidates,
         to_be_sure: to_be_sure.as_ref(),
     };
@@ -78,7 +78,8 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     let supply_mpa = spec.max_pressure_mpa;
     let mut warnings = winner.map_or_else(|| not_checked(&outcome, supply_mpa), answer::warnings);
     let bundle = bundle::of_winner(request, &decide, winner);
-    warnings.extend(bundle.as_ref().and_then(BundleAnswer::warning));
+    // Where no pitch is given they touch just where they are required to pull.
+    warnings.extend(bundle.as_ref().filter(|_| request.pitch_mm.is_some()).and_then(BundleAnswer::warning));
     if let Some(c) = winner {
         warnings.extend(not_measured(&c.muscle, c.highest_pressure_mpa)?);
     }
@@ -90,10 +91,9 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
             changes
         });
         let changes = changes.into_iter();
-        let has_stroke = request.stroke_mm.is_some() && request.contraction.is_none();
         ClosestAnswer {
             rejected: (&closest.rejected).into(),
-            relaxations: changes.map(|change| RelaxationAnswer::new(change, &spec, has_stroke)).collect(),
+            relaxations: changes.map(|change| RelaxationAnswer::new(change, &spec, request)).collect(),
             hint: out_of_reach(&spec),
         }
     });
@@ -178,7 +178,7 @@ fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<U
     let half = |q: &CandidatePoint| q.uncertainty_n.unwrap_or(0.0);
     let response = winner.points.iter().max_by(|a, b| half(a).total_cmp(&half(b)))?.response;
     let (model, workspace) = (build(&winner.muscle).ok()?, &mut Workspace::new());
-    let mut model = Evaluation::new(&*model, workspace, spec.options().direction);
+    let mut model = Evaluation::new(&*model, workspace, spec.options());
     let parts = model.uncertainty(response.pressure_mpa, response.contraction, response.force_n);
     Some(UncertaintyWords::at(parts, &mut model, response.pressure_mpa))
 }

@@ -7,11 +7,11 @@ use mckibben::analysis::bisect;
 use mckibben::muscle::{Braid, BraidStiffness, Muscle};
 use mckibben::progress::Progress;
 use mckibben::sleeve::library;
-use mckibben::units::Dimension;
-use mckibben_design::tubes::cast_of;
+use mckibben::units::{Dimension, rounded};
 use mckibben_design::{
     BraidChoice, Build, Closest, Demand, Lift, Models, OperatingPoint, Relaxation, Spec, design_with, fits,
 };
+use mckibben_design::{bundle::envelope_ratio, tubes::cast_of};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -26,16 +26,17 @@ pub struct RelaxationAnswer {
 }
 
 impl RelaxationAnswer {
-    /// Of a specification, where a stroke may set the contraction.
-    pub(super) fn new(change: Relaxation, spec: &Spec, has_stroke: bool) -> Self {
-        let mut text = text(&change, &spec.wanted);
-        let length_mm = match &change {
-            Relaxation::Contraction { share, .. } if has_stroke => {
-                Some((spec.base.length_mm() / share).ceil())
-            }
-            _ => None,
-        };
-        text.extend(length_mm.map(|mm| format!("; or keep the stroke with a length of {mm} mm")));
+    /// Of a specification, where a stroke may set the contraction, in the numbers of its request: of all muscles together, and of the circle around them.
+    pub(super) fn new(change: Relaxation, spec: &Spec, request: &DesignRequest) -> Self {
+        let mut text = text(&change, spec, request.max_envelope_mm.map(|_| envelope_ratio(spec.count)));
+        let stroke = (request.stroke_mm, request.contraction);
+        if let (Relaxation::Contraction { share, .. }, (Some(_), None)) = (&change, stroke) {
+            let mm = (spec.base.length_mm() / share).ceil();
+            text += &format!("; or keep the stroke with a length of {mm} mm");
+        }
+        if let Demand::Joint(joint) = &spec.wanted {
+            text += &format!(", with a pulley of radius {} mm (`radius_mm`)", number(joint.radius_mm, 5));
+        }
         Self { change, text }
     }
 }
@@ -104,11 +105,13 @@ fn stiffer(spec: &Spec, decide: &Build<'_>, muscle: &Muscle) -> Option<Relaxatio
     Some(Relaxation::Stiffness { family_stiffness_n_per_mm: number(1.005 * high * paper, 3).parse().ok()? })
 }
 
-fn text(change: &Relaxation, wanted: &Demand) -> String {
+/// With the ratio of the circle around them where that is limited.
+fn text(change: &Relaxation, spec: &Spec, envelope_ratio: Option<f64>) -> String {
+    let (wanted, count) = (&spec.wanted, f64::from(spec.count));
     let show = |kind, value| Units::default().show(kind, value);
     let points = |points: &[OperatingPoint]| {
         let one = |q: &OperatingPoint| {
-            format!("{} at {}", show(Dimension::Force, q.force_n), percent(q.contraction))
+            format!("{} at {}", show(Dimension::Force, count * q.force_n), percent(q.contraction))
         };
         points.iter().map(one).collect::<Vec<_>>().join(" and ")
     };
@@ -122,7 +125,7 @@ fn text(change: &Relaxation, wanted: &Demand) -> String {
             Demand::Load { .. } => format!("reduce the load to {} of it", percent(*share)),
             Demand::Joint(joint) => {
                 let torques = joint.torques.iter().map(|t| {
-                    format!("{} N m at ±{}°", number(share * t.torque_nm, 3), number(t.angle_deg, 4))
+                    format!("{} N m at ±{}°", number(count * share * t.torque_nm, 5), number(t.angle_deg, 4))
                 });
                 format!("reduce the torque to {}", torques.collect::<Vec<_>>().join(" and "))
             }
@@ -137,7 +140,12 @@ fn text(change: &Relaxation, wanted: &Demand) -> String {
             format!("take an outer diameter of {}", show(Dimension::Length, *outer_diameter_mm))
         }
         Relaxation::MaxBulgedDiameter { bulged_diameter_mm } => {
-            format!("allow a bulged diameter of {}", show(Dimension::Length, *bulged_diameter_mm))
+            let envelope = |ratio| {
+                let mm = rounded(ratio * bulged_diameter_mm, 4, f64::ceil);
+                format!(" (an envelope of {})", show(Dimension::Length, mm))
+            };
+            let envelope = envelope_ratio.map(envelope).unwrap_or_default();
+            format!("allow a bulged diameter of {}{envelope}", show(Dimension::Length, *bulged_diameter_mm))
         }
         Relaxation::MaxStretch { max_stretch } => format!("allow a stretch of {max_stretch}"),
         Relaxation::MaxStrandStrain { strand_strain } => {
@@ -160,7 +168,7 @@ fn text(change: &Relaxation, wanted: &Demand) -> String {
             )
         }
         Relaxation::Together { changes } => {
-            let all = changes.iter().map(|change| text(change, wanted));
+            let all = changes.iter().map(|change| text(change, spec, envelope_ratio));
             all.collect::<Vec<_>>().join(", and together with that ")
         }
     }

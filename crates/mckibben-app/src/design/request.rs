@@ -181,7 +181,7 @@ impl DesignRequest {
         };
         let named = |(name, good)| Ok::<_, Problem>((Model::named(name, &[], &MeshFields::default())?, good));
         let policy = ModelPolicy { quick: quick.map(named).transpose()?, model };
-        let free = self.free_sizes(sections.is_some());
+        let free = self.free_sizes(sections.is_some(), extends);
         let tubes = match free {
             None => self.tubes()?,
             Some(by) => {
@@ -264,7 +264,7 @@ impl DesignRequest {
     }
 
     /// What asks for free sizes, in place of tubes and sleeves as sold.
-    fn free_sizes(&self, of_one_braid: bool) -> Option<&'static str> {
+    fn free_sizes(&self, of_one_braid: bool, extends: bool) -> Option<&'static str> {
         let given = [
             ("`continuous`", self.continuous),
             ("`muscle`", self.muscle.is_some()),
@@ -275,6 +275,7 @@ impl DesignRequest {
             ("`stiffness`", self.stiffness.is_some()),
             // A formula for one braid and rubber has no answer for others.
             ("a formula for one braid", of_one_braid),
+            ("a push", extends),
         ];
         given.into_iter().find(|(_, given)| *given).map(|(by, _)| by)
     }

@@ -4,6 +4,7 @@ use crate::{
     Args, Bar, Format, NO_ANSWER, Problem, Units, burst_first, check_ending, each, emit, in_flags, listed,
     number, pairs, place, said, save, tabled, value,
 };
+use mckibben::units::rounded;
 use mckibben_app::{CandidateAnswer, ClosestAnswer, DesignAnswer, RejectedAnswer};
 use mckibben_design::Spread;
 use serde_json::Value;
@@ -116,9 +117,13 @@ fn wanted(row: &Value, u: &Units) -> String {
 
 /// The pulley between the muscles, and the joint file that goes with them.
 fn joint(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
-    let Some(j) = answer.candidates.first().and_then(|c| c.joint) else { return String::new() };
+    let Some((j, count)) = answer.candidates.first().and_then(|c| Some((c.joint?, c.count))) else {
+        return String::new();
+    };
+    let share = if count > 1 { format!(" (its torque is that of one of {count})") } else { String::new() };
     let angle = number(j.largest_angle_deg, 4);
-    let neutral = number(100.0 * j.contraction_at_neutral, 5);
+    // Not below its length at rest at the largest angle.
+    let neutral = number(rounded(100.0 * j.contraction_at_neutral, 5, f64::ceil), 5);
     // A joint file names its muscles relative to itself: it goes beside them.
     let name = file.and_then(Path::file_name).map(Path::new);
     let (name, where_to) = match name {
@@ -129,7 +134,7 @@ fn joint(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     let muscle =
         |i: u8| format!("[muscle_{i}]\nfile = \"{written}\"\ncontraction_at_neutral = \"{neutral}%\"\n");
     format!(
-        "\nThe first muscle on a pulley of radius {}, both muscles contracted by {neutral} % at the neutral angle. As a joint file, {where_to}:\n\n[joint]\nradius = \"{} mm\"\nrange = \"-{angle}..{angle} deg\"\n\n{}\n{}",
+        "\nThe first muscle on a pulley of radius {}, both muscles contracted by {neutral} % at the neutral angle. As a joint file{share}, {where_to}:\n\n[joint]\nradius = \"{} mm\"\nrange = \"-{angle}..{angle} deg\"\n\n{}\n{}",
         u.length.show(j.radius_mm),
         number(j.radius_mm, 5),
         muscle(1),
@@ -229,6 +234,7 @@ fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
         1 => "A muscle fits with this change:\n",
         _ => "A muscle fits with any of these changes, the smallest first:\n",
     };
-    let changes = closest.relaxations.iter().map(|change| format!("  - {}\n", u.sentence(&change.text)));
+    let changes =
+        closest.relaxations.iter().map(|change| format!("  - {}\n", in_flags(&u.sentence(&change.text))));
     out + &changes.collect::<String>()
 }
