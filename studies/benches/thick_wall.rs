@@ -1,10 +1,10 @@
 //! The thick-wall model: one muscle built, one pull, one inverse; and a design over a fine grid.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use mckibben_design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design};
 use mckibben::model::{ForceModel, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::units::Values;
+use mckibben_design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design};
 use std::hint::black_box;
 
 fn points(c: &mut Criterion) {

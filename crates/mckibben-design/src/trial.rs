@@ -74,7 +74,7 @@ impl<'a> Trial<'a> {
             match burst_below(&*model, safety.strands.max(safety.tube).max(1.0) * spec.max_pressure_mpa) {
                 Ok(failures) => failures,
                 Err(AnalysisError::Model(error @ ModelError::Cancelled(_))) => return Err(error),
-                Err(_) => Burst::unknown(NoBurst::NoAnswer),
+                Err(_) => Burst::unknown(NoBurst::NO_ANSWER),
             };
         let burst = Burst { safety, ..failures };
         let allowed = burst.allowed().map(|(mpa, by)| match by {
