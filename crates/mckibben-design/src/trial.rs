@@ -113,7 +113,7 @@ impl<'a> Trial<'a> {
             let mut bears = |p: f64| match self.strand_strain(p, e) {
                 Ok(strain) => Ok(strain.is_none_or(|strain| strain <= bound)),
                 // Where they stretch further there is no answer at all.
-                Err(ModelError::Overstretched { .. } | ModelError::NoEquilibrium { .. }) => Ok(false),
+                Err(ModelError::Overstretched { .. } | ModelError::NoEquilibrium(_)) => Ok(false),
                 Err(error) => Err(error),
             };
             if bears(high)? {

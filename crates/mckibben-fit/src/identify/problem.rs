@@ -137,7 +137,7 @@ impl<'a> Problem<'a> {
                 Quantity::Pressure => at_measured_pull(m, w, point, offset)?.pressure_mpa - p,
                 Quantity::Volume => {
                     let inside = Evaluation::new(m, w, branch).response(p, e)?.volume_mm3;
-                    let none = || ModelError::NoVolume { model: m.info().name.to_string() };
+                    let none = || ModelError::NoVolume(m.info().name.to_string());
                     inside.ok_or_else(none)? + candidate.dead_volume_mm3
                         - point.volume_mm3.unwrap_or_default()
                 }

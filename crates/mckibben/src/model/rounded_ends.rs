@@ -32,7 +32,10 @@ pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let cot2 = (braid.cos / braid.sin).powi(2);
     let least_mm = 2.0 * braid.r0 * cot2;
     if braid.length <= least_mm {
-        return Err(ModelError::TooShort { model: ENTRY.name, length_mm: braid.length, least_mm });
+        return Err(ModelError::TooShort(format!(
+            "the {} model needs a muscle longer than {least_mm:.1} mm (its outer diameter times cot² of its braid angle); this one is {} mm: its ends would take up more than the middle gives",
+            ENTRY.name, braid.length
+        )));
     }
     // The λm at which the whole length no longer grows with that of the middle: dr/dλ = −r0 cotθ0 c/√(1−c²) with c = λ cosθ0 is −L0/2.
     let t = 0.5 * braid.length * braid.sin / (braid.r0 * braid.cos);
@@ -106,7 +109,7 @@ mod tests {
     #[test]
     fn muscles_too_short_and_vanished_middles_are_refused() {
         let least = 30.0 / 28f64.to_radians().tan().powi(2);
-        assert!(matches!(build(&long(0.99 * least)), Err(ModelError::TooShort { .. })));
+        assert!(matches!(build(&long(0.99 * least)), Err(ModelError::TooShort(_))));
         let model = build(&long(1.01 * least)).unwrap();
         assert!(model.force_n(&mut Workspace::new(), 0.2, 0.0).is_ok());
         assert!(matches!(model.force_n(&mut Workspace::new(), 0.2, 0.8), Err(ModelError::Geometry { .. })));

@@ -143,7 +143,7 @@ impl<M: ForceModel + ?Sized> Seated<M> {
                     *value = self.ends.whole(*value, displacement);
                 }
             }
-            ModelError::NoEquilibrium { reason } | ModelError::Stopped { reason, .. } => {
+            ModelError::NoEquilibrium(reason) | ModelError::Stopped { reason, .. } => {
                 reason.push_str(" (contractions of the muscle between its ends, which give way)");
             }
             ModelError::Overstretched { contraction, .. }

@@ -132,8 +132,7 @@ impl Blocked<'_> {
             };
             if p < 1e-9 {
                 // Not even without pressure.
-                let none =
-                    ModelError::NoEquilibrium { reason: "the blocked muscle has no equilibrium".into() };
+                let none = ModelError::NoEquilibrium("the blocked muscle has no equilibrium".into());
                 return Err(refused.unwrap_or_else(|| none.into()));
             }
         }
