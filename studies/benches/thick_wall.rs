@@ -1,10 +1,10 @@
 //! The thick-wall model: one muscle built, one pull, one inverse; and a design over a fine grid.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use mckibben_design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design};
 use mckibben::model::{ForceModel, ModelKind, ThickWall, Workspace};
-use mckibben::muscle::Muscle;
+use mckibben::muscle::{Direction, Muscle};
 use mckibben::units::Values;
+use mckibben_design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design};
 use std::hint::black_box;
 
 fn points(c: &mut Criterion) {
@@ -31,6 +31,8 @@ fn grids(c: &mut Criterion) {
     ] {
         let spec = Spec {
             wanted: vec![OperatingPoint { force_n: 700.0, contraction: 0.15 }].into(),
+            count: 1,
+            direction: Direction::Mean,
             max_pressure_mpa: 0.25,
             base: Muscle::prototype(),
             outer_diameter_mm: diameters,

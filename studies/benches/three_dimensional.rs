@@ -10,7 +10,9 @@ use mckibben::muscle::file::read_muscle;
 use mckibben_fem::simulation::Divided;
 use mckibben_fem::solver::body::Body as _;
 use mckibben_fem::solver::continuation::Continuation;
+use mckibben_fem::solver::trail::Trail;
 use mckibben_fem::three_dimensional::{BrickSpec, Match, MuscleInBricks, MuscleMesh, Ring, ThreeDimensional};
+use mckibben_studies::increment;
 use std::hint::black_box;
 
 /// The muscle of the comparison with other programs.
@@ -32,9 +34,9 @@ fn muscle(through: usize, around: usize) -> Continuation<MuscleInBricks> {
 /// The path of the peers, increment by increment.
 fn walk(c: &mut Continuation<MuscleInBricks>, targets: &[(f64, f64)]) -> f64 {
     c.body.rest();
-    let half = c.body.mesh.tube.half_mm;
+    let (half, mut trail) = (c.body.mesh.tube.half_mm, Trail::default());
     for &(contraction, pressure) in targets {
-        c.increment(pressure, -contraction * half).unwrap();
+        increment(c, &mut trail, pressure, -contraction * half).unwrap();
     }
     c.pull()
 }

@@ -30,7 +30,7 @@ pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst, 
     let failures = match burst(model) {
         Ok(failures) => failures,
         Err(AnalysisError::Model(ModelError::Cancelled(cancelled))) => return Err(cancelled.into()),
-        Err(_) => Burst::unknown(NoBurst::NoAnswer),
+        Err(_) => Burst::unknown(NoBurst::NO_ANSWER),
     };
     cancel::check()?;
     let mut list = list();

@@ -187,7 +187,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
             };
             let errors = errors_of(&mut evaluation, &points, &volumes)?;
             if points.is_empty() && errors.volume_points == 0 {
-                return Err(ModelError::NoVolume { model: bound.info().name.to_string() }.into());
+                return Err(ModelError::NoVolume(bound.info().name.to_string()).into());
             }
             let row = ComparedModel::new(errors, &fitted);
             Ok((Compared { row, model: bound, workspace }, points))

@@ -1,9 +1,10 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
 use crate::{Background, LoadFields, Problem, ProblemKind, QuestionFields, Result, above_zero, given, ratio};
-use mckibben::liquid::{Liquid, LiquidError, LiquidSupply};
+use mckibben::liquid::{Liquid, LiquidSupply};
 use mckibben::load::{Fill, FillError, Filling};
 use mckibben::progress::Progress;
+use mckibben::refused::Refused;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -84,9 +85,12 @@ impl LiquidFields {
     /// The liquid, water where no other one is named, with its dead volume.
     pub(crate) fn supply(&self) -> Result<LiquidSupply> {
         let name = self.liquid.as_deref().unwrap_or("water");
-        let mut liquid = Liquid::named(name, self.gas_share.unwrap_or(0.0))?;
+        let wrong = |error: Refused| {
+            Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field(error.fields[0])
+        };
+        let mut liquid = Liquid::named(name, self.gas_share.unwrap_or(0.0)).map_err(wrong)?;
         if let Some(modulus) = self.liquid_bulk_modulus_mpa {
-            liquid = liquid.with_bulk_modulus(modulus)?;
+            liquid = liquid.with_bulk_modulus(modulus).map_err(wrong)?;
         }
         let dead_volume_mm3 = match self.dead_volume_mm3 {
             None | Some(0.0) => 0.0,
@@ -108,11 +112,5 @@ impl LiquidFields {
         Problem::refuse_unused(&given, "it belongs to `liquid`, and none is given")
             .map_err(|problem| problem.with_hint("give `liquid`: water, oil or glycol"))?;
         Ok(None)
-    }
-}
-
-impl From<LiquidError> for Problem {
-    fn from(error: LiquidError) -> Self {
-        Self::new(ProblemKind::Quantity, error.to_string(), "").in_field(error.field)
     }
 }

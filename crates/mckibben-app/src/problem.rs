@@ -299,7 +299,7 @@ impl From<ModelError> for Problem {
                 };
                 Self::new(ProblemKind::MissingInput, message, hint)
             }
-            ModelError::Elements { .. } => Self::new(ProblemKind::Mesh, message, ""),
+            ModelError::Elements(_) => Self::new(ProblemKind::Mesh, message, ""),
             ModelError::Cancelled(cancelled) => cancelled.into(),
             ModelError::NotConverged { .. } | ModelError::Stopped { .. } => {
                 Self::new(ProblemKind::NotConverged, message, "")

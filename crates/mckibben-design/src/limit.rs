@@ -170,7 +170,7 @@ pub(super) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe, M
             if pumped {
                 let amount = trial.stroke(p, point.contraction).0.map(|s| s.amount);
                 if let Some(bound) = most_liquid {
-                    let unknown = || ModelError::NoVolume { model: trial.model.info().name.to_string() };
+                    let unknown = || ModelError::NoVolume(trial.model.info().name.to_string());
                     checks.push(Check::new(Limit::LiquidVolume, amount.ok_or_else(unknown)?, bound));
                 }
                 fluid = fluid.max(amount.unwrap_or(f64::INFINITY));

@@ -74,7 +74,7 @@ impl<'a> Trial<'a> {
             match burst_below(&*model, safety.strands.max(safety.tube).max(1.0) * spec.max_pressure_mpa) {
                 Ok(failures) => failures,
                 Err(AnalysisError::Model(error @ ModelError::Cancelled(_))) => return Err(error),
-                Err(_) => Burst::unknown(NoBurst::NoAnswer),
+                Err(_) => Burst::unknown(NoBurst::NO_ANSWER),
             };
         let burst = Burst { safety, ..failures };
         let allowed = burst.allowed().map(|(mpa, by)| match by {
@@ -113,7 +113,7 @@ impl<'a> Trial<'a> {
             let mut bears = |p: f64| match self.strand_strain(p, e) {
                 Ok(strain) => Ok(strain.is_none_or(|strain| strain <= bound)),
                 // Where they stretch further there is no answer at all.
-                Err(ModelError::Overstretched { .. } | ModelError::NoEquilibrium { .. }) => Ok(false),
+                Err(ModelError::Overstretched { .. } | ModelError::NoEquilibrium(_)) => Ok(false),
                 Err(error) => Err(error),
             };
             if bears(high)? {

@@ -170,10 +170,10 @@ impl From<FemError> for ModelError {
                 Self::Geometry { contraction, lowest: -1.0, highest: 1.0 }
             }
             FemError::Path { status, .. } => Self::Stopped { status, reason: error.to_string() },
-            FemError::Refused(_) | FemError::Large(_) => Self::Elements { reason: error.to_string() },
+            FemError::Refused(_) | FemError::Large(_) => Self::Elements(error.to_string()),
             FemError::Cancelled(cancelled) => Self::Cancelled(cancelled),
             FemError::Force { .. } | FemError::OutOfReach { .. } | FemError::Ends { .. } => {
-                Self::NoEquilibrium { reason: error.to_string() }
+                Self::NoEquilibrium(error.to_string())
             }
         }
     }

@@ -51,35 +51,27 @@ pub struct StretchAt {
     pub rest_mm: [f64; 2],
 }
 
-/// A stretch with the volume of rubber that has it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct StretchOf {
-    pub(crate) at: StretchAt,
-    pub(crate) volume: f64,
-}
-
 /// Share of the rubber's volume that is stretched further than what is called the largest stretch.
 const BEYOND: f64 = 0.01;
 
-/// The stretch below which 99 % of the volume lies: at the bonded corner the largest of all grows without bound as the mesh gets finer.
-pub(crate) fn largest_of_most(mut list: Vec<StretchOf>) -> StretchAt {
-    list.sort_by(|a, b| b.at.value.total_cmp(&a.at.value));
-    let beyond = BEYOND * list.iter().map(|s| s.volume).sum::<f64>();
+/// Of stretches with the volume of rubber that has each, the one below which 99 % of the volume lies: at the bonded corner the largest of all grows without bound as the mesh gets finer.
+pub(crate) fn largest_of_most(mut list: Vec<(StretchAt, f64)>) -> StretchAt {
+    list.sort_by(|a, b| b.0.value.total_cmp(&a.0.value));
+    let beyond = BEYOND * list.iter().map(|s| s.1).sum::<f64>();
     let mut sum = 0.0;
-    let mut last: Option<(f64, StretchOf)> = None;
-    for s in list {
+    let mut last: Option<(f64, StretchAt)> = None;
+    for (at, volume) in list {
         // A sample represents its volume, half of which is stretched further.
-        let share = sum + 0.5 * s.volume;
-        sum += s.volume;
+        let share = sum + 0.5 * volume;
+        sum += volume;
         if share >= beyond {
-            let Some((before, larger)) = last else { return s.at };
+            let Some((before, larger)) = last else { return at };
             let t = (beyond - before) / (share - before);
-            let value = larger.at.value + t * (s.at.value - larger.at.value);
-            return StretchAt { value, ..s.at };
+            return StretchAt { value: larger.value + t * (at.value - larger.value), ..at };
         }
-        last = Some((share, s));
+        last = Some((share, at));
     }
-    last.map_or(StretchAt { value: 1.0, rest_mm: [0.0; 2] }, |(_, s)| s.at)
+    last.map_or(StretchAt { value: 1.0, rest_mm: [0.0; 2] }, |(_, at)| at)
 }
 
 /// A node of a deformed body, for pictures and files: places have `N` components, its stress `M`.

@@ -6,7 +6,7 @@ use crate::solver::curve::{Curve, CurvePoint, Test};
 use crate::{FemError, Result};
 use mckibben::cancel::{self, Cancelled};
 use mckibben::model::{Response, Seated, Workspace};
-use mckibben::muscle::{EndState, Ends, InnerPull, Muscle};
+use mckibben::muscle::{EndState, Ends, Muscle};
 
 /// The elements themselves where `muscle` does not describe its ends, else the whole muscle; `model` is of [`Muscle::between_ends`].
 pub fn with_ends(muscle: &Muscle, model: Box<dyn Simulation>) -> Box<dyn Simulation> {
@@ -46,12 +46,7 @@ fn between(muscle: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<f64> {
     let state = muscle.solve_ends(w, p, e, |w, x| {
         let point = inner(muscle, w, p, x, Detail::Tangent);
         let point = point.map_err(|e2| for_whole_muscle(muscle, ends.displacement_between_mm(e, x), e2))?;
-        let response = point.response.unwrap_or_default();
-        Ok::<_, FemError>(InnerPull {
-            force_n: response.force_n,
-            stiffness_n_per_mm: response.stiffness_n_per_mm.unwrap_or(0.0),
-            force_per_pressure_mm2: response.force_per_pressure_mm2,
-        })
+        Ok::<_, FemError>(point.response.unwrap_or_default())
     })?;
     state.map(|state| state.between).ok_or(FemError::Ends { pressure_mpa: p, contraction: e })
 }

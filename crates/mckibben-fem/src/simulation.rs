@@ -160,9 +160,9 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
         D::section(self).is_some_and(|section| section.divided.discretisation.has_slopes())
     }
 
-    fn force_by(&self, w: &mut Workspace, p: f64, e: f64, names: &[String]) -> Option<Result<Vec<f64>>> {
-        let section = D::section(self).filter(|_| self.has_slopes())?;
-        section.slopes(w, p, e, names).map_err(ModelError::from).transpose()
+    fn force_by(&self, w: &mut Workspace, p: f64, e: f64, names: &[String]) -> Result<Option<Vec<f64>>> {
+        let section = D::section(self).filter(|_| self.has_slopes());
+        section.map_or(Ok(None), |section| Ok(section.slopes(w, p, e, names)?))
     }
 
     fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64> {

@@ -217,11 +217,7 @@ impl<'a> Member<'a> {
     fn evaluate(&self, p: f64, e: f64) -> Result<Answer, ModelError> {
         let w = &mut *self.memory.workspace.borrow_mut();
         let model = self.muscle.model;
-        let not_finite = || ModelError::NotFinite {
-            model: model.info().name.to_string(),
-            pressure_mpa: p,
-            contraction: e,
-        };
+        let not_finite = || ModelError::not_finite(&model.info().name, p, e);
         let mut at = |p: f64, e: f64| {
             let r = model.response(w, p, e)?;
             let volume = r.volume_mm3.ok_or_else(not_finite)?;
@@ -293,9 +289,8 @@ impl<'a> Member<'a> {
                 let options = Options { two_sided: true, ..Options::extrapolating() };
                 let (model, workspace) = (self.muscle.model, &self.memory.workspace);
                 let search = Evaluation::new(model, &mut workspace.borrow_mut(), options).free_contraction(p);
-                let e = search.map_err(|error| ModelError::NoEquilibrium {
-                    reason: format!("a slack muscle has no free contraction: {error}"),
-                })?;
+                let why = |error| format!("a slack muscle has no free contraction: {error}");
+                let e = search.map_err(|error| ModelError::NoEquilibrium(why(error)))?;
                 self.polished(p, e).unwrap_or(e)
             }
         };

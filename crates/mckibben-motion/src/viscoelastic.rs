@@ -1,17 +1,9 @@
 //! The rubber's viscoelasticity.
 
 use crate::{Result, error::within};
+pub use mckibben::rubber::over_time::Branch;
 
-/// One branch: its share g of the wall's part of the pull, and its time constant.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Branch {
-    /// gᵢ, over the long-time part.
-    pub share: f64,
-    /// τᵢ in s.
-    pub time_constant_s: f64,
-}
-
-/// A Prony series on the wall's part of the pull.
+/// A Prony series on the wall's part of the pull, whose shares are over the long-time part.
 ///
 /// ```text
 /// F = F_model + Σ gᵢ (F_w − aᵢ),   τᵢ ȧᵢ = F_w − aᵢ,   F_w = F_model(P, ε) − F_ideal(P, ε)

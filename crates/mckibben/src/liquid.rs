@@ -1,8 +1,8 @@
 //! Liquids that fill a muscle: their compression under pressure, with the gas that is in them.
 
 use crate::analysis::ATMOSPHERE_MPA;
+use crate::refused::Refused;
 use serde::Serialize;
-use thiserror::Error;
 
 /// The liquids that have a name, at 20 °C and without gas. Water: ρ and K (isothermal) by \[kell1975\], its η and all of oil and glycol by \[white2011\], table A.3. Oils of one
 /// class differ by 20 % in K; half glycol and half water lies between both.
@@ -21,17 +21,6 @@ const fn entry(
     viscosity_pa_s: f64,
 ) -> Liquid {
     Liquid { name, density_kg_per_m3, bulk_modulus_mpa, viscosity_pa_s, gas_share: 0.0 }
-}
-
-/// Why a liquid is none.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[error("{message}")]
-pub struct LiquidError {
-    /// Field of a request.
-    pub field: &'static str,
-    /// Key of a file.
-    pub key: &'static str,
-    message: String,
 }
 
 /// A liquid with bubbles of gas.
@@ -72,30 +61,30 @@ pub struct LiquidSupply {
 
 impl Liquid {
     /// A liquid of the table with a share of gas.
-    pub fn named(name: &str, gas_share: f64) -> Result<Self, LiquidError> {
+    pub fn named(name: &str, gas_share: f64) -> Result<Self, Refused> {
         let liquid = LIQUIDS.into_iter().find(|liquid| liquid.name == name);
         let liquid = liquid.ok_or_else(|| {
             let names = LIQUIDS.map(|liquid| liquid.name).join(", ");
             let message = format!("there is no liquid \"{name}\"; the liquids are {names}");
-            LiquidError { field: "liquid", key: "name", message }
+            Refused::new(["liquid", "name"], message)
         })?;
         Self { gas_share, ..liquid }.validated()
     }
 
     /// The same with another bulk modulus in MPa.
-    pub fn with_bulk_modulus(self, bulk_modulus_mpa: f64) -> Result<Self, LiquidError> {
+    pub fn with_bulk_modulus(self, bulk_modulus_mpa: f64) -> Result<Self, Refused> {
         Self { bulk_modulus_mpa, ..self }.validated()
     }
 
-    fn validated(self) -> Result<Self, LiquidError> {
+    fn validated(self) -> Result<Self, Refused> {
         let k = self.bulk_modulus_mpa;
         if !(k > 0.0 && k.is_finite()) {
             let message = format!("the bulk modulus of the liquid is {k} MPa; it must be above zero");
-            return Err(LiquidError { field: "liquid_bulk_modulus_mpa", key: "bulk_modulus", message });
+            return Err(Refused::new(["liquid_bulk_modulus_mpa", "bulk_modulus"], message));
         }
         if !(0.0..=0.9).contains(&self.gas_share) {
             let message = format!("the share of gas is {}; it must lie between 0 and 0.9", self.gas_share);
-            return Err(LiquidError { field: "gas_share", key: "gas_share", message });
+            return Err(Refused::new(["gas_share"; 2], message));
         }
         Ok(self)
     }
@@ -189,9 +178,9 @@ mod tests {
         let error = Liquid::named("watr", 0.0).unwrap_err();
         assert_eq!(error.to_string(), "there is no liquid \"watr\"; the liquids are water, oil, glycol");
         for gas in [-0.1, 1.0, f64::NAN] {
-            assert_eq!(Liquid::named("oil", gas).unwrap_err().key, "gas_share");
+            assert_eq!(Liquid::named("oil", gas).unwrap_err().fields[1], "gas_share");
         }
         let water = Liquid::named("water", 0.0).unwrap();
-        assert_eq!(water.with_bulk_modulus(0.0).unwrap_err().key, "bulk_modulus");
+        assert_eq!(water.with_bulk_modulus(0.0).unwrap_err().fields[1], "bulk_modulus");
     }
 }

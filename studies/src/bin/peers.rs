@@ -8,7 +8,9 @@ use mckibben::muscle::file::read_muscle;
 use mckibben_fem::output::{deck, increments};
 use mckibben_fem::simulation::Divided;
 use mckibben_fem::solver::continuation::Continuation;
+use mckibben_fem::solver::trail::Trail;
 use mckibben_fem::three_dimensional::{Brick, BrickSpec, Match, MuscleMesh, ThreeDimensional};
+use mckibben_studies::increment;
 use std::error::Error;
 use std::time::Instant;
 
@@ -29,10 +31,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut muscle = Continuation::new(MuscleMesh::new(&muscle, &spec)?.at_rest()?);
     let setup = start.elapsed().as_secs_f64();
     let half = muscle.body.mesh.tube.half_mm;
-    let mut points = vec![];
+    let (mut points, mut trail) = (vec![], Trail::default());
     let began = Instant::now();
     for (e, p) in increments(contraction, &pressures)? {
-        muscle.increment(p, -e * half).map_err(|end| end.reason)?;
+        increment(&mut muscle, &mut trail, p, -e * half).map_err(|end| end.reason)?;
         let pull = muscle.pull();
         points.push(format!(r#"{{"pressure_mpa": {p:?}, "contraction": {e:?}, "force_n": {pull:?}}}"#));
     }

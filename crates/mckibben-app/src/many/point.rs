@@ -218,8 +218,7 @@ impl BoundModel {
         }
         let muscle = self.muscle();
         let names: Vec<String> = parameters.iter().map(|t| t.name(muscle)).collect();
-        if let Some(known) = self.model.force_by(workspace, p, e, &names) {
-            let known = known?;
+        if let Some(known) = self.model.force_by(workspace, p, e, &names)? {
             places.iter_mut().zip(known).for_each(|(place, v)| *place = v);
             return Ok(());
         }

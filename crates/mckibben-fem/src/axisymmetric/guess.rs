@@ -17,6 +17,7 @@
 use super::discretisation::{BraidSpec, Discretisation, LAYER};
 use crate::element::strand::STRAND_POINTS;
 use crate::solver::body::State;
+use mckibben::analysis::bisect;
 use mckibben::muscle::StrandLay;
 
 /// Steps of integration per station.
@@ -188,11 +189,10 @@ pub(super) fn shape(d: &Discretisation, state: &mut State, terminal: f64, outlin
         }
     } else {
         let highest = lay.outer_radius_mm((strand2 / sin2).sqrt()) / d.radius;
-        let (mut low, mut high) = (-0.3, 0.995 * highest - 1.0);
-        for _ in 0..14 {
-            line.set(0.5 * (low + high), outline);
-            if length(&line) > wanted { low = line.bulge } else { high = line.bulge }
-        }
+        let (low, _) = bisect(-0.3, 0.995 * highest - 1.0, 14, |bulge| {
+            line.set(bulge, outline);
+            length(&line) > wanted
+        });
         if low == -0.3 {
             return false;
         }

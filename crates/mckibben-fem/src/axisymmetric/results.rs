@@ -7,9 +7,7 @@ use crate::Result;
 use crate::element::q2::{NODES, Point};
 use crate::element::solid::{Unknowns, gradient};
 use crate::element::strand::{STRAND_POINTS, Stretch};
-use crate::results::{
-    MuscleBody, ProfilePoint, Sensitivity, StrandState, StretchAt, StretchOf, largest_of_most,
-};
+use crate::results::{MuscleBody, ProfilePoint, Sensitivity, StrandState, StretchAt, largest_of_most};
 use crate::solver::body::State;
 use mckibben::muscle::Muscle;
 
@@ -59,7 +57,7 @@ impl MuscleBody for Body {
                     let Some(p) = d.point(&rest, middle(i, through), middle(j, along)) else { continue };
                     // ψ of a single point still holds 1 + its place.
                     let at = StretchAt { value: largest(&p, &u), rest_mm: [p.psi[1], p.psi[2]] };
-                    list.push(StretchOf { at, volume: p.volume });
+                    list.push((at, p.volume));
                 }
             }
         }

@@ -30,11 +30,6 @@ pub struct Trail {
 }
 
 impl Trail {
-    /// Forgets every equilibrium.
-    pub fn clear(&mut self) {
-        self.states.clear();
-    }
-
     /// Adds an equilibrium.
     pub fn push(&mut self, state: &State) {
         if self.states.len() < MOST {

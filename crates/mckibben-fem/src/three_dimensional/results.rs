@@ -6,7 +6,7 @@ use super::mesh::{Brick, BrickMesh};
 use super::muscle::MuscleInBricks;
 use crate::element::brick::{ShapePoint, determinant, jacobian};
 use crate::element::hexahedron::at;
-use crate::results::{MuscleBody, ProfilePoint, StrandState, StretchAt, StretchOf, largest_of_most};
+use crate::results::{MuscleBody, ProfilePoint, StrandState, StretchAt, largest_of_most};
 use crate::{FemError, Result};
 use mckibben::cancel;
 use mckibben::muscle::Muscle;
@@ -94,7 +94,7 @@ impl MuscleBody for MuscleInBricks {
     fn middle_stretch(&self) -> f64 {
         let list = stretches_at(&self.bricks, &[-1.0, 1.0].map(|x| [x, 0.0, -1.0]));
         let near = 1e-6 * self.mesh.tube.half_mm;
-        list.iter().filter(|s| s.at.rest_mm[1].abs() < near).map(|s| s.at.value).fold(1.0, f64::max)
+        list.iter().filter(|s| s.0.rest_mm[1].abs() < near).map(|s| s.0.value).fold(1.0, f64::max)
     }
 }
 
@@ -113,7 +113,7 @@ fn ring(body: &Body, mesh: &BrickMesh, i: usize, k: usize) -> (f64, f64) {
 }
 
 /// The stretch at places of every brick of rubber.
-fn stretches_at(body: &Body, places: &[[f64; 3]]) -> Vec<StretchOf> {
+fn stretches_at(body: &Body, places: &[[f64; 3]]) -> Vec<(StretchAt, f64)> {
     let d = &body.discretisation;
     let points: Vec<ShapePoint> = places.iter().map(|x| at(d.problem.brick.order(), *x, 1.0)).collect();
     let mut list = vec![];
@@ -123,7 +123,7 @@ fn stretches_at(body: &Body, places: &[[f64; 3]]) -> Vec<StretchOf> {
             let Some((f, _)) = gradient(body, e, p) else { continue };
             let at = [0, 1, 2].map(|i| rest.iter().zip(&p.n).map(|(x, share)| share * x[i]).sum::<f64>());
             let at = StretchAt { value: largest_principal(&f), rest_mm: [at[0].hypot(at[1]), at[2]] };
-            list.push(StretchOf { at, volume: determinant(&jacobian(&rest, &p.dn)).abs() });
+            list.push((at, determinant(&jacobian(&rest, &p.dn)).abs()));
         }
     }
     list

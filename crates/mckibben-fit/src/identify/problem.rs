@@ -137,7 +137,7 @@ impl<'a> Problem<'a> {
                 Quantity::Pressure => at_measured_pull(m, w, point, offset)?.pressure_mpa - p,
                 Quantity::Volume => {
                     let inside = Evaluation::new(m, w, branch).response(p, e)?.volume_mm3;
-                    let none = || ModelError::NoVolume { model: m.info().name.to_string() };
+                    let none = || ModelError::NoVolume(m.info().name.to_string());
                     inside.ok_or_else(none)? + candidate.dead_volume_mm3
                         - point.volume_mm3.unwrap_or_default()
                 }
@@ -215,7 +215,7 @@ impl<'a> Problem<'a> {
             let model = (self.request.build)(&candidate.section_muscle(&point.section).ok()?).ok()?;
             let e = point.at.contraction + candidate.contraction_offset;
             let w = &mut Workspace::new();
-            model.force_by(w, point.at.pressure_mpa, e, &names)?.ok()
+            model.force_by(w, point.at.pressure_mpa, e, &names).ok()?
         };
         probe().is_some()
     }
@@ -246,7 +246,7 @@ impl<'a> Problem<'a> {
         let (p, e) = (here.pressure_mpa, here.contraction);
         let not_known =
             || ModelError::NotFinite { model: m.info().name.to_string(), pressure_mpa: p, contraction: e };
-        let slopes = m.force_by(w, p, e, names).ok_or_else(not_known)??;
+        let slopes = m.force_by(w, p, e, names)?.ok_or_else(not_known)?;
         let slope = |name: &str| names.iter().zip(&slopes).find(|s| s.0 == name).map_or(0.0, |s| *s.1);
         let muscle = m.muscle();
         let friction = muscle.friction().copied();

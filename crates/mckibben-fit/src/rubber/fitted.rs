@@ -4,7 +4,7 @@ use super::problem::{Problem, Raw};
 use super::{FitSettings, Mode, Result, TensionPoint, linear, no_fit, nonlinear, ogden};
 use crate::least_squares::{aicc, t95};
 use mckibben::rubber::{
-    ConstantValue, Form, Law, LawConstants, Ogden, RubberLaw, Stability, is_stable_at, muscle_stability,
+    ConstantValue, Form, Law, LawConstants, Ogden, RubberLaw, is_stable_at, muscle_unstable_from,
 };
 use serde::{Serialize, Serializer};
 
@@ -220,10 +220,7 @@ fn judged(form: Form, constrained: bool, raw: Raw, problem: &Problem, hoop: f64)
     };
     let pulls: Vec<f64> = pulls.filter_map(relative).collect();
     let modes = Mode::ALL.into_iter().filter_map(|mode| mode_error(mode, &law, problem, hoop)).collect();
-    let unstable_from_hoop_stretch = match muscle_stability(&law, hoop) {
-        Stability::Stable => None,
-        Stability::UnstableFrom { hoop_stretch } => Some(hoop_stretch),
-    };
+    let unstable_from_hoop_stretch = muscle_unstable_from(&law, hoop);
     let quality = LawQuality {
         shear_modulus_mpa: law.shear_modulus_mpa(),
         r_squared: if spread > 0.0 { 1.0 - left / spread } else { 0.0 },

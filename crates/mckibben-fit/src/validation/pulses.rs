@@ -101,7 +101,7 @@ fn let_out(build: &Build<'_>, muscle: &Muscle, at: &Counted) -> Result<f64, Mode
     let mut parts = muscle.parts().clone();
     (LENGTH.set)(&mut parts, at.length_mm);
     let model = Muscle::from_parts(parts).ok().map(|m| build(&m)).transpose()?;
-    let no_volume = || ModelError::NoVolume { model: "of the pulses".to_owned() };
+    let no_volume = || ModelError::NoVolume("of the pulses".to_owned());
     let model = model.ok_or_else(no_volume)?;
     let workspace = &mut Workspace::new();
     let mut model = Evaluation::new(&*model, workspace, Direction::Mean);

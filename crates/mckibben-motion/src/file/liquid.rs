@@ -4,13 +4,16 @@ use crate::drive::Actuator;
 use crate::hose::Hose;
 use crate::liquid::{LiquidFill, LiquidValve, Restriction, Syringe};
 use crate::valve::ValveKind;
-use mckibben::liquid::{Liquid, LiquidError};
+use mckibben::liquid::Liquid;
 use mckibben::muscle::file::{FileError, Section};
+use mckibben::refused::Refused;
 
 /// What [liquid] says; `None` where it is not written.
 pub(super) fn liquid(section: &Section<'_>, temperature_k: f64) -> Result<Option<LiquidFill>, FileError> {
     let Some(name) = section.get("name") else { return Ok(None) };
-    let wrong = |error: LiquidError| section.error(error.key, format!("is invalid: {error}"));
+    let wrong = |error: Refused| {
+        section.error(error.fields.last().copied().unwrap_or_default(), format!("is invalid: {error}"))
+    };
     let mut liquid = Liquid::named(name, section.get("gas_share").unwrap_or(0.0)).map_err(wrong)?;
     if let Some(modulus) = section.get("bulk_modulus") {
         liquid = liquid.with_bulk_modulus(modulus).map_err(wrong)?;

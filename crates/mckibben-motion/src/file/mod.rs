@@ -7,7 +7,7 @@ mod valve;
 use crate::drive::{Actuator, Supply, Target};
 use crate::fluid::Fluid;
 use crate::friction;
-use crate::viscoelastic::{Branch, Prony};
+use crate::viscoelastic::Prony;
 use mckibben::load::{Load, LoadTable};
 use mckibben::muscle::file::{FileError, Section, Source};
 use mckibben::muscle::{Presliding, PreslidingElement};
@@ -105,7 +105,7 @@ pub fn parse_drive(text: &str, tables: &Tables) -> Result<DriveFile, FileError> 
         let said = "a joint carries its load in its own file ([link], [spring])";
         return Err(root.error("load", said));
     }
-    let prony: Vec<(f64, f64)> = root.at("rubber").get("prony").unwrap_or_default();
+    let prony: mckibben::rubber::over_time::Prony = root.at("rubber").get("prony").unwrap_or_default();
     let command = root.at("command");
     let until_s = command.get("until").unwrap_or_default();
     Ok(DriveFile {
@@ -118,9 +118,7 @@ pub fn parse_drive(text: &str, tables: &Tables) -> Result<DriveFile, FileError> 
         damping_n_s_per_m: load.get("damping").unwrap_or(0.0),
         stops_mm: load.get("stops").unwrap_or((f64::NEG_INFINITY, f64::INFINITY)),
         presliding: presliding(&root.at("friction"))?,
-        rubber: Prony(
-            prony.into_iter().map(|(share, time_constant_s)| Branch { share, time_constant_s }).collect(),
-        ),
+        rubber: Prony(prony.branches),
         target: command::target(&command, &root.at("controller"), about_joint, tables)?,
         until_s,
         output_step_s: command.get("output_step").unwrap_or(until_s / 1000.0),

@@ -48,22 +48,8 @@ pub enum AnalysisError {
         at_rest_n: Option<f64>,
     },
     /// What was found is a pull of broken strands.
-    #[error(
-        "{} N at {} MPa and a contraction of {} break the strands: one of them carries {} N, and its strength is {} N",
-        short(*.force_n, 1), short(*.pressure_mpa, 4), percent(*.contraction), short(*.tension_n, 1), short(*.strength_n, 1)
-    )]
-    StrandsBreak {
-        /// The pull, in N.
-        force_n: f64,
-        /// The pressure, in MPa.
-        pressure_mpa: f64,
-        /// The contraction.
-        contraction: f64,
-        /// What one strand would carry, in N.
-        tension_n: f64,
-        /// What it bears, in N.
-        strength_n: f64,
-    },
+    #[error("{0}")]
+    StrandsBreak(String),
     /// The model does not know a quantity that the question needs.
     #[error("the {model} model does not give {quantity}")]
     Unknown {

@@ -35,22 +35,12 @@ pub enum JointError {
         high_deg: f64,
     },
     /// A torque, or a stiffness together with a torque, that no pressures give.
-    #[error(
-        "no pressures up to {max_pressure_mpa} MPa give {sought} at {angle_deg} deg; the joint reaches {least:.4} to {most:.4} {unit} there"
-    )]
+    #[error("{message}")]
     OutOfReach {
-        /// What is sought, with its unit.
-        sought: String,
-        /// At this angle in degrees.
-        angle_deg: f64,
-        /// The supply in MPa.
-        max_pressure_mpa: f64,
-        /// The least torque or stiffness there is.
-        least: f64,
-        /// The largest.
+        /// The largest that is reached.
         most: f64,
-        /// N m or N m/rad.
-        unit: &'static str,
+        /// What was sought, where, and what is reached there.
+        message: String,
     },
     /// One muscle sets a torque or a stiffness, not both.
     #[error(

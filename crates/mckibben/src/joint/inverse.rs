@@ -57,17 +57,18 @@ impl JointModel<'_> {
         }
         let (passive, passive_slope) = self.joint().passive_nm(angle);
         let needed = 1e3 * (wanted.torque_nm - passive);
+        let out_of_reach = |sought: String, [least, most]: [f64; 2], unit: &str| JointError::OutOfReach {
+            most,
+            message: format!(
+                "no pressures up to {max_pressure_mpa} MPa give {sought} at {} deg; the joint reaches {least:.4} to {most:.4} {unit} there",
+                wanted.angle_deg
+            ),
+        };
         let no_torque = || {
             let reach =
                 |sign: f64| here.iter().map(|m| sign * (sign * m.arm_mm * m.most_n).max(0.0)).sum::<f64>();
-            JointError::OutOfReach {
-                sought: format!("{} N m", wanted.torque_nm),
-                angle_deg: wanted.angle_deg,
-                max_pressure_mpa,
-                least: passive + 1e-3 * reach(-1.0),
-                most: passive + 1e-3 * reach(1.0),
-                unit: "N m",
-            }
+            let reached = [-1.0, 1.0].map(|sign| passive + 1e-3 * reach(sign));
+            out_of_reach(format!("{} N m", wanted.torque_nm), reached, "N m")
         };
         let line = Line { model: self, here: &here, needed };
         let (low, high) = line.pulls().ok_or_else(no_torque)?;
@@ -86,13 +87,9 @@ impl JointModel<'_> {
                     return Err(error);
                 }
                 let end = |sign: f64| sweep.least(|k| sign * k).map_or(f64::NAN, |(_, k)| k + stiffness);
-                let zero = zero.ok_or_else(|| JointError::OutOfReach {
-                    sought: format!("{stiffness} N m/rad with {} N m", wanted.torque_nm),
-                    angle_deg: wanted.angle_deg,
-                    max_pressure_mpa,
-                    least: end(1.0),
-                    most: end(-1.0),
-                    unit: "N m/rad",
+                let zero = zero.ok_or_else(|| {
+                    let sought = format!("{stiffness} N m/rad with {} N m", wanted.torque_nm);
+                    out_of_reach(sought, [end(1.0), end(-1.0)], "N m/rad")
                 })?;
                 line.pressures(workspaces, zero.at)?
             }

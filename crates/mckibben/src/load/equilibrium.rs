@@ -47,17 +47,8 @@ pub enum LoadError {
         load_n: f64,
     },
     /// The muscle pulls more than the load as far as it is known.
-    #[error(
-        "at {pressure_mpa} MPa the muscle pulls more than the load up to a contraction of {contraction:.4}, where {limit} ends"
-    )]
-    Beyond {
-        /// Pressure in MPa.
-        pressure_mpa: f64,
-        /// Where the search ended.
-        contraction: f64,
-        /// What ends there.
-        limit: &'static str,
-    },
+    #[error("{0}")]
+    Beyond(String),
     /// The model has no answer.
     #[error(transparent)]
     Analysis(#[from] AnalysisError),
@@ -114,7 +105,9 @@ impl Evaluation<'_> {
             return Err(match (sweep.sample(0.0)?, sweep.refused) {
                 (Some(excess), _) if excess < 0.0 => not_lifted(excess, 0.0),
                 (None, Some(error)) => error.into(),
-                _ => LoadError::Beyond { pressure_mpa, contraction: end, limit },
+                _ => LoadError::Beyond(format!(
+                    "at {pressure_mpa} MPa the muscle pulls more than the load up to a contraction of {end:.4}, where {limit} ends"
+                )),
             });
         }
         let mass = load.moving_mass_kg();

@@ -5,8 +5,8 @@
 //! b: length of one strand, n: its turns. Source: the paper's (3) after Belforte et al. The printed form has lost its
 //! squares (its dimension is force/length) and holds for one turn; this is F = −P dV/dL.
 
-use super::proportional::{PerPressure, Proportional};
-use super::{ModelEntry, ModelError, ModelInfo, Result};
+use super::proportional::{Inverse, PerPressure, Proportional};
+use super::{ForceModel, ModelEntry, ModelError, ModelInfo, Result};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -16,69 +16,49 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
     source: "Belforte et al., as given by Antonelli et al. 2018 [antonelli2018], (3), with its squares restored",
 };
 
-/// Belforte's formula (3), F in N for P in MPa.
+/// Belforte's formula (3), F in N for P in MPa, of a muscle whose strands have been measured.
 ///
 /// b is measured on the muscle and so includes the rounded ends; with b = L0/cosθ0 and n = L0 tanθ0/(π D0) it is the
 /// ideal formula.
-#[derive(Debug, Clone)]
-pub struct Belforte {
-    info: ModelInfo,
-    /// b
-    b: f64,
-    /// 4π n²
-    n2: f64,
-}
-
-impl Belforte {
-    /// Belforte's model of a muscle whose strands have been measured.
-    ///
-    /// # Errors
-    /// [`ModelError::Missing`] without a measured strand. One too short to span the muscle is refused with the muscle.
-    pub fn new(muscle: &Muscle) -> Result<Self> {
-        let measured = muscle.braid().measured.ok_or(ModelError::Missing {
-            model: ENTRY.name,
-            missing: "a strand measured on the muscle: `strand_length` and `turns` under [braid] in the muscle file",
-            key: "braid.strand_length",
-        })?;
-        let b = measured.strand_length_mm;
-        Ok(Self { info: ModelInfo::new(&ENTRY, muscle), b, n2: 4.0 * PI * measured.turns * measured.turns })
-    }
-}
-
-impl Proportional for Belforte {
-    fn model(&self) -> &ModelInfo {
-        &self.info
-    }
-
-    fn per_pressure(&self, contraction: f64) -> Result<PerPressure> {
-        let (b, length) = (self.b, self.info.muscle.length_mm());
+///
+/// # Errors
+/// [`ModelError::Missing`] without a measured strand. One too short to span the muscle is refused with the muscle.
+pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
+    let measured = muscle.braid().measured.ok_or(ModelError::Missing {
+        model: ENTRY.name,
+        missing: "a strand measured on the muscle: `strand_length` and `turns` under [braid] in the muscle file",
+        key: "braid.strand_length",
+    })?;
+    let (b, n2) = (measured.strand_length_mm, 4.0 * PI * measured.turns * measured.turns);
+    let length = muscle.length_mm();
+    let per_pressure = move |contraction: f64| {
         let l = (1.0 - contraction) * length;
         if !(l > 0.0 && l < b) {
             return Err(ModelError::Geometry { contraction, lowest: 1.0 - b / length, highest: 1.0 });
         }
-        let f = (3.0 * l * l - b * b) / self.n2;
+        let f = (3.0 * l * l - b * b) / n2;
         // π D²/4 = (b² − L²)/(4π n²); axial balance of a cut: F + P π D²/4 = (sum of tensions) · L/b.
-        let area = (b * b - l * l) / self.n2;
+        let area = (b * b - l * l) / n2;
         Ok(PerPressure {
             f,
-            f_l: 6.0 * l * length / self.n2,
+            f_l: 6.0 * l * length / n2,
             volume_mm3: Some(area * l),
             diameter_mm: 2.0 * (area / PI).sqrt(),
             tension: Some((f + area) * b / l),
         })
-    }
-
-    fn contraction_of(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
-        let l2 = (self.b * self.b + self.n2 * force_n / pressure_mpa) / 3.0;
-        (pressure_mpa > 0.0 && l2 > 0.0 && l2 < self.b * self.b)
-            .then(|| 1.0 - l2.sqrt() / self.info.muscle.length_mm())
-    }
+    };
+    let contraction_at_pull = move |force_n: f64, pressure_mpa: f64| {
+        let l2 = (b * b + n2 * force_n / pressure_mpa) / 3.0;
+        (pressure_mpa > 0.0 && l2 > 0.0 && l2 < b * b).then(|| 1.0 - l2.sqrt() / length)
+    };
+    let contraction_at_pull: Option<Inverse> = Some(Box::new(contraction_at_pull));
+    Ok(Box::new(Proportional { info: ModelInfo::new(&ENTRY, muscle), per_pressure, contraction_at_pull }))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{ForceModel, Ideal, Workspace};
+    use crate::model::{Ideal, Workspace};
     use crate::muscle::{Braid, MeasuredStrand};
 
     fn with_strand(strand_length_mm: f64, turns: f64) -> Muscle {
@@ -90,7 +70,7 @@ mod tests {
     fn with_the_ideal_strand_it_is_the_ideal_formula() {
         let m = Muscle::prototype();
         let measured = with_strand(m.strand_length_mm(), m.turns());
-        let (ideal, belforte) = (Ideal::new(&m), Belforte::new(&measured).unwrap());
+        let (ideal, belforte) = (Ideal::new(&m), build(&measured).unwrap());
         for e in [-0.05, 0.0, 0.1, 0.3] {
             let (a, b) = (
                 ideal.response(&mut Workspace::new(), 0.2, e).unwrap(),
@@ -110,11 +90,11 @@ mod tests {
 
     #[test]
     fn what_was_not_measured_is_required_and_short_strands_are_refused() {
-        assert!(matches!(Belforte::new(&Muscle::prototype()), Err(ModelError::Missing { .. })));
+        assert!(matches!(build(&Muscle::prototype()), Err(ModelError::Missing { .. })));
         let measured = Some(MeasuredStrand { strand_length_mm: 284.0, turns: 1.6 });
         let refused = Muscle::prototype().with_braid(Braid { measured, ..Braid::paper() });
         assert!(refused.unwrap_err().to_string().contains("not above the muscle's length"));
-        let model = Belforte::new(&with_strand(330.0, 1.6)).unwrap();
+        let model = build(&with_strand(330.0, 1.6)).unwrap();
         assert!(matches!(model.response(&mut Workspace::new(), 0.1, -0.2), Err(ModelError::Geometry { .. })));
         assert!(matches!(
             model.response(&mut Workspace::new(), 0.1, f64::NAN),

@@ -8,7 +8,7 @@
 
 use super::pantograph::Pantograph;
 use super::proportional::{PerPressure, Proportional};
-use super::{Accuracy, ModelEntry, ModelInfo, Reference, Result};
+use super::{Accuracy, ForceModel, ModelEntry, ModelInfo, Reference, Result};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -22,51 +22,36 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
 ///
 /// The rubber carries nothing, though it would: at ε = 0 and strands that do not stretch a real muscle pulls as if the
 /// pressure acted on the outer diameter. So this formula pulls too little at small contractions.
-#[derive(Debug, Clone)]
-pub struct ChouHannaford {
-    info: ModelInfo,
-    braid: Pantograph,
-}
-
-impl ChouHannaford {
-    /// The model of a muscle.
-    pub fn new(muscle: &Muscle) -> Self {
-        let accuracy = Accuracy::share(0.75, Reference::SOFT_STRANDS);
-        let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
-        Self { info, braid: Pantograph::from_muscle(muscle) }
-    }
-}
-
-impl Proportional for ChouHannaford {
-    fn model(&self) -> &ModelInfo {
-        &self.info
-    }
-
-    fn per_pressure(&self, contraction: f64) -> Result<PerPressure> {
-        let g = self.braid.at(contraction)?;
-        let bore = g.r - self.info.muscle.wall_mm();
+pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
+    let accuracy = Accuracy::share(0.75, Reference::SOFT_STRANDS);
+    let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
+    let (braid, wall_mm) = (Pantograph::from_muscle(muscle), muscle.wall_mm());
+    let per_pressure = move |contraction: f64| {
+        let g = braid.at(contraction)?;
+        let bore = g.r - wall_mm;
         if bore <= 0.0 {
-            return Err(self.braid.no_shape(contraction));
+            return Err(braid.no_shape(contraction));
         }
         Ok(PerPressure {
             f: -PI * (bore * bore + 2.0 * bore * g.r1 * g.l),
             f_l: -2.0 * PI * (2.0 * bore * g.r1 + g.r1 * g.r1 * g.l + bore * g.r2 * g.l),
-            volume_mm3: Some(PI * bore * bore * (1.0 - contraction) * self.braid.length),
+            volume_mm3: Some(PI * bore * bore * (1.0 - contraction) * braid.length),
             diameter_mm: 2.0 * g.r,
             tension: None,
         })
-    }
+    };
+    Ok(Box::new(Proportional { info, per_pressure, contraction_at_pull: None }))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{ForceModel, Ideal, Workspace};
+    use crate::model::{Ideal, Workspace};
 
     #[test]
     fn it_is_the_published_formula() {
         let m = Muscle::prototype();
-        let model = ChouHannaford::new(&m);
+        let model = build(&m).unwrap();
         let (p, s, d90) = (0.2, m.wall_mm(), m.outer_diameter_mm() / m.braid().angle_rad().sin());
         for e in [-0.02, 0.0, 0.1, 0.3] {
             let cos = (1.0 - e) * m.braid().angle_rad().cos();
@@ -81,7 +66,7 @@ mod tests {
     #[test]
     fn without_a_wall_it_is_the_ideal_formula() {
         let thin = Muscle::prototype().with_section(30.0, 1e-9).unwrap();
-        let (a, b) = (ChouHannaford::new(&thin), Ideal::new(&thin));
+        let (a, b) = (build(&thin).unwrap(), Ideal::new(&thin));
         for e in [0.0, 0.15, 0.3] {
             assert!(
                 (a.force_n(&mut Workspace::new(), 0.2, e).unwrap()

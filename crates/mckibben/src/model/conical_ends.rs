@@ -14,7 +14,7 @@
 
 use super::pantograph::Pantograph;
 use super::proportional::{PerPressure, Proportional};
-use super::{ModelEntry, ModelError, ModelInfo, ModelRange, Result};
+use super::{ForceModel, ModelEntry, ModelError, ModelInfo, ModelRange, Result};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -24,80 +24,54 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
     source: "Tondu 2012 [tondu2012] eq. (25)",
 };
 
-/// Tondu's cylinder with conical ends, as published.
-#[derive(Debug, Clone)]
-pub struct ConicalEnds {
-    info: ModelInfo,
-    braid: Pantograph,
-    kc: f64,
-}
-
-impl ConicalEnds {
-    /// The model of a muscle whose cone factor kc is known.
-    ///
-    /// # Errors
-    /// [`ModelError::Missing`] without a cone factor. Tips that would meet before the largest contraction,
-    /// kc > (1 − ε_max)/(2 ε_max), are refused with the muscle already.
-    pub fn new(muscle: &Muscle) -> Result<Self> {
-        let kc = muscle.terminals().cone_factor.ok_or(ModelError::Missing {
-            model: ENTRY.name,
-            missing: "a cone factor: `cone_factor = 0.4` under [model.conical-ends] in the muscle file",
-            key: "model.conical-ends.cone_factor",
-        })?;
-        let range = ModelRange { contraction: (0.0, muscle.max_ideal_contraction()), ..ModelRange::open() };
-        let info = ModelInfo { range, ..ModelInfo::new(&ENTRY, muscle) };
-        Ok(Self { info, braid: Pantograph::from_muscle(muscle), kc })
-    }
-
-    /// Volume of the cylinder with two cones, up to the braid, in mm³.
-    fn volume(&self, l: f64, f: f64) -> f64 {
-        let ends = 2.0 * self.kc * (1.0 - l) / 3.0 * (1.0 + f - 2.0 * f * f);
-        PI * self.braid.r0 * self.braid.r0 * self.braid.length * (f * f * l + ends)
-    }
-
-    /// F/P, ∂(F/P)/∂λ, and f.
-    fn pull(&self, contraction: f64) -> Result<(f64, f64, f64)> {
-        let g = self.braid.at(contraction)?;
-        if contraction > 0.0 && g.l <= 2.0 * self.kc * contraction {
-            let lowest = 1.0 - 1.0 / self.braid.cos;
-            return Err(ModelError::Geometry { contraction, lowest, highest: 1.0 / (1.0 + 2.0 * self.kc) });
+/// Tondu's cylinder with conical ends, as published, of a muscle whose cone factor kc is known.
+///
+/// # Errors
+/// [`ModelError::Missing`] without a cone factor. Tips that would meet before the largest contraction,
+/// kc > (1 − ε_max)/(2 ε_max), are refused with the muscle already.
+pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
+    let kc = muscle.terminals().cone_factor.ok_or(ModelError::Missing {
+        model: ENTRY.name,
+        missing: "a cone factor: `cone_factor = 0.4` under [model.conical-ends] in the muscle file",
+        key: "model.conical-ends.cone_factor",
+    })?;
+    let range = ModelRange { contraction: (0.0, muscle.max_ideal_contraction()), ..ModelRange::open() };
+    let info = ModelInfo { range, ..ModelInfo::new(&ENTRY, muscle) };
+    let braid = Pantograph::from_muscle(muscle);
+    let per_pressure = move |contraction: f64| {
+        let g = braid.at(contraction)?;
+        if contraction > 0.0 && g.l <= 2.0 * kc * contraction {
+            let lowest = 1.0 - 1.0 / braid.cos;
+            return Err(ModelError::Geometry { contraction, lowest, highest: 1.0 / (1.0 + 2.0 * kc) });
         }
-        let r0 = self.braid.r0;
+        let r0 = braid.r0;
         let (f, f1) = (g.r / r0, g.r1 / r0);
-        let (cot2, k3) = ((self.braid.cos / self.braid.sin).powi(2), self.kc / 3.0);
+        let (cot2, k3) = ((braid.cos / braid.sin).powi(2), kc / 3.0);
         let inner = g.l + k3 * contraction * (1.0 / f - 4.0);
         let inner_l = 1.0 - k3 * (1.0 / f - 4.0) - k3 * contraction * f1 / (f * f);
         let area = PI * r0 * r0;
-        Ok((area * (2.0 * g.l * cot2 * inner - 1.0), area * 2.0 * cot2 * (inner + g.l * inner_l), f))
-    }
-}
-
-impl Proportional for ConicalEnds {
-    fn model(&self) -> &ModelInfo {
-        &self.info
-    }
-
-    fn per_pressure(&self, contraction: f64) -> Result<PerPressure> {
-        let (pull, pull_l, f) = self.pull(contraction)?;
+        let l = 1.0 - contraction;
+        let ends = 2.0 * kc * (1.0 - l) / 3.0 * (1.0 + f - 2.0 * f * f);
         Ok(PerPressure {
-            f: pull,
-            f_l: pull_l,
-            volume_mm3: Some(self.volume(1.0 - contraction, f)),
-            diameter_mm: 2.0 * f * self.braid.r0,
+            f: area * (2.0 * g.l * cot2 * inner - 1.0),
+            f_l: area * 2.0 * cot2 * (inner + g.l * inner_l),
+            volume_mm3: Some(PI * r0 * r0 * braid.length * (f * f * l + ends)),
+            diameter_mm: 2.0 * f * r0,
             tension: None,
         })
-    }
+    };
+    Ok(Box::new(Proportional { info, per_pressure, contraction_at_pull: None }))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{ForceModel, Ideal, Workspace};
+    use crate::model::{Ideal, Workspace};
     use crate::muscle::Terminals;
 
-    fn model(cone_factor: Option<f64>) -> Result<ConicalEnds> {
+    fn model(cone_factor: Option<f64>) -> Result<Box<dyn ForceModel>> {
         let terminals = Terminals { cone_factor, ..Terminals::default() };
-        ConicalEnds::new(&Muscle::prototype().with_terminals(terminals).unwrap())
+        build(&Muscle::prototype().with_terminals(terminals).unwrap())
     }
 
     #[test]

@@ -36,17 +36,8 @@ pub enum ModelError {
         key: &'static str,
     },
     /// The muscle is too short for a model of its ends.
-    #[error(
-        "the {model} model needs a muscle longer than {least_mm:.1} mm (its outer diameter times cot² of its braid angle); this one is {length_mm} mm: its ends would take up more than the middle gives"
-    )]
-    TooShort {
-        /// The model's name.
-        model: &'static str,
-        /// Length at rest in mm.
-        length_mm: f64,
-        /// Length that must be exceeded, in mm.
-        least_mm: f64,
-    },
+    #[error("{0}")]
+    TooShort(String),
     /// No geometry exists at this contraction.
     #[error(
         "at a contraction of {contraction} the muscle has no shape: it must lie above {lowest:.6} (strands straight) and below {highest:.6}"
@@ -84,11 +75,8 @@ pub enum ModelError {
         law: &'static str,
     },
     /// There is no equilibrium, for a reason that is said.
-    #[error("{reason}")]
-    NoEquilibrium {
-        /// The reason in words.
-        reason: String,
-    },
+    #[error("{0}")]
+    NoEquilibrium(String),
     /// An iteration did not converge.
     #[error(
         "no equilibrium found at {pressure_mpa} MPa and contraction {contraction}; try a nearby point, or another model"
@@ -110,18 +98,12 @@ pub enum ModelError {
     /// The caller wanted the work to end.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// Finite elements that cannot be made.
-    #[error("the muscle cannot be divided into elements: {reason}")]
-    Elements {
-        /// Why.
-        reason: String,
-    },
-    /// A model without a volume.
-    #[error("the model {model} has no volume of the cavity: take fe or thick-wall for measured volumes")]
-    NoVolume {
-        /// The model's name.
-        model: String,
-    },
+    /// Finite elements that cannot be made, and why.
+    #[error("the muscle cannot be divided into elements: {0}")]
+    Elements(String),
+    /// A model, by its name, without a volume.
+    #[error("the model {0} has no volume of the cavity: take fe or thick-wall for measured volumes")]
+    NoVolume(String),
     /// A formula that is not finite here.
     #[error("the {model} formula has no finite value at {pressure_mpa} MPa and contraction {contraction}")]
     NotFinite {
@@ -135,7 +117,8 @@ pub enum ModelError {
 }
 
 impl ModelError {
-    pub(crate) fn not_finite(model: &str, pressure_mpa: f64, contraction: f64) -> Self {
+    /// That the formula of a model is not finite at a pressure and contraction.
+    pub fn not_finite(model: &str, pressure_mpa: f64, contraction: f64) -> Self {
         Self::NotFinite { model: model.into(), pressure_mpa, contraction }
     }
 
@@ -152,7 +135,7 @@ impl ModelError {
             Self::Geometry { .. }
                 | Self::Overstretched { .. }
                 | Self::Locked { .. }
-                | Self::NoEquilibrium { .. }
+                | Self::NoEquilibrium(_)
                 | Self::NotConverged { .. }
                 | Self::Stopped { .. }
                 | Self::NotFinite { .. }

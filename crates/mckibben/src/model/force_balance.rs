@@ -7,7 +7,7 @@
 
 use super::pantograph::Pantograph;
 use super::proportional::{PerPressure, Proportional};
-use super::{Accuracy, ModelEntry, ModelInfo, Reference, Result};
+use super::{Accuracy, ForceModel, ModelEntry, ModelInfo, Reference, Result};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -16,17 +16,6 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
     description: "incompressible wall without the rubber's own stress",
     source: "Ferraresi et al. 2001 [ferraresi2001]; Kothera & Wereley 2009 [kothera2009]; Tondu 2012 [tondu2012] eq. (18)",
 };
-
-/// The force balance of an incompressible wall whose rubber carries nothing.
-///
-/// The wall thins as the muscle bulges, but the rubber's own stress is left out, which costs force at small
-/// contractions (a rubber wall hands the pressure on to the braid). Being no energy model it breaks ∂F/∂P = −∂V/∂L; the
-/// volume given is that of the bore.
-#[derive(Debug, Clone)]
-pub struct ForceBalance {
-    info: ModelInfo,
-    braid: Pantograph,
-}
 
 pub(super) fn balance(braid: &Pantograph, contraction: f64) -> Result<PerPressure> {
     let g = braid.at(contraction)?;
@@ -45,29 +34,23 @@ pub(super) fn balance(braid: &Pantograph, contraction: f64) -> Result<PerPressur
     })
 }
 
-impl ForceBalance {
-    /// The model of a muscle.
-    pub fn new(muscle: &Muscle) -> Self {
-        let accuracy = Accuracy::share(0.77, Reference::SOFT_STRANDS);
-        let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
-        Self { info, braid: Pantograph::from_muscle(muscle) }
-    }
-}
-
-impl Proportional for ForceBalance {
-    fn model(&self) -> &ModelInfo {
-        &self.info
-    }
-
-    fn per_pressure(&self, contraction: f64) -> Result<PerPressure> {
-        balance(&self.braid, contraction)
-    }
+/// The force balance of an incompressible wall whose rubber carries nothing.
+///
+/// The wall thins as the muscle bulges, but the rubber's own stress is left out, which costs force at small
+/// contractions (a rubber wall hands the pressure on to the braid). Being no energy model it breaks ∂F/∂P = −∂V/∂L; the
+/// volume given is that of the bore.
+pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
+    let accuracy = Accuracy::share(0.77, Reference::SOFT_STRANDS);
+    let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
+    let braid = Pantograph::from_muscle(muscle);
+    let per_pressure = move |contraction| balance(&braid, contraction);
+    Ok(Box::new(Proportional { info, per_pressure, contraction_at_pull: None }))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{ForceModel, Ideal, ModelError, Workspace};
+    use crate::model::{Ideal, ModelError, Workspace};
 
     #[test]
     fn at_rest_it_is_the_closed_form() {
@@ -76,14 +59,14 @@ mod tests {
         let cot2 = m.braid().angle_rad().tan().powi(-2);
         let expected = PI / 4.0 * 0.2 * (2.0 * d * di * cot2 - di * di);
         assert!(
-            (ForceBalance::new(&m).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap() - expected).abs() < 1e-9
+            (build(&m).unwrap().force_n(&mut Workspace::new(), 0.2, 0.0).unwrap() - expected).abs() < 1e-9
         );
     }
 
     #[test]
     fn without_a_wall_it_is_the_ideal_formula() {
         let thin = Muscle::prototype().with_section(30.0, 1e-9).unwrap();
-        let (a, b) = (ForceBalance::new(&thin), Ideal::new(&thin));
+        let (a, b) = (build(&thin).unwrap(), Ideal::new(&thin));
         for e in [0.0, 0.15, 0.3] {
             let (a, b) = (
                 a.response(&mut Workspace::new(), 0.2, e).unwrap(),
@@ -98,7 +81,7 @@ mod tests {
     fn a_closed_bore_is_an_error() {
         let thick = Muscle::prototype().with_section(30.0, 14.9).unwrap();
         assert!(matches!(
-            ForceBalance::new(&thick).force_n(&mut Workspace::new(), 0.2, -0.1),
+            build(&thick).unwrap().force_n(&mut Workspace::new(), 0.2, -0.1),
             Err(ModelError::Geometry { .. })
         ));
     }

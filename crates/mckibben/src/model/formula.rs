@@ -4,7 +4,7 @@ use super::{
     Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelInfo, ModelRange, Quantity, Reference,
     Response, Result, Workspace, notes,
 };
-use crate::formula::{Body, Formula, GlobalSection, Made, Section};
+use crate::formula::{Body, Formula, FormulaRange, GlobalSection, Made, Section};
 use crate::muscle::Muscle;
 use std::sync::Arc;
 
@@ -106,18 +106,23 @@ impl ForceModel for FormulaModel {
 
 /// The box of a formula for a muscle.
 fn range(formula: &Formula, m: &Muscle) -> ModelRange {
-    let (r, made) = (&formula.range, &formula.made_for);
-    let range = ModelRange {
-        pressure_mpa: r.pressure_mpa,
-        contraction: r.contraction,
-        make: differences(made, m),
-        ..ModelRange::open()
-    };
-    range.with_measures(&[
+    let made = &formula.made_for;
+    of_sections(&formula.range, (made.length_mm, made.angle_deg), differences(made, m), m)
+}
+
+/// The range of a formula for muscles of one length and braid angle.
+pub(super) fn of_sections(
+    r: &FormulaRange,
+    (length_mm, angle_deg): (f64, f64),
+    make: Vec<String>,
+    m: &Muscle,
+) -> ModelRange {
+    let (pressure_mpa, contraction) = (r.pressure_mpa, r.contraction);
+    ModelRange { pressure_mpa, contraction, make, ..ModelRange::open() }.with_measures(&[
         (Interval::new(Quantity::OUTER_DIAMETER, r.outer_diameter_mm), m.outer_diameter_mm()),
         (Interval::new(Quantity::WALL_THICKNESS, r.wall_mm), m.wall_mm()),
-        (Interval::only(Quantity::LENGTH, made.length_mm), m.length_mm()),
-        (Interval::only(Quantity::BRAID_ANGLE, made.angle_deg), m.braid().angle_deg),
+        (Interval::only(Quantity::LENGTH, length_mm), m.length_mm()),
+        (Interval::only(Quantity::BRAID_ANGLE, angle_deg), m.braid().angle_deg),
     ])
 }
 

@@ -88,7 +88,7 @@ impl ForceModel for Ideal {
             bulged_diameter_mm: Some(d),
             ..Response::default()
         }
-        .with_braid_tension(tension, self.info.muscle.braid().strands.map(|s| s.count))
+        .with_braid_tension(tension, self.muscle())
         .finite(ENTRY.name)
     }
 

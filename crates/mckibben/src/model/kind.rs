@@ -45,20 +45,20 @@ models! {
     Ideal = ideal::ENTRY, |m| Ok(Box::new(Ideal::new(m)));
     /// [`ThickWall`]
     ThickWall = thick_wall::ENTRY, |m| Ok(Box::new(ThickWall::new(m)));
-    /// [`ChouHannaford`]
-    ChouHannaford = chou_hannaford::ENTRY, |m| Ok(Box::new(ChouHannaford::new(m)));
-    /// [`ForceBalance`]
-    ForceBalance = force_balance::ENTRY, |m| Ok(Box::new(ForceBalance::new(m)));
+    /// The ideal muscle inside of a wall of constant thickness
+    ChouHannaford = chou_hannaford::ENTRY, chou_hannaford::build;
+    /// An incompressible wall whose rubber carries nothing
+    ForceBalance = force_balance::ENTRY, force_balance::build;
     /// [`TonduLopez`]
     TonduLopez = tondu_lopez::ENTRY, |m| Ok(Box::new(TonduLopez::new(m)?));
-    /// [`Belforte`]
-    Belforte = belforte::ENTRY, |m| Ok(Box::new(Belforte::new(m)?));
+    /// The ideal muscle by a measured strand
+    Belforte = belforte::ENTRY, belforte::build;
     /// [`KluteHannaford`]
     KluteHannaford = klute_hannaford::ENTRY, |m| Ok(Box::new(KluteHannaford::new(m)?));
-    /// [`ConicalEnds`]
-    ConicalEnds = conical_ends::ENTRY, |m| Ok(Box::new(ConicalEnds::new(m)?));
-    /// [`RoundedEnds`]
-    RoundedEnds = rounded_ends::ENTRY, |m| Ok(Box::new(RoundedEnds::new(m)?));
+    /// A cylinder between two cones
+    ConicalEnds = conical_ends::ENTRY, conical_ends::build;
+    /// The force balance of the middle of a muscle with round ends
+    RoundedEnds = rounded_ends::ENTRY, rounded_ends::build;
     /// [`FestoSarosi`], size 10
     FestoDmsp10 = festo_sarosi::DMSP_10.entry, |m| Ok(Box::new(FestoSarosi::new(festo_sarosi::DMSP_10, m)));
     /// [`FestoSarosi`], size 20, 200 mm

@@ -39,14 +39,10 @@ mod wall_mooney;
 mod workspace;
 
 pub use accuracy::{Accuracy, BlockedAt, Reference};
-pub use belforte::Belforte;
 pub use bounds::{Bounds, pulls_within};
-pub use chou_hannaford::ChouHannaford;
-pub use conical_ends::ConicalEnds;
 pub use error::{ModelError, Result};
 pub use festo_hunt::FestoHunt;
 pub use festo_sarosi::FestoSarosi;
-pub use force_balance::ForceBalance;
 pub use formula::FormulaModel;
 pub use ideal::Ideal;
 pub use info::{ModelEntry, ModelInfo};
@@ -55,7 +51,6 @@ pub use kind::{ModelKind, unknown_model};
 pub use klute_hannaford::KluteHannaford;
 pub use range::ModelRange;
 pub use response::Response;
-pub use rounded_ends::RoundedEnds;
 pub use seated::{Seated, with_ends};
 pub use thick_wall::ThickWall;
 pub use tondu_lopez::TonduLopez;
@@ -127,8 +122,8 @@ pub trait ForceModel: Send + Sync {
     /// ∂F at fixed pressure and contraction by constants and measures of the muscle, named as in the muscle file
     /// (`tube.material.c10`, `braid.stiffness`, `tube.outer_diameter`), all others held. `None` where the model does not
     /// know one of them; whoever needs it then takes differences.
-    fn force_by(&self, _: &mut Workspace, _p: f64, _e: f64, _names: &[String]) -> Option<Result<Vec<f64>>> {
-        None
+    fn force_by(&self, _: &mut Workspace, _p: f64, _e: f64, _names: &[String]) -> Result<Option<Vec<f64>>> {
+        Ok(None)
     }
 
     /// The pull at rest length in N, of which errors of the model are a share: by a faster model where this one is slow.

@@ -7,11 +7,9 @@
 //! F in N, P in MPa, s and D0 in mm. 48 published numbers (Table 2), fitted by the paper's authors to finite elements of
 //! one make: θ0 28°, L0 285 mm, one rubber, one braid.
 
-use super::formula::Bound;
-use super::{
-    Accuracy, BlockedAt, FormulaModel, Interval, ModelEntry, ModelInfo, ModelRange, Quantity, Reference,
-};
-use crate::formula::Coefficients;
+use super::formula::{Bound, of_sections};
+use super::{Accuracy, BlockedAt, FormulaModel, ModelEntry, ModelInfo, ModelRange, Reference};
+use crate::formula::{Coefficients, FormulaRange};
 use crate::muscle::Muscle;
 
 pub(super) const ENTRY: ModelEntry = ModelEntry {
@@ -21,8 +19,12 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
 };
 
 /// Pressures and contractions for which (11) was made.
-const PRESSURE: (f64, f64) = (0.0, 0.25);
-const CONTRACTION: (f64, f64) = (0.0, 0.20);
+const RANGE: FormulaRange = FormulaRange {
+    outer_diameter_mm: FormulaModel::PAPER_DIAMETERS_MM,
+    wall_mm: FormulaModel::PAPER_WALLS_MM,
+    pressure_mpa: (0.0, 0.25),
+    contraction: (0.0, 0.20),
+};
 const ANGLE_DEG: f64 = 28.0;
 const LENGTH_MM: f64 = 285.0;
 
@@ -30,26 +32,14 @@ const LENGTH_MM: f64 = 285.0;
 fn range(m: &Muscle) -> ModelRange {
     let rubber = m.rubber();
     let mut make = vec![];
-    if !m.is_paper_make() {
-        if !rubber.is_paper() {
-            let name = rubber.name.as_deref().filter(|n| *n != "paper").unwrap_or("another");
-            make.push(format!("the rubber is {name}, the formula is for the rubber `paper`"));
-        }
-        if m.braid().stiffness != crate::muscle::BraidStiffness::Paper {
-            make.push("the braid has its own stiffness, the formula is for the braid `paper`".into());
-        }
+    if !rubber.is_paper() {
+        let name = rubber.name.as_deref().filter(|n| *n != "paper").unwrap_or("another");
+        make.push(format!("the rubber is {name}, the formula is for the rubber `paper`"));
     }
-    ModelRange { pressure_mpa: PRESSURE, contraction: CONTRACTION, make, ..ModelRange::open() }.with_measures(
-        &[
-            (
-                Interval::new(Quantity::OUTER_DIAMETER, FormulaModel::PAPER_DIAMETERS_MM),
-                m.outer_diameter_mm(),
-            ),
-            (Interval::new(Quantity::WALL_THICKNESS, FormulaModel::PAPER_WALLS_MM), m.wall_mm()),
-            (Interval::only(Quantity::LENGTH, LENGTH_MM), m.length_mm()),
-            (Interval::only(Quantity::BRAID_ANGLE, ANGLE_DEG), m.braid().angle_deg),
-        ],
-    )
+    if m.braid().stiffness != crate::muscle::BraidStiffness::Paper {
+        make.push("the braid has its own stiffness, the formula is for the braid `paper`".into());
+    }
+    of_sections(&RANGE, (LENGTH_MM, ANGLE_DEG), make, m)
 }
 
 impl FormulaModel {
@@ -63,7 +53,7 @@ impl FormulaModel {
         let section = Coefficients::published().section(muscle.outer_diameter_mm(), muscle.wall_mm());
         let accuracy = Accuracy {
             share_of_blocked: Some(0.05),
-            blocked_at: BlockedAt::Pressure(PRESSURE.1),
+            blocked_at: BlockedAt::Pressure(RANGE.pressure_mpa.1),
             reference: Reference::Elements(
                 "its authors state about 2 % and at most 50 N against their own finite elements; against this program's axisymmetric finite elements (rubber and braid `paper`) 95 % of 1889 points over its box lie within 3.9 %, the worst at 5.9 % near D0 37.5 mm, and the published C block, linear in D0, is weakest near D0 35–40 mm",
             ),

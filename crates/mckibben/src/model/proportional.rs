@@ -17,46 +17,43 @@ pub(super) struct PerPressure {
     pub tension: Option<f64>,
 }
 
-/// A formula of this kind; it is a force model by this alone.
-pub(super) trait Proportional: Send + Sync {
-    fn model(&self) -> &ModelInfo;
+/// As [`ForceModel::contraction_at_pull`].
+pub(super) type Inverse = Box<dyn Fn(f64, f64) -> Option<f64> + Send + Sync>;
 
-    fn per_pressure(&self, contraction: f64) -> Result<PerPressure>;
-
-    /// As [`ForceModel::contraction_at_pull`].
-    fn contraction_of(&self, _force_n: f64, _pressure_mpa: f64) -> Option<f64> {
-        None
-    }
+/// A formula of this kind.
+pub(super) struct Proportional<F> {
+    pub info: ModelInfo,
+    pub per_pressure: F,
+    pub contraction_at_pull: Option<Inverse>,
 }
 
-impl<T: Proportional> ForceModel for T {
+impl<F: Fn(f64) -> Result<PerPressure> + Send + Sync> ForceModel for Proportional<F> {
     fn info(&self) -> &ModelInfo {
-        self.model()
+        &self.info
     }
 
     fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
-        let (info, at) = (self.model(), self.per_pressure(contraction)?);
+        let (muscle, at) = (self.muscle(), (self.per_pressure)(contraction)?);
         let response = Response {
             pressure_mpa,
             contraction,
             force_n: pressure_mpa * at.f,
             volume_mm3: at.volume_mm3,
-            stiffness_n_per_mm: Some(pressure_mpa * at.f_l / info.muscle.length_mm()),
+            stiffness_n_per_mm: Some(pressure_mpa * at.f_l / muscle.length_mm()),
             force_per_pressure_mm2: Some(at.f),
             bulged_diameter_mm: Some(at.diameter_mm),
             ..Response::default()
         };
-        let strands = info.muscle.braid().strands.map(|s| s.count);
         let tension = at.tension.map(|tension| pressure_mpa * tension);
-        tension.map_or(response, |n| response.with_braid_tension(n, strands)).finite(&info.name)
+        tension.map_or(response, |n| response.with_braid_tension(n, muscle)).finite(&self.info.name)
     }
 
     fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        let f = self.per_pressure(contraction).ok()?.f;
+        let f = (self.per_pressure)(contraction).ok()?.f;
         (f > 0.0).then(|| force_n / f)
     }
 
     fn contraction_at_pull(&self, _: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
-        self.contraction_of(force_n, pressure_mpa)
+        self.contraction_at_pull.as_ref()?(force_n, pressure_mpa)
     }
 }

@@ -1,6 +1,7 @@
 //! What a model knows at one pressure and contraction.
 
 use super::{ModelError, Result};
+use crate::muscle::Muscle;
 use serde::{Deserialize, Serialize};
 
 /// One point of a muscle's behaviour. What a model does not have is `None`.
@@ -57,9 +58,9 @@ impl Response {
     }
 
     /// Fills in the tension of one strand from that of all, where the number of strands is known.
-    pub(crate) fn with_braid_tension(mut self, tension_n: f64, strands: Option<u32>) -> Self {
+    pub(crate) fn with_braid_tension(mut self, tension_n: f64, muscle: &Muscle) -> Self {
         self.braid_tension_n = Some(tension_n);
-        self.strand_tension_n = strands.map(|n| tension_n / f64::from(n));
+        self.strand_tension_n = muscle.braid().strands.map(|s| tension_n / f64::from(s.count));
         self
     }
 

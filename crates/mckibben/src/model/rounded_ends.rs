@@ -14,7 +14,7 @@ use super::force_balance::balance;
 use super::pantograph::Pantograph;
 use super::proportional::{PerPressure, Proportional};
 use super::root::rising_root;
-use super::{ModelEntry, ModelError, ModelInfo, Result};
+use super::{ForceModel, ModelEntry, ModelError, ModelInfo, Result};
 use crate::muscle::Muscle;
 
 pub(super) const ENTRY: ModelEntry = ModelEntry {
@@ -27,63 +27,49 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
 ///
 /// It needs 1 + (2/L0) dr/dλ > 0: below L0 = D0 cot²θ0 the ends of a muscle at rest would take up more than the middle
 /// gives, and the model refuses.
-#[derive(Debug, Clone)]
-pub struct RoundedEnds {
-    info: ModelInfo,
-    braid: Pantograph,
-    /// λm at which the whole length no longer grows with that of the middle.
-    turn: f64,
-}
-
-impl RoundedEnds {
-    /// The model of a muscle.
-    pub fn new(muscle: &Muscle) -> Result<Self> {
-        let braid = Pantograph::from_muscle(muscle);
-        let cot2 = (braid.cos / braid.sin).powi(2);
-        let least_mm = 2.0 * braid.r0 * cot2;
-        if braid.length <= least_mm {
-            return Err(ModelError::TooShort { model: ENTRY.name, length_mm: braid.length, least_mm });
-        }
-        // dr/dλ = −r0 cotθ0 c/√(1−c²) with c = λ cosθ0; set it to −L0/2.
-        let t = 0.5 * braid.length * braid.sin / (braid.r0 * braid.cos);
-        let turn = t / (1.0 + t * t).sqrt() / braid.cos;
-        Ok(Self { info: ModelInfo::new(&ENTRY, muscle), braid, turn })
+pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
+    let braid = Pantograph::from_muscle(muscle);
+    let cot2 = (braid.cos / braid.sin).powi(2);
+    let least_mm = 2.0 * braid.r0 * cot2;
+    if braid.length <= least_mm {
+        return Err(ModelError::TooShort(format!(
+            "the {} model needs a muscle longer than {least_mm:.1} mm (its outer diameter times cot² of its braid angle); this one is {} mm: its ends would take up more than the middle gives",
+            ENTRY.name, braid.length
+        )));
     }
-
-    /// λm and dλm/dλ at a contraction of the whole muscle.
-    fn middle(&self, contraction: f64) -> Result<(f64, f64)> {
-        let (l, b) = (1.0 - contraction, &self.braid);
-        let length = |lm: f64| match b.at(1.0 - lm) {
-            Ok(g) => (lm + 2.0 * (g.r - b.r0) / b.length - l, 1.0 + 2.0 * g.r1 / b.length),
-            Err(_) => (f64::NAN, f64::NAN),
-        };
-        // At λm → 0 the ends meet.
-        let highest = 1.0 - 2.0 * b.r0 * (1.0 / b.sin - 1.0) / b.length;
-        let error = ModelError::Geometry { contraction, lowest: 1.0 - (length(self.turn).0 + l), highest };
-        if !(contraction < highest && length(self.turn).0 > 0.0) {
-            return Err(error);
-        }
-        let lm = rising_root(1e-12, self.turn, l.min(self.turn), 0.0, length).ok_or(error)?;
-        Ok((lm, 1.0 / length(lm).1))
-    }
-}
-
-impl Proportional for RoundedEnds {
-    fn model(&self) -> &ModelInfo {
-        &self.info
-    }
-
-    fn per_pressure(&self, contraction: f64) -> Result<PerPressure> {
-        let (lm, slope) = self.middle(contraction)?;
-        let middle = balance(&self.braid, 1.0 - lm)?;
+    // The λm at which the whole length no longer grows with that of the middle: dr/dλ = −r0 cotθ0 c/√(1−c²) with c = λ cosθ0 is −L0/2.
+    let t = 0.5 * braid.length * braid.sin / (braid.r0 * braid.cos);
+    let turn = t / (1.0 + t * t).sqrt() / braid.cos;
+    let per_pressure = move |contraction| {
+        let (lm, slope) = middle(&braid, turn, contraction)?;
+        let middle = balance(&braid, 1.0 - lm)?;
         Ok(PerPressure { f_l: middle.f_l * slope, volume_mm3: None, ..middle })
+    };
+    let info = ModelInfo::new(&ENTRY, muscle);
+    Ok(Box::new(Proportional { info, per_pressure, contraction_at_pull: None }))
+}
+
+/// λm and dλm/dλ at a contraction of the whole muscle.
+fn middle(b: &Pantograph, turn: f64, contraction: f64) -> Result<(f64, f64)> {
+    let l = 1.0 - contraction;
+    let length = |lm: f64| match b.at(1.0 - lm) {
+        Ok(g) => (lm + 2.0 * (g.r - b.r0) / b.length - l, 1.0 + 2.0 * g.r1 / b.length),
+        Err(_) => (f64::NAN, f64::NAN),
+    };
+    // At λm → 0 the ends meet.
+    let highest = 1.0 - 2.0 * b.r0 * (1.0 / b.sin - 1.0) / b.length;
+    let error = ModelError::Geometry { contraction, lowest: 1.0 - (length(turn).0 + l), highest };
+    if !(contraction < highest && length(turn).0 > 0.0) {
+        return Err(error);
     }
+    let lm = rising_root(1e-12, turn, l.min(turn), 0.0, length).ok_or(error)?;
+    Ok((lm, 1.0 / length(lm).1))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{ForceBalance, ForceModel, Workspace};
+    use crate::model::{ModelKind, Workspace};
     use crate::muscle::Tube;
 
     fn long(length_mm: f64) -> Muscle {
@@ -93,7 +79,7 @@ mod tests {
     #[test]
     fn at_rest_and_for_long_muscles_it_is_the_force_balance() {
         let m = Muscle::prototype();
-        let (a, b) = (RoundedEnds::new(&m).unwrap(), ForceBalance::new(&m));
+        let (a, b) = (build(&m).unwrap(), ModelKind::ForceBalance.build(&m).unwrap());
         assert!(
             (a.force_n(&mut Workspace::new(), 0.2, 0.0).unwrap()
                 - b.force_n(&mut Workspace::new(), 0.2, 0.0).unwrap())
@@ -102,18 +88,20 @@ mod tests {
         );
         let errors = [1e4, 1e5].map(|length| {
             let m = long(length);
-            let exact = ForceBalance::new(&m).force_n(&mut Workspace::new(), 0.2, 0.15).unwrap();
-            RoundedEnds::new(&m).unwrap().force_n(&mut Workspace::new(), 0.2, 0.15).unwrap() - exact
+            let exact = ModelKind::ForceBalance.build(&m).unwrap();
+            let exact = exact.force_n(&mut Workspace::new(), 0.2, 0.15).unwrap();
+            build(&m).unwrap().force_n(&mut Workspace::new(), 0.2, 0.15).unwrap() - exact
         });
         assert!(errors[0] < 0.0 && (errors[0] / errors[1] - 10.0).abs() < 0.1, "{errors:?}");
     }
 
     #[test]
     fn the_length_adds_up() {
-        let model = RoundedEnds::new(&Muscle::prototype()).unwrap();
+        let (m, b) = (Muscle::prototype(), Pantograph::from_muscle(&Muscle::prototype()));
+        let model = build(&m).unwrap();
         for e in [0.0, 0.1, 0.25] {
-            let (lm, _) = model.middle(e).unwrap();
-            let r = 0.5 * Muscle::prototype().pantograph_diameter_mm(1.0 - lm);
+            let r = 0.5 * model.response(&mut Workspace::new(), 0.2, e).unwrap().bulged_diameter_mm.unwrap();
+            let lm = (1.0 - (b.sin * r / b.r0).powi(2)).sqrt() / b.cos;
             assert!((lm * 285.0 + 2.0 * (r - 15.0) - (1.0 - e) * 285.0).abs() < 1e-9, "ε {e}");
         }
     }
@@ -121,8 +109,8 @@ mod tests {
     #[test]
     fn muscles_too_short_and_vanished_middles_are_refused() {
         let least = 30.0 / 28f64.to_radians().tan().powi(2);
-        assert!(matches!(RoundedEnds::new(&long(0.99 * least)), Err(ModelError::TooShort { .. })));
-        let model = RoundedEnds::new(&long(1.01 * least)).unwrap();
+        assert!(matches!(build(&long(0.99 * least)), Err(ModelError::TooShort(_))));
+        let model = build(&long(1.01 * least)).unwrap();
         assert!(model.force_n(&mut Workspace::new(), 0.2, 0.0).is_ok());
         assert!(matches!(model.force_n(&mut Workspace::new(), 0.2, 0.8), Err(ModelError::Geometry { .. })));
     }

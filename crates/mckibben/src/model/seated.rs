@@ -9,7 +9,7 @@ use super::{
     ForceModel, ModelError, ModelId, ModelInfo, ModelRange, Response, Result, Workspace, pivoting_n_per_mm,
 };
 use crate::differences::slope;
-use crate::muscle::{EndState, Ends, InnerPull, Muscle};
+use crate::muscle::{EndState, Ends, Muscle};
 use std::sync::Arc;
 
 /// A model of a muscle whose ends yield.
@@ -94,18 +94,14 @@ impl<M: ForceModel + ?Sized> Seated<M> {
             let mut respond =
                 |x| self.inner.response(workspace, p, x).map_err(|error| self.for_whole_muscle(error, e, x));
             let response = respond(x)?;
-            let stiffness_n_per_mm = match response.stiffness_n_per_mm {
-                Some(k) => k,
-                None if slips => -slope(H, |h| respond(x + h).map(|r| r.force_n))? / self.ends.active_mm(),
-                None => 0.0,
-            };
             last = Some(response);
-            let force_per_pressure_mm2 = response.force_per_pressure_mm2;
-            Ok::<_, ModelError>(InnerPull {
-                force_n: response.force_n,
-                stiffness_n_per_mm,
-                force_per_pressure_mm2,
-            })
+            let stiffness_n_per_mm = match response.stiffness_n_per_mm {
+                None if slips => {
+                    Some(-slope(H, |h| respond(x + h).map(|r| r.force_n))? / self.ends.active_mm())
+                }
+                known => known,
+            };
+            Ok::<_, ModelError>(Response { stiffness_n_per_mm, ..response })
         })?;
         ends.zip(last).ok_or(ModelError::NotConverged { pressure_mpa: p, contraction: e })
     }
@@ -116,7 +112,7 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         workspace: &mut Workspace,
         p: f64,
         e: f64,
-        mut pull: impl FnMut(&mut Workspace, f64) -> Result<InnerPull, E>,
+        mut pull: impl FnMut(&mut Workspace, f64) -> Result<Response, E>,
     ) -> Result<Option<EndState>, E> {
         let start = workspace.last_ends(&self.id).map(|last| self.ends.displacement_near_mm(last, p, e));
         let mut from =
@@ -147,7 +143,7 @@ impl<M: ForceModel + ?Sized> Seated<M> {
                     *value = self.ends.whole(*value, displacement);
                 }
             }
-            ModelError::NoEquilibrium { reason } | ModelError::Stopped { reason, .. } => {
+            ModelError::NoEquilibrium(reason) | ModelError::Stopped { reason, .. } => {
                 reason.push_str(" (contractions of the muscle between its ends, which give way)");
             }
             ModelError::Overstretched { contraction, .. }
@@ -200,33 +196,22 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         self.inner.has_slopes()
     }
 
-    fn force_by(
-        &self,
-        workspace: &mut Workspace,
-        p: f64,
-        e: f64,
-        names: &[String],
-    ) -> Option<Result<Vec<f64>>> {
+    fn force_by(&self, w: &mut Workspace, p: f64, e: f64, names: &[String]) -> Result<Option<Vec<f64>>> {
         if !self.has_slopes() {
-            return None;
+            return Ok(None);
         }
-        let (state, response) = match self.end_state(workspace, p, e) {
-            Ok(state) => state,
-            Err(error) => return Some(Err(error)),
-        };
-        response.stiffness_n_per_mm?;
+        let (state, response) = self.end_state(w, p, e)?;
         let inside: Vec<String> =
             names.iter().filter_map(|n| Ends::inner_name(n)).map(str::to_owned).collect();
-        let known = match self.inner.force_by(workspace, p, state.between, &inside)? {
-            Ok(known) => known,
-            Err(error) => return Some(Err(self.for_whole_muscle(error, e, state.between))),
-        };
+        let known = self.inner.force_by(w, p, state.between, &inside);
+        let known = known.map_err(|error| self.for_whole_muscle(error, e, state.between))?;
+        let Some((known, _)) = known.zip(response.stiffness_n_per_mm) else { return Ok(None) };
         let mut known = known.into_iter();
         let one = |name: &String| {
             let inner = Ends::inner_name(name).map_or(Some(0.0), |_| known.next())?;
             Some(self.ends.slope(&state, name, inner))
         };
-        names.iter().map(one).collect::<Option<Vec<f64>>>().map(Ok)
+        Ok(names.iter().map(one).collect())
     }
 
     fn blocked_scale_n(&self, workspace: &mut Workspace, p: f64) -> Result<f64> {

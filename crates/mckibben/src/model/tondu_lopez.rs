@@ -63,7 +63,7 @@ impl ForceModel for TonduLopez {
             bulged_diameter_mm: Some(diameter),
             ..Response::default()
         }
-        .with_braid_tension(tension, self.muscle().braid().strands.map(|s| s.count)))
+        .with_braid_tension(tension, self.muscle()))
     }
 
     fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {

@@ -2,7 +2,6 @@
 
 use crate::muscle::EndState;
 use std::any::Any;
-use std::convert::Infallible;
 use std::fmt;
 use std::sync::Arc;
 
@@ -56,14 +55,6 @@ impl Workspace {
     }
 
     /// The content that belongs to a model, made by `make` where this workspace has none of that model.
-    pub fn state<T: Any + Send>(&mut self, id: &ModelId, make: impl FnOnce() -> T) -> &mut T {
-        match self.try_state(id, || Ok::<T, Infallible>(make())) {
-            Ok(content) => content,
-            Err(never) => match never {},
-        }
-    }
-
-    /// The same where making it may fail.
     pub fn try_state<T: Any + Send, E>(
         &mut self,
         id: &ModelId,

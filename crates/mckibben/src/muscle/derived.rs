@@ -1,6 +1,6 @@
 //! What follows from a muscle's measures.
 
-use super::{BraidStiffness, Muscle, StrandLay};
+use super::{Muscle, StrandLay};
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -109,10 +109,5 @@ impl Muscle {
             strands: self.braid().strands.map(|s| s.count),
             rubber_volume_mm3: PI * (ro * ro - ri * ri) * (stretch * tube_cut_mm),
         }
-    }
-
-    /// Whether braid and rubber are the paper's, unchanged.
-    pub fn is_paper_make(&self) -> bool {
-        self.braid().stiffness == BraidStiffness::Paper && self.rubber().is_paper()
     }
 }

@@ -19,6 +19,7 @@
 //! tube and braid have the plug in them and stay as they are.
 
 use super::Muscle;
+use crate::model::Response;
 use std::borrow::Cow;
 
 /// The ends of a muscle.
@@ -52,17 +53,6 @@ pub struct EndState {
     pub stiffness_n_per_mm: f64,
     /// ∂N/∂P in mm², where it is known.
     pub load_per_pressure_mm2: Option<f64>,
-}
-
-/// What the muscle between its ends answers at x.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct InnerPull {
-    /// F₀ in N.
-    pub force_n: f64,
-    /// K₀ in N/mm.
-    pub stiffness_n_per_mm: f64,
-    /// ∂F₀/∂P in mm², where it is known.
-    pub force_per_pressure_mm2: Option<f64>,
 }
 
 impl Muscle {
@@ -153,13 +143,13 @@ impl Ends {
         pressure_mpa: f64,
         contraction: f64,
         start_mm: Option<f64>,
-        mut pull: impl FnMut(f64) -> Result<InnerPull, E>,
+        mut pull: impl FnMut(f64) -> Result<Response, E>,
     ) -> Result<Option<EndState>, E> {
         let mut displacement = start_mm.unwrap_or_else(|| self.end_displacement_mm(pressure_mpa, 0.0));
         for _ in 0..Self::STEPS {
             let between = self.between(contraction, displacement);
             let inner = pull(between)?;
-            let (k, slip) = (inner.stiffness_n_per_mm, self.slip_mm_per_n);
+            let (k, slip) = (inner.stiffness_n_per_mm.unwrap_or(0.0), self.slip_mm_per_n);
             let force_n = inner.force_n;
             let miss = self.end_displacement_mm(pressure_mpa, force_n) - displacement;
             if slip == 0.0 || miss.abs() <= 1e-9 * (1.0 + displacement.abs()) {

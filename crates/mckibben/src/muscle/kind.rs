@@ -38,17 +38,17 @@ impl Muscle {
     /// For calculations of muscles that pull.
     pub fn check_contracts(&self) -> Result<(), MuscleError> {
         let said = "this muscle extends, and the calculation is for muscles that contract: take an angle below 54.7356 deg";
-        if self.is_extensile() { Err(self.wrong_way(said)) } else { Ok(()) }
+        self.check_way(!self.is_extensile(), said)
     }
 
-    /// For calculations of muscles that push.
+    /// Refuses a muscle that contracts, for what pushes.
     pub fn check_extends(&self) -> Result<(), MuscleError> {
         let said = "this muscle contracts, and a push is required: take an angle above 54.7356 deg";
-        if self.is_extensile() { Ok(()) } else { Err(self.wrong_way(said)) }
+        self.check_way(self.is_extensile(), said)
     }
 
-    fn wrong_way(&self, said: &str) -> MuscleError {
+    fn check_way(&self, fits: bool, said: &str) -> Result<(), MuscleError> {
         let angle_deg = self.braid().angle_deg;
-        MuscleError::new(["braid.angle"], format!("braid.angle is {angle_deg} deg; {said}"))
+        MuscleError::unless(fits, ["braid.angle"], || format!("braid.angle is {angle_deg} deg; {said}"))
     }
 }

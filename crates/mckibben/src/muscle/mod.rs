@@ -29,7 +29,7 @@ pub use braid::{Braid, BraidStiffness, MeasuredStrand, SLEEVE_ANGLE_TOLERANCE_DE
 pub use crimp::Crimp;
 pub use derived::BuildSheet;
 pub use direction::Direction;
-pub use ends::{EndState, Ends, InnerPull};
+pub use ends::{EndState, Ends};
 pub use error::MuscleError;
 pub use friction::Friction;
 pub use kind::{LARGEST_ANGLE_DEG, MuscleKind};

@@ -179,8 +179,6 @@ pub fn foreign(law: &LawKind) -> String {
 }
 
 /// What is expected where a law is to be named.
-pub fn one_of_all() -> &'static str {
-    static WORDS: std::sync::LazyLock<String> =
-        std::sync::LazyLock::new(|| format!("one of {}", Law::names().join(", ")));
-    &WORDS
+pub fn one_of_all() -> String {
+    format!("one of {}", Law::names().join(", "))
 }

@@ -58,14 +58,8 @@ impl Form {
     /// What [`Form::parse`] understands, in the order of [`Form::all`], sums of terms last.
     pub fn words() -> Vec<String> {
         let (sums, laws): (Vec<Form>, Vec<Form>) = Form::all().into_iter().partition(|f| f.kind.is_sum);
-        let mut words: Vec<String> = laws.iter().map(|f| f.law().to_owned()).collect();
-        for form in sums {
-            if form.terms == 1 {
-                words.push(form.law().to_owned());
-            }
-            words.push(form.name());
-        }
-        words
+        let of_sum = |f: Form| (f.terms == 1).then(|| f.law().to_owned()).into_iter().chain([f.name()]);
+        laws.iter().map(|f| f.law().to_owned()).chain(sums.into_iter().flat_map(of_sum)).collect()
     }
 
     /// How many constants it has.

@@ -26,8 +26,8 @@ pub use law::LawVisitor;
 pub use laws::*;
 pub use library::{LibraryError, RubberEntry, RubberFit};
 pub use stability::{
-    MUSCLE_AXIAL_STRETCH, MUSCLE_HOOP_STRETCH, Stability, biaxial_stability, is_stable_at, log_hessian,
-    muscle_stability, muscle_states,
+    MUSCLE_AXIAL_STRETCH, MUSCLE_HOOP_STRETCH, biaxial_unstable_from, is_stable_at, log_hessian,
+    muscle_states, muscle_unstable_from,
 };
 
 /// Energy and derivatives in the three principal stretches taken as independent variables.

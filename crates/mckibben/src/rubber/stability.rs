@@ -1,40 +1,19 @@
 //! Where a law stays stable in the two-axis stretch of a muscle wall.
 
 use super::RubberLaw;
-use serde::Serialize;
 
 /// Axial stretches between which a muscle wall lies: contracted by up to 40 %, or drawn out by up to 10 %.
 pub const MUSCLE_AXIAL_STRETCH: (f64, f64) = (0.6, 1.1);
 /// Hoop stretch that the bore of a thick muscle reaches.
 pub const MUSCLE_HOOP_STRETCH: f64 = 3.0;
 
-/// How far a law is stable along the path a muscle wall takes.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Stability {
-    /// Stable up to the given hoop stretch.
-    Stable,
-    /// Unstable from this hoop stretch on.
-    UnstableFrom {
-        /// Hoop stretch λθ at which the tangent first loses its positive definiteness.
-        hoop_stretch: f64,
-    },
-}
-
 /// Walks the hoop stretch from 1 to `largest_hoop_stretch` at the axial stretches of a contracting muscle
 /// (λz = 1 and 0.75) and asks whether ŵ(λθ, λz) stays convex in the logarithms of the stretches (Hill's inequality;
-/// Drucker stability of incompressible rubber).
-pub fn biaxial_stability<L: RubberLaw + ?Sized>(law: &L, largest_hoop_stretch: f64) -> Stability {
+/// Drucker stability of incompressible rubber). The hoop stretch λθ at which the tangent first loses its positive definiteness, where it does.
+pub fn biaxial_unstable_from<L: RubberLaw + ?Sized>(law: &L, largest_hoop_stretch: f64) -> Option<f64> {
     const STEPS: usize = 200;
-    for i in 0..=STEPS {
-        let hoop = 1.0 + (largest_hoop_stretch - 1.0) * i as f64 / STEPS as f64;
-        for axial in [1.0_f64, 0.75] {
-            if !is_stable_at(law, hoop, axial) {
-                return Stability::UnstableFrom { hoop_stretch: hoop };
-            }
-        }
-    }
-    Stability::Stable
+    let mut hoops = (0..=STEPS).map(|i| 1.0 + (largest_hoop_stretch - 1.0) * i as f64 / STEPS as f64);
+    hoops.find(|&hoop| [1.0, 0.75].iter().any(|&axial| !is_stable_at(law, hoop, axial)))
 }
 
 /// ∂²ŵ/∂x², ∂²ŵ/∂x∂y, ∂²ŵ/∂y² with x = ln λ1, y = ln λ2 of incompressible rubber, in MPa.
@@ -65,8 +44,7 @@ pub fn muscle_states(largest_hoop_stretch: f64) -> impl Iterator<Item = (f64, f6
 }
 
 /// [`biaxial_stability`] over the whole field of a muscle's stretches instead of along two paths.
-pub fn muscle_stability<L: RubberLaw + ?Sized>(law: &L, largest_hoop_stretch: f64) -> Stability {
-    muscle_states(largest_hoop_stretch)
-        .find(|&(hoop, axial)| !is_stable_at(law, hoop, axial))
-        .map_or(Stability::Stable, |(hoop_stretch, _)| Stability::UnstableFrom { hoop_stretch })
+pub fn muscle_unstable_from<L: RubberLaw + ?Sized>(law: &L, largest_hoop_stretch: f64) -> Option<f64> {
+    let mut states = muscle_states(largest_hoop_stretch);
+    states.find(|&(hoop, axial)| !is_stable_at(law, hoop, axial)).map(|(hoop, _)| hoop)
 }

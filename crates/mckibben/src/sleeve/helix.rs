@@ -40,16 +40,13 @@ pub struct Helix {
 impl Helix {
     /// The helix that has an angle at a diameter: ℓ = π D/sinθ. `None` where these are no measures.
     pub fn at(diameter_mm: f64, angle_deg: f64) -> Option<Self> {
-        (angle_deg > 0.0 && angle_deg < 90.0)
-            .then(|| Self::checked(PI * diameter_mm / angle_deg.to_radians().sin()))
-            .flatten()
+        let helix = Self::checked(PI * diameter_mm / angle_deg.to_radians().sin());
+        helix.filter(|_| angle_deg > 0.0 && angle_deg < 90.0)
     }
 
     /// The helix of a sleeve that jams at two diameters: ℓ = π √(D₁² + D₂²).
     pub fn jammed_at(least_mm: f64, largest_mm: f64) -> Option<Self> {
-        (least_mm > 0.0 && least_mm < largest_mm)
-            .then(|| Self::checked(PI * least_mm.hypot(largest_mm)))
-            .flatten()
+        Self::checked(PI * least_mm.hypot(largest_mm)).filter(|_| least_mm > 0.0 && least_mm < largest_mm)
     }
 
     /// The helix of a sleeve whose strands, `total_width_mm` = n w wide together, touch at its least diameter:

@@ -79,7 +79,10 @@ const TEXT: &str = include_str!("../../data/braids.toml");
 /// [`Refused`], which no released program should see.
 pub fn entries() -> Result<&'static [SleeveEntry], Refused> {
     static ENTRIES: OnceLock<Result<Vec<SleeveEntry>, Refused>> = OnceLock::new();
-    ENTRIES.get_or_init(|| read_entries(TEXT, materials()?)).as_deref().map_err(Refused::clone)
+    ENTRIES
+        .get_or_init(|| Ok(entries_of(&Catalogue::parse(TEXT)?, materials()?)?))
+        .as_deref()
+        .map_err(Refused::clone)
 }
 
 /// All materials, in the order of the table.
@@ -145,17 +148,6 @@ impl From<CatalogueError> for Refused {
         refused(format!("the built-in table of sleeves is damaged: {error}"))
     }
 }
-
-/// The rows of a kind, of which a table has some.
-fn rows<'a>(file: &'a Catalogue<'_>, kind: &str) -> Result<Vec<Row<'a>>, Refused> {
-    let rows = file.rows(kind);
-    if rows.is_empty() {
-        Err(refused(format!("the built-in table of sleeves is damaged: no [[{kind}]]")))
-    } else {
-        Ok(rows)
-    }
-}
-
 fn read_materials(file: &str) -> Result<Vec<Material>, Refused> {
     let one = |row: &Row<'_>| {
         Ok(Material {
@@ -172,13 +164,7 @@ fn read_materials(file: &str) -> Result<Vec<Material>, Refused> {
             note: row.owned("note"),
         })
     };
-    rows(&Catalogue::parse(file)?, "material")?.iter().map(one).collect()
-}
-
-fn read_entries(file: &str, materials: &'static [Material]) -> Result<Vec<SleeveEntry>, Refused> {
-    let file = Catalogue::parse(file)?;
-    rows(&file, "sleeve")?;
-    Ok(entries_of(&file, materials)?)
+    Catalogue::parse(file)?.rows("material").iter().map(one).collect()
 }
 
 /// A row is a sleeve, or a family of them: one of each nominal diameter, of a `range` in shares of it.
@@ -296,15 +282,16 @@ mod tests {
         let text = format!(
             "[sources.s]\ncitation = \"c\"\nterms = \"t\"\n[[sleeve]]\nname = \"n\"\ntitle = \"T\"\nsource = \"s\"\nmaterial = \"m\"\n{sleeve}"
         );
-        read_entries(&text, &[]).map_or_else(|e| e.to_string(), |_| "read".into())
+        let read = Catalogue::parse(&text).and_then(|file| entries_of(&file, &[]));
+        read.map_or_else(|e| e.to_string(), |_| "read".into())
     }
 
     #[test]
     fn a_damaged_table_is_an_error() {
-        for text in ["", "x =", "[[sleeve]]\nname = \"n\"", "[[material]]\nname = \"n\"\n[[sleeve]]\n"] {
-            assert!(matches!(read_entries(text, &[]), Err(Refused { .. })), "{text}");
+        for text in ["x =", "[[material]]\nname = \"n\""] {
             assert!(matches!(read_materials(text), Err(Refused { .. })), "{text}");
         }
+        assert!(damage("name = ").contains("TOML"));
         assert_eq!(damage("least_diameter = 3\nlargest_diameter = 4.0"), "read");
         assert_eq!(damage("least_diameter = 2\nstrands = 24\nstrand_diameter = 0.25"), "read");
         assert!(damage("").contains("n: nothing that gives a helix"));

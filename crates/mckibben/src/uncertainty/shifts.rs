@@ -3,6 +3,8 @@
 //! A shift has a sign. Muscles with the same rubber and braid therefore add their shifts value by value before the largest is taken:
 //! two of them that pull against each other cancel a part of it.
 
+use std::array;
+
 use crate::model::{ForceModel, ThickWall, Workspace};
 use crate::muscle::{Braid, BraidStiffness, Muscle, Rubber, Tube};
 use crate::rubber::library::{is_known_from_one_axis, of_equal_standing, stiffness_factor};
@@ -11,18 +13,10 @@ use crate::rubber::{Law, NeoHookean, RubberLaw};
 /// Share of the stiffness of a rubber that is known from one axis.
 pub const ONE_AXIS: f64 = 0.19;
 
-/// What each other value makes, in N; none where the model has no answer.
+/// What each other value makes, in N; none where the model has no answer. Of each law of equal standing, of the stiffness that one axis
+/// does not tell, of the stand-in's stiffness, and of the strands' stiffness.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Shifts {
-    /// Of each law of equal standing.
-    laws: Vec<Option<f64>>,
-    /// Of the stiffness that one axis does not tell.
-    one_axis: Vec<Option<f64>>,
-    /// Of the factor within which a stand-in rubber is known: stiffer and softer.
-    stand_in: Vec<Option<f64>>,
-    /// Of the factor within which the stiffness of the strands is known: stiffer and softer.
-    braid: Vec<Option<f64>>,
-}
+pub struct Shifts([Vec<Option<f64>>; 4]);
 
 impl Shifts {
     /// Of a muscle at a pressure in MPa and a contraction.
@@ -56,32 +50,25 @@ impl Shifts {
             Some(pull(&muscle.with_braid(braid).ok()?)? - here)
         };
         let braid = braid.into_iter().map(&mut with_strands).collect();
-        Self { laws, one_axis, stand_in, braid }
+        Self([laws, one_axis, stand_in, braid])
     }
 
     /// `self` a + `other` b, value by value, of muscles with the same rubber and braid.
     pub fn combined(&self, a: f64, other: &Self, b: f64) -> Self {
-        let sum = |own: &[Option<f64>], other: &[Option<f64>]| {
-            own.iter().zip(other).map(|(x, y)| x.zip(*y).map(|(x, y)| a * x + b * y)).collect()
-        };
-        Self {
-            laws: sum(&self.laws, &other.laws),
-            one_axis: sum(&self.one_axis, &other.one_axis),
-            stand_in: sum(&self.stand_in, &other.stand_in),
-            braid: sum(&self.braid, &other.braid),
-        }
+        Self(array::from_fn(|i| {
+            self.0[i].iter().zip(&other.0[i]).map(|(x, y)| x.zip(*y).map(|(x, y)| a * x + b * y)).collect()
+        }))
     }
 
     /// The largest difference that another law of equal standing makes, and what one axis does not tell; `None` of a rubber of which
     /// neither is known.
     pub fn rubber(&self) -> Option<f64> {
-        let each = [&self.laws, &self.one_axis, &self.stand_in];
-        each.into_iter().filter_map(|list| largest(list)).reduce(f64::hypot)
+        self.0[..3].iter().filter_map(|list| largest(list)).reduce(f64::hypot)
     }
 
     /// What strands whose stiffness is known within a factor alone leave open; `None` where it is taken as it is.
     pub fn braid(&self) -> Option<f64> {
-        largest(&self.braid)
+        largest(&self.0[3])
     }
 }
 

@@ -2,9 +2,7 @@
 
 use mckibben::curve::Test;
 use mckibben::formula::Coefficients;
-use mckibben::model::{
-    ChouHannaford, ForceBalance, ForceModel, FormulaModel, Ideal, ModelError, ModelKind, ThickWall, Workspace,
-};
+use mckibben::model::{ForceModel, FormulaModel, Ideal, ModelError, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{
     Braid, BraidStiffness, EndFactor, MeasuredStrand, Muscle, NEUTRAL_ANGLE_DEG, Rubber, Terminals, Tube,
 };
@@ -278,8 +276,8 @@ fn ideal_figures_of_the_literature() {
 #[test]
 fn thick_walled_miniature_at_rest() {
     let m = rigid(9.6, 21.0, 100.0, 2.1, soft());
-    let chou = ChouHannaford::new(&m).force_n(&mut Workspace::new(), 0.414, 0.0).unwrap();
-    let balance = ForceBalance::new(&m).force_n(&mut Workspace::new(), 0.414, 0.0).unwrap();
+    let pull = |kind: ModelKind| kind.build(&m).unwrap().force_n(&mut Workspace::new(), 0.414, 0.0).unwrap();
+    let (chou, balance) = (pull(ModelKind::ChouHannaford), pull(ModelKind::ForceBalance));
     let thick = ThickWall::new(&m).force_n(&mut Workspace::new(), 0.414, 0.0).unwrap();
     assert!((chou - 219.3).abs() < 0.05, "{chou}");
     assert!((balance - 219.3).abs() < 0.05, "{balance}");

@@ -3,7 +3,7 @@
 //! Loaded and held: the left side clamped, a dead load of 100 N upwards on the right side, z held everywhere.
 
 use super::block::Block;
-use super::{body, solve};
+use super::{body, drive};
 use crate::three_dimensional::{Brick, Freedom};
 use crate::verification::{Rows, neo_hookean};
 use mckibben::muscle::Bulk;
@@ -29,10 +29,7 @@ fn tip(n: usize) -> Option<f64> {
     }
     let corner = block.node(0, n, n);
     let mut body = body(problem)?;
-    for i in 1..=4 {
-        body.state.pressure = 0.25 * f64::from(i);
-        solve(&mut body, 0.0)?;
-    }
+    drive(&mut body, 1.0, 0.0, 4)?;
     Some(body.state.u[3 * corner + 1])
 }
 

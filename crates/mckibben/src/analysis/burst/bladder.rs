@@ -32,7 +32,8 @@ pub fn stretch_at_break(muscle: &Muscle) -> Option<f64> {
 /// The pressure at which the rubber of the unloaded muscle tears, below one at which another part fails.
 pub fn tearing(muscle: &Muscle, below_mpa: f64) -> Result<FailurePressure> {
     let Some(breaks) = stretch_at_break(muscle) else {
-        return Ok(FailurePressure::Unknown(NoBurst::NoElongation));
+        let why = NoBurst::Missing("the elongation at break of this rubber is not known");
+        return Ok(FailurePressure::Unknown(why));
     };
     // At the neutral angle, with elastic strands.
     if Radii::new(muscle).largest_stretch(NEUTRAL_ANGLE_DEG.to_radians(), 1.0 + STRAND_STRAIN) < breaks {

@@ -19,7 +19,9 @@ use std::f64::consts::PI;
 pub fn pull_off(model: &dyn ForceModel, up_to_mpa: f64) -> Result<FailurePressure> {
     let muscle = model.muscle();
     let Some(bears) = muscle.terminals().pull_off_n else {
-        return Ok(FailurePressure::Unknown(NoBurst::NoPullOff));
+        return Ok(FailurePressure::Unknown(NoBurst::Missing(
+            "the pull-off force of the clamps is not stated; give `pull_off` in [terminals] of the muscle file",
+        )));
     };
     let load = |r: &Response| Some(clamp_load_n(muscle, r.force_n, r.pressure_mpa));
     Ok(overloaded(model, &load, bears, up_to_mpa)?.0)

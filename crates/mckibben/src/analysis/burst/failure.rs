@@ -95,38 +95,21 @@ impl FailurePressure {
 /// Why the pressure of a failure mode is not known.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum NoBurst {
-    /// Neither the number of the strands nor their strength is stated.
-    #[error(
-        "the strength of the braid is not stated; give `strands` (how many) and `strand_strength` (such as \"40 N\") in [braid] of the muscle file"
-    )]
-    NoStrands,
-    /// The number of the strands is stated, and their strength is not.
-    #[error(
-        "the strength of the strands is not stated; give `strand_strength` (such as \"40 N\") in [braid] of the muscle file"
-    )]
-    NoStrength,
-    /// How many strands lie side by side, or how thick they are, is not stated.
-    #[error(
-        "the openings of the braid are not stated; give `strands`, `strand_area` and `strands_per_carrier` in [braid] of the muscle file"
-    )]
-    NoOpening,
-    /// The elongation at break of the rubber is not known.
-    #[error("the elongation at break of this rubber is not known")]
-    NoElongation,
-    /// The pull-off force of the clamps is not stated.
-    #[error(
-        "the pull-off force of the clamps is not stated; give `pull_off` in [terminals] of the muscle file"
-    )]
-    NoPullOff,
-    /// The model has no answer for the blocked muscle.
-    #[error("the model has no answer for the blocked muscle; another model may answer")]
-    NoAnswer,
-    /// The model has no answer beyond this pressure in MPa, and nothing fails up to it.
+    /// The muscle does not state what it takes, or the model has no answer.
+    #[error("{0}")]
+    Missing(&'static str),
+    /// The model has no answer beyond this pressure in MPa, and nothing fails up to there.
     #[error(
         "the model has no answer beyond {0:.3} MPa ({bar:.2} bar), and nothing fails up to there; another model may answer",
         bar = 10.0 * .0
     )]
     NoAnswerBeyond(f64),
+}
+
+impl NoBurst {
+    /// The model has no answer.
+    pub const NO_ANSWER: Self =
+        Self::Missing("the model has no answer for the blocked muscle; another model may answer");
 }
 
 /// The pressures at which a muscle fails.
@@ -196,10 +179,16 @@ impl Burst {
 
     /// What a muscle must state for the pressure at which its strands break to be known.
     pub fn missing(muscle: &Muscle) -> Option<NoBurst> {
-        match muscle.braid().strands {
-            None => Some(NoBurst::NoStrands),
-            Some(strands) if strands.strength_n.is_none() => Some(NoBurst::NoStrength),
-            Some(_) => None,
-        }
+        Self::strand_strength_n(muscle).err()
+    }
+
+    /// The strength of a strand in N.
+    pub(super) fn strand_strength_n(muscle: &Muscle) -> Result<f64, NoBurst> {
+        let strands = muscle.braid().strands.ok_or(NoBurst::Missing(
+            "the strength of the braid is not stated; give `strands` (how many) and `strand_strength` (such as \"40 N\") in [braid] of the muscle file",
+        ))?;
+        strands.strength_n.ok_or(NoBurst::Missing(
+            "the strength of the strands is not stated; give `strand_strength` (such as \"40 N\") in [braid] of the muscle file",
+        ))
     }
 }

@@ -29,7 +29,9 @@ const ANGLES: usize = 32;
 /// The pressure at which the tube of a muscle bulges through its braid.
 pub fn herniation(muscle: &Muscle) -> FailurePressure {
     let Some(openings) = Openings::new(muscle) else {
-        return FailurePressure::Unknown(NoBurst::NoOpening);
+        return FailurePressure::Unknown(NoBurst::Missing(
+            "the openings of the braid are not stated; give `strands`, `strand_area` and `strands_per_carrier` in [braid] of the muscle file",
+        ));
     };
     let first = muscle.braid().angle_rad();
     let last = NEUTRAL_ANGLE_DEG.to_radians();

@@ -28,9 +28,9 @@ const EDGE: f64 = 1e-6;
 /// # Errors
 /// [`AnalysisError`] where the work is cancelled, or the model has no answer at all.
 pub fn breaking(model: &dyn ForceModel, up_to_mpa: f64) -> Result<(FailurePressure, bool)> {
-    match (Burst::missing(model.muscle()), model.muscle().braid().strands.and_then(|s| s.strength_n)) {
-        (None, Some(strength)) => overloaded(model, &|r| r.strand_tension_n, strength, up_to_mpa),
-        (missing, _) => Ok((FailurePressure::Unknown(missing.unwrap_or(NoBurst::NoStrength)), false)),
+    match Burst::strand_strength_n(model.muscle()) {
+        Ok(strength) => overloaded(model, &|r| r.strand_tension_n, strength, up_to_mpa),
+        Err(why) => Ok((FailurePressure::Unknown(why), false)),
     }
 }
 
@@ -132,8 +132,7 @@ impl Blocked<'_> {
             };
             if p < 1e-9 {
                 // Not even without pressure.
-                let none =
-                    ModelError::NoEquilibrium { reason: "the blocked muscle has no equilibrium".into() };
+                let none = ModelError::NoEquilibrium("the blocked muscle has no equilibrium".into());
                 return Err(refused.unwrap_or_else(|| none.into()));
             }
         }

@@ -69,14 +69,13 @@ fn slopes_by_seating_and_length_are_those_of_differences() {
     let by_seating = (at(&muscle(3.01), workspace) - at(&muscle(2.99), workspace)) / 0.02;
     let by_length = (at(&longer(0.1), workspace) - at(&longer(-0.1), workspace)) / 0.2;
     let model = ModelKind::ThickWall.build(&base).unwrap();
-    let Some(slopes) = model.force_by(workspace, 0.25, 0.1, &names) else {
+    let Some(slopes) = model.force_by(workspace, 0.25, 0.1, &names).unwrap() else {
         let stiffness = model.response(workspace, 0.25, 0.1).unwrap().stiffness_n_per_mm.unwrap();
         assert!((by_seating + stiffness).abs() < 1e-5 * stiffness);
         // The thick wall is endless: its pull depends on L0 through δ/L0 alone.
         assert!((by_length - stiffness * (3.0 / 285.0)).abs() < 1e-5 * stiffness);
         return;
     };
-    let slopes = slopes.unwrap();
     assert!((slopes[0] - by_seating).abs() < 1e-5 * by_seating.abs(), "{slopes:?}");
     assert!((slopes[1] - by_length).abs() < 1e-5 * by_seating.abs(), "{slopes:?}");
 }

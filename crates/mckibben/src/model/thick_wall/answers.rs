@@ -29,7 +29,7 @@ impl ForceModel for ThickWall {
             max_stretch: Some(self.wall.largest_stretch(l, s.r)),
             ..Response::default()
         };
-        Ok(response.with_braid_tension(s.tension, self.info.muscle.braid().strands.map(|s| s.count)))
+        Ok(response.with_braid_tension(s.tension, self.muscle()))
     }
 
     fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {

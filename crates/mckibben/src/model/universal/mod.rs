@@ -176,8 +176,7 @@ impl ForceModel for Universal {
             max_stretch: Some(self.zone.wall.largest_stretch(place.l, s.r)),
             ..Response::default()
         };
-        let strands = self.info.muscle.braid().strands.map(|s| s.count);
-        response.with_braid_tension(s.tension, strands).finite(&self.info.name)
+        response.with_braid_tension(s.tension, self.muscle()).finite(&self.info.name)
     }
 
     fn forces_n(&self, _: &mut Workspace, lists: [&[f64]; 2], out: &mut [f64]) -> bool {

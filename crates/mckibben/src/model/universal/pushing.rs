@@ -7,7 +7,7 @@
 use super::Universal;
 use super::search::{Middle, SearchPoint};
 use crate::model::thick_wall::State;
-use crate::model::{Result, Workspace};
+use crate::model::{ModelError, Result, Workspace};
 use crate::rubber::RubberLaw;
 
 const ITERATIONS: usize = 60;
@@ -41,7 +41,7 @@ type Kept = Option<(u64, Zero)>;
 impl Universal {
     /// The same, from what is known of this pressure.
     pub(super) fn zero(&self, workspace: &mut Workspace, p: f64) -> Option<Zero> {
-        let kept = workspace.state::<Kept>(&self.id, || None);
+        let kept = workspace.try_state::<Kept, ModelError>(&self.id, || Ok(None)).ok()?;
         if let Some((of, zero)) = *kept
             && of == p.to_bits()
         {

@@ -16,7 +16,7 @@ use crate::rubber::{
 /// ```
 ///
 /// Tests along one axis often give C01 < 0, which is unstable in the two-axis stretch of a muscle: see
-/// [`biaxial_stability`](crate::rubber::biaxial_stability). Good up to about 100–200 % strain; it does not stiffen at
+/// [`biaxial_unstable_from`](crate::rubber::biaxial_unstable_from). Good up to about 100–200 % strain; it does not stiffen at
 /// large stretch. Sources: `mooney1940`, `rivlin1948`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MooneyRivlin {

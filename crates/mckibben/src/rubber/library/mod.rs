@@ -23,7 +23,7 @@ pub use named::{
 };
 pub use window::{Standing, Window, WindowLaw};
 
-use super::{Stability, biaxial_stability};
+use super::biaxial_unstable_from;
 use crate::catalogue::named as named_part;
 pub use crate::catalogue::plain;
 use crate::rubber::Rubber;
@@ -61,12 +61,11 @@ pub fn entry(name: &str) -> Result<&'static RubberEntry, LibraryError> {
 
 /// What to mind about a rubber in a muscle.
 pub fn warnings(rubber: &Rubber) -> Vec<String> {
-    let unstable = match biaxial_stability(&rubber.law, LARGEST_HOOP_STRETCH) {
-        Stability::UnstableFrom { hoop_stretch } => Some(format!(
+    let unstable = biaxial_unstable_from(&rubber.law, LARGEST_HOOP_STRETCH).map(|hoop_stretch| {
+        format!(
             "the law is unstable in two-axis stretch from a hoop stretch of {hoop_stretch:.2}; a muscle reaches up to {LARGEST_HOOP_STRETCH}"
-        )),
-        Stability::Stable => None,
-    };
+        )
+    });
     let negative = rubber.law.negative_c01_mpa().map(|c01_mpa| {
         format!(
             "C01 is {c01_mpa} MPa: a negative C01 comes from uniaxial tests and is wrong in the two-axis stretch of a muscle; prefer neo-hookean or yeoh"

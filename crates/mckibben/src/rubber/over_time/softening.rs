@@ -39,20 +39,16 @@ pub struct OgdenRoxburgh {
 impl OgdenRoxburgh {
     /// Checks the constants.
     pub fn validated(self) -> Result<Self, Refused> {
-        let bad = |name, value, expected| Err(constant(name, value, expected));
-        match self {
-            Self { r, .. } if !(r >= 1.0 && r.is_finite()) => {
-                bad("r", r, "1 or above: 1/r is the largest loss of stress")
-            }
-            Self { m_mpa, .. } if !(m_mpa >= 0.0 && m_mpa.is_finite()) => {
-                bad("m", m_mpa, "an energy of zero or above, in MPa")
-            }
-            Self { beta, .. } if !(beta >= 0.0 && beta.is_finite()) => bad("beta", beta, "zero or above"),
-            Self { m_mpa, beta, .. } if m_mpa + beta == 0.0 => {
-                bad("m + beta", 0.0, "above zero: one of m and beta spreads the loss")
-            }
-            sound => Ok(sound),
-        }
+        let Self { r, m_mpa, beta } = self;
+        let spreads = "above zero: one of m and beta spreads the loss";
+        let checks = [
+            ("r", r, r >= 1.0, "1 or above: 1/r is the largest loss of stress"),
+            ("m", m_mpa, m_mpa >= 0.0, "an energy of zero or above, in MPa"),
+            ("beta", beta, beta >= 0.0, "zero or above"),
+            ("m + beta", m_mpa + beta, m_mpa + beta != 0.0, spreads),
+        ];
+        let wrong = checks.into_iter().find(|(_, value, holds, _)| !(*holds && value.is_finite()));
+        wrong.map_or(Ok(self), |(name, value, _, expected)| Err(constant(name, value, expected)))
     }
 
     fn spread(&self, w_max: f64) -> f64 {
