@@ -9,7 +9,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use mckibben::analysis::{Burst, Evaluation};
 use mckibben::answer::Options;
-use mckibben::progress::{Progress, Silent};
+use mckibben::progress::Progress;
 use mckibben::{cancel, model::Workspace};
 use mckibben_build::{BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes, proof_mpa};
 use mckibben_report::Document;
@@ -233,7 +233,7 @@ fn operating(
         contraction: Some(free),
         ..ShapeRequest::default()
     };
-    let shape = crate::shape::shape(&shape, &Silent)?;
+    let shape = crate::shape::shape(&shape)?;
     let array = |name: &str| shape.arrays.get(name).map_or(&[][..], Vec::as_slice);
     let (r, z, across) = (array("r_mm"), array("z_mm"), shape.across.max(1));
     let outer = r.iter().zip(z).skip(across - 1).step_by(across);

@@ -10,7 +10,7 @@ use mckibben::analysis::{Burst, FailurePressure};
 use mckibben::muscle::{BuildSheet, Bulk, Muscle, MuscleKind};
 use mckibben::rubber::{RubberLaw, library};
 use mckibben::warning::{Warning, is_of_burst};
-use mckibben::{muscle::file::to_toml, progress::Progress, uncertainty::UncertaintyParts};
+use mckibben::{muscle::file::to_toml, uncertainty::UncertaintyParts};
 use mckibben_fit::validation::case::{MuscleCase, muscles};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -125,7 +125,7 @@ pub struct Characteristics {
 type AtPressure = (Option<Characteristics>, Vec<String>, Vec<MuscleFinding>);
 
 /// What is known of a muscle, and what is not.
-pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAnswer> {
+pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
     let (muscle, rest_volume_mm3, (characteristics, said, findings)) = if request.only_data {
         let (model, asking) = (&request.question.model, request.question.asking);
         let fields = [

@@ -123,15 +123,15 @@ macro_rules! command {
 /// Every command; those on campaigns need the feature `files`, and many `whole`.
 pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
     let always = [
-        command!("force", ForceRequest => PointAnswer, |r, progress| force(&r, progress)),
-        command!("pressure", PressureRequest => PointAnswer, |r, progress| pressure(&r, progress)),
-        command!("contraction", ContractionRequest => PointAnswer, |r, progress| contraction(&r, progress)),
-        command!("fill", FillRequest => FillAnswer, |r, progress| fill(&r, progress)),
+        command!("force", ForceRequest => PointAnswer, |r, _progress| force(&r)),
+        command!("pressure", PressureRequest => PointAnswer, |r, _progress| pressure(&r)),
+        command!("contraction", ContractionRequest => PointAnswer, |r, _progress| contraction(&r)),
+        command!("fill", FillRequest => FillAnswer, |r, _progress| fill(&r)),
         command!("curve", CurveRequest => CurveAnswer, |r, progress| curve(&r, progress)),
-        command!("check", CheckRequest => CheckAnswer, |r, progress| check(&r, progress)),
+        command!("check", CheckRequest => CheckAnswer, |r, _progress| check(&r)),
         command!("measures", MeasuresRequest => MeasuresAnswer, |r, _progress| measures(&r)),
         command!("parts-list", PartsListRequest => PartsListAnswer, |r, _progress| parts_list(&r)),
-        command!("shape", ShapeRequest => ShapeAnswer, |r, progress| shape(&r, progress)),
+        command!("shape", ShapeRequest => ShapeAnswer, |r, _progress| shape(&r)),
         command!("quantities", QuantitiesRequest => QuantitiesAnswer, |r, _progress| quantities(&r)),
         command!("units", UnitsRequest => UnitsAnswer, |r, _progress| units(&r)),
     ];
@@ -142,7 +142,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!(long "design", DesignRequest => DesignAnswer, |r, progress| design(&r, progress)),
         command!(long "joint", JointRequest => JointAnswer, |r, progress| joint(&r, progress)),
         command!(long "motion", MotionRequest => MotionAnswer, |r, progress| motion(&r, progress)),
-        command!(long "study", StudyRequest => StudyAnswer, |r, progress| study(&r, progress)),
+        command!(long "study", StudyRequest => StudyAnswer, |r, _progress| study(&r)),
         command!(long "simulate", SimulateRequest => SimulateAnswer, |r, progress| simulate(&r, progress)),
         command!(long "validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
         command!(long "measured", MeasuredRequest => MeasuredAnswer, |r, progress| measured(&r, progress)),
@@ -156,7 +156,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!("parts-show", PartShowRequest => PartShowAnswer, |r, _progress| part_show(&r)),
         command!(long "rubber", RubberFitRequest => RubberFitAnswer, |r, progress| rubber_fit(&r, progress)),
         command!(long "build", BuildRequest => BuildAnswer, |r, progress| build(&r, progress)),
-        command!(long "export", ExportRequest => ExportAnswer, |r, progress| export(&r, progress)),
+        command!(long "export", ExportRequest => ExportAnswer, |r, _progress| export(&r)),
         command!("export-list", ExportListRequest => ExportListAnswer, |r, _progress| export_list(&r)),
     ];
     #[cfg(not(feature = "files"))]

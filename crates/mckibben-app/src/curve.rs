@@ -397,7 +397,7 @@ pub struct StudyRow {
     pub wall_mm: Option<f64>,
 }
 
-pub fn study(request: &StudyRequest, _progress: &dyn Progress) -> Result<StudyAnswer> {
+pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
     let QuestionFields { muscle: m, model, asking } = &request.question;
     let sizes = fields()
         .filter(|(_, measure)| [&OUTER_DIAMETER, &WALL, &LENGTH].contains(measure))

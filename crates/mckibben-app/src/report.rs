@@ -65,20 +65,17 @@ pub(crate) fn report(
         pressure_mpa: Some(pressure_mpa),
         ..CheckRequest::default()
     };
-    let shown = check(&wanted, progress)?;
+    let shown = check(&wanted)?;
     step(1)?;
     // To a whole percent: a state that one can set.
     let usual = (50.0 * plan.operating.free_contraction).round() / 100.0;
     let contraction = ratio(request.contraction.unwrap_or(usual))?;
-    let point = force(
-        &ForceRequest {
-            question: request.muscle.clone().into(),
-            pressure_mpa: Some(pressure_mpa),
-            contraction: Some(contraction),
-            ..ForceRequest::default()
-        },
-        progress,
-    )?;
+    let point = force(&ForceRequest {
+        question: request.muscle.clone().into(),
+        pressure_mpa: Some(pressure_mpa),
+        contraction: Some(contraction),
+        ..ForceRequest::default()
+    })?;
     step(2)?;
     let units = &request.units;
     let said = shown.warnings.iter().filter(|w| is_of_burst(w)).cloned().map(Part::Text);
@@ -89,7 +86,7 @@ pub(crate) fn report(
         contraction: Some(contraction),
         ..ShapeRequest::default()
     };
-    parts.push(body_part(&deformed, progress)?);
+    parts.push(body_part(&deformed)?);
     step(3)?;
     parts.extend(front(plan, burst, units));
     parts.push(Part::Heading("Curves".into()));
@@ -145,13 +142,13 @@ fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
 }
 
 /// The deformed muscle by itself.
-pub fn body(request: &ShapeRequest, progress: &dyn Progress) -> Result<Document> {
-    let parts = vec![body_part(request, progress)?];
+pub fn body(request: &ShapeRequest) -> Result<Document> {
+    let parts = vec![body_part(request)?];
     Ok(Document { title: "The deformed muscle".into(), parts, ..Document::default() })
 }
 
-fn body_part(request: &ShapeRequest, progress: &dyn Progress) -> Result<Part> {
-    let mut answer = shape(request, progress)?;
+fn body_part(request: &ShapeRequest) -> Result<Part> {
+    let mut answer = shape(request)?;
     for list in answer.arrays.values_mut() {
         // A few micrometres are finer than a screen.
         list.iter_mut().for_each(|v| *v = (*v * 1e4).round() / 1e4);
