@@ -60,6 +60,8 @@ mod report;
 pub mod rows;
 mod rubber;
 mod rubber_fit;
+#[cfg(feature = "schema")]
+mod schemas;
 mod shape;
 mod simulate;
 mod uncertainty;
@@ -75,8 +77,6 @@ pub use burst::*;
 pub use campaign::*;
 pub use check::*;
 pub use commands::{COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed, understood};
-#[cfg(feature = "schema")]
-pub use commands::{answer_schema, bundle, schema};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;
@@ -107,6 +107,8 @@ pub use quantities::*;
 pub use report::{TitleBlock, body};
 pub use rubber::*;
 pub use rubber_fit::*;
+#[cfg(feature = "schema")]
+pub use schemas::{answer_schema, bundle, schema};
 pub use shape::*;
 pub use simulate::*;
 pub use uncertainty::*;
