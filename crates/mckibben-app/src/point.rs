@@ -158,14 +158,10 @@ fn answered(
         check_both(options, &question.muscle)?;
     }
     let mut on = |options| ask(&mut question.evaluation().with(options));
-    let mut all = || -> Result<(Answer, Vec<Answer>)> {
-        let point = on(options)?;
-        let both = Direction::BRANCHES.into_iter().filter(|_| both);
-        let branches =
-            both.map(|direction| on(Options { direction, ..options })).collect::<Result<_, _>>()?;
-        Ok((point, branches))
-    };
-    let (mut point, branches) = all()?;
+    let mut point = on(options)?;
+    let both = Direction::BRANCHES.into_iter().filter(|_| both);
+    let branches: Vec<Answer> =
+        both.map(|direction| on(Options { direction, ..options })).collect::<Result<_>>()?;
     let all = std::iter::once(&point).chain(&branches);
     let highest_mpa = all.map(|a| a.response.pressure_mpa).fold(0.0, f64::max);
     let background = question.background(&mut point, highest_mpa)?;

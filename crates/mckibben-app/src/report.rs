@@ -8,7 +8,7 @@ use crate::{
 use mckibben::analysis::{Burst, FailurePressure, SAFETY};
 use mckibben::muscle::Direction;
 use mckibben::{curve::Test, muscle::file::to_toml, progress::Progress, warning::is_of_burst};
-use mckibben_build::{Plan, drawing_svg};
+use mckibben_build::{Plan, TestPoint, drawing_svg};
 use mckibben_report::{Document, Figure, Part};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -88,7 +88,8 @@ pub(crate) fn report(
     };
     parts.push(body_part(&deformed)?);
     step(3)?;
-    parts.extend(front(plan, burst, units));
+    parts.extend(margins(plan, burst, units));
+    parts.extend(drawing_svg(plan).ok().map(Part::Drawing));
     parts.push(Part::Heading("Curves".into()));
     for test in [Test::Isobaric, Test::Isometric] {
         parts.extend(curves(request, test, pressure_mpa, progress)?.map(|f| Part::Figure(Box::new(f))));
@@ -217,12 +218,6 @@ fn limits(shown: &CheckAnswer, point: &PointAnswer) -> Vec<Part> {
     vec![Part::Heading("Assumptions and limits".into()), Part::List(list)]
 }
 
-/// The margins of safety, and the drawing.
-fn front(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
-    let drawing = drawing_svg(plan).ok().map(Part::Drawing);
-    margins(plan, burst, units).into_iter().chain(drawing).collect()
-}
-
 /// The pressure of each failure over the working pressure, beside what is required.
 fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
     let working_mpa = plan.operating.pressure_mpa;
@@ -259,18 +254,18 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
 /// The points of the first test, with a column to fill in.
 fn test_sheet(plan: &Plan, units: &Units) -> Vec<Part> {
     let length_mm = plan.muscle.length_mm();
-    let mut rows: Vec<Vec<String>> = vec![];
-    for (i, point) in plan.test.iter().enumerate() {
+    let row = |(i, point): (usize, &TestPoint)| {
         let branch = if point.branch == Direction::Elongation { "falling" } else { "rising" };
-        rows.push(vec![
+        vec![
             (i + 1).to_string(),
             units.length.show(length_mm * (1.0 - point.contraction)),
             percent(point.contraction),
             units.pressure.show(point.pressure_mpa),
             branch.into(),
             String::new(),
-        ]);
-    }
+        ]
+    };
+    let rows = plan.test.iter().enumerate().map(row).collect();
     let pull = format!("measured pull [{}]", units.force.name);
     let head = ["no.", "distance of the clamps", "contraction", "pressure", "pressure is", &pull];
     vec![
