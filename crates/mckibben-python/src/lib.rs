@@ -22,21 +22,15 @@ use pyo3::pymodule;
 #[pymodule(gil_used = false)]
 mod _native {
     #[pymodule_export]
-    use crate::ask::{ask, choice, quantity, schema, unit_of, values};
-    #[pymodule_export]
-    use crate::files::{
-        drive_files, joint_files, read_formula, read_table, read_text, toml, toml_text, write_file,
+    use crate::{
+        ask::{ask, choice, quantity, schema, unit_of, values},
+        files::{drive_files, joint_files, read_formula, read_table, read_text, toml, toml_text, write_file},
+        formula::Formula,
+        model::Model,
+        muscle::{muscle_fields, muscle_text, muscle_with, parameters, rubber_stress},
+        simulation::Simulation,
+        view::{body_html, report_html},
     };
-    #[pymodule_export]
-    use crate::formula::Formula;
-    #[pymodule_export]
-    use crate::model::Model;
-    #[pymodule_export]
-    use crate::muscle::{muscle_fields, muscle_text, muscle_with, parameters, rubber_stress};
-    #[pymodule_export]
-    use crate::simulation::Simulation;
-    #[pymodule_export]
-    use crate::view::{body_html, report_html};
 
     /// The version of the crates, and of the package.
     #[pymodule_export]
