@@ -9,7 +9,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use mckibben::analysis::{Burst, Evaluation};
 use mckibben::answer::Options;
-use mckibben::progress::{Progress, Silent};
+use mckibben::progress::Progress;
 use mckibben::{cancel, model::Workspace};
 use mckibben_build::{BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes, proof_mpa};
 use mckibben_report::Document;
@@ -111,24 +111,13 @@ pub struct BuiltFile {
     pub content: Vec<u8>,
 }
 
-impl BuiltFile {
-    /// Of text, or of bytes.
-    pub(crate) fn new(name: &str, about: &str, content: Result<String, Vec<u8>>) -> Self {
-        let (text, base64, content) = match content {
-            Ok(text) => (Some(text.clone()), None, text.into_bytes()),
-            Err(bytes) => (None, Some(STANDARD.encode(&bytes)), bytes),
-        };
-        Self { name: name.into(), about: about.into(), text, base64, content }
-    }
-}
-
 impl From<File> for BuiltFile {
-    fn from(file: File) -> Self {
-        let content = match file.content {
-            Content::Text(text) => Ok(text),
-            Content::Bytes(bytes) => Err(bytes),
+    fn from(File { name, about, content }: File) -> Self {
+        let (text, base64, content) = match content {
+            Content::Text(text) => (Some(text.clone()), None, text.into_bytes()),
+            Content::Bytes(bytes) => (None, Some(STANDARD.encode(&bytes)), bytes),
         };
-        Self::new(&file.name, file.about, content)
+        Self { name, about: about.into(), text, base64, content }
     }
 }
 
@@ -149,11 +138,8 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
     let document = request.report.then(|| report(request, (&plan, &burst), progress)).transpose()?;
     if let Some(document) = &document {
         let html = document.to_html("").map_err(|e| Problem::new(ProblemKind::Plot, e.to_string(), ""))?;
-        files.push(BuiltFile::new(
-            REPORT,
-            "all that is known of the muscle, for reading and printing",
-            Ok(html),
-        ));
+        let about = "all that is known of the muscle, for reading and printing";
+        files.push(File::text(REPORT, about, html).into());
     }
     let outside = not_measured(&plan.muscle, plan.safety.pressure_mpa)?;
     let warnings = said.iter().chain(&outside).map(ToString::to_string);
@@ -233,7 +219,7 @@ fn operating(
         contraction: Some(free),
         ..ShapeRequest::default()
     };
-    let shape = crate::shape::shape(&shape, &Silent)?;
+    let shape = crate::shape::shape(&shape)?;
     let array = |name: &str| shape.arrays.get(name).map_or(&[][..], Vec::as_slice);
     let (r, z, across) = (array("r_mm"), array("z_mm"), shape.across.max(1));
     let outer = r.iter().zip(z).skip(across - 1).step_by(across);

@@ -10,8 +10,8 @@ use mckibben::analysis::{Burst, FailurePressure};
 use mckibben::muscle::{BuildSheet, Bulk, Muscle, MuscleKind};
 use mckibben::rubber::{RubberLaw, library};
 use mckibben::warning::{Warning, is_of_burst};
-use mckibben::{muscle::file::to_toml, progress::Progress, uncertainty::UncertaintyParts};
-use mckibben_fit::validation::case::{MuscleCase, muscles};
+use mckibben::{muscle::file::to_toml, uncertainty::UncertaintyParts};
+use mckibben_fit::validation::case::muscles;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
@@ -125,7 +125,7 @@ pub struct Characteristics {
 type AtPressure = (Option<Characteristics>, Vec<String>, Vec<MuscleFinding>);
 
 /// What is known of a muscle, and what is not.
-pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAnswer> {
+pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
     let (muscle, rest_volume_mm3, (characteristics, said, findings)) = if request.only_data {
         let (model, asking) = (&request.question.model, request.question.asking);
         let fields = [
@@ -346,7 +346,12 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
         let outer_mm = m.tube().outer_diameter_mm;
         [outer_mm, m.wall_mm() / outer_mm, m.length_mm() / outer_mm, m.braid().angle_deg]
     };
-    let measured: Vec<[f64; 4]> = cases.iter().flat_map(|case| built(case)).map(|m| sizes(&m)).collect();
+    // Of its first fit, with what each point says of the muscle.
+    let built = cases.iter().flat_map(|case| {
+        let fit = case.fits.first();
+        case.points.iter().filter_map(move |point| point.section.apply(&fit?.muscle).ok())
+    });
+    let measured: Vec<[f64; 4]> = built.map(|m| sizes(&m)).collect();
     let highest_mpa =
         cases.iter().flat_map(|case| &case.points).map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
     let mut outside = vec![];
@@ -367,20 +372,6 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
     Ok(outside)
 }
 
-/// The muscles of a case, one for each size that its points state.
-fn built(case: &MuscleCase) -> Vec<Muscle> {
-    let Some(fit) = case.fits.first() else { return vec![] };
-    let mut all: Vec<Muscle> = vec![];
-    for point in &case.points {
-        if let Ok(muscle) = point.section.apply(&fit.muscle)
-            && !all.contains(&muscle)
-        {
-            all.push(muscle);
-        }
-    }
-    all
-}
-
 /// Parts of a ± that a measurement replaces: the name of the part, and what to do.
 const MEASURABLE: [(&str, &str); 6] = [
     (
@@ -398,6 +389,7 @@ const MEASURABLE: [(&str, &str); 6] = [
 ];
 
 fn measure(parts: &UncertaintyParts, values: &Characteristics) -> Vec<MuscleFinding> {
+    let finding = |text, left| MuscleFinding { kind: FindingKind::Measure, text, left_n: Some(left) };
     let total = parts.total();
     let mut named: Vec<(&str, f64)> = parts.named().collect();
     named.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -405,18 +397,10 @@ fn measure(parts: &UncertaintyParts, values: &Characteristics) -> Vec<MuscleFind
         let (_, how) = MEASURABLE.iter().find(|known| known.0 == name)?;
         let left = (total * total - part * part).max(0.0).sqrt();
         // A part that changes nothing that is shown.
-        (left < 0.98 * total).then(|| MuscleFinding {
-            kind: FindingKind::Measure,
-            text: format!("{name}: {how}"),
-            left_n: Some(left),
-        })
+        (left < 0.98 * total).then(|| finding(format!("{name}: {how}"), left))
     });
     let words = &values.uncertainty_words;
-    let whole = words.bench_uncertainty_n.map(|left| MuscleFinding {
-        kind: FindingKind::Measure,
-        text: words.bench.clone().unwrap_or_default(),
-        left_n: Some(left),
-    });
+    let whole = words.bench_uncertainty_n.map(|left| finding(words.bench.clone().unwrap_or_default(), left));
     whole.into_iter().chain(each).collect()
 }
 

@@ -7,14 +7,8 @@ use mckibben::{cancel::Cancel, progress::Progress, units::NamedUnit};
 use mckibben_campaign::campaign::{CampaignStatus, Merged, Outcome, Summary};
 #[cfg(feature = "whole")]
 use mckibben_campaign::fit::results::Results;
-#[cfg(feature = "schema")]
-use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
 use serde::{Serialize, de::DeserializeOwned};
-#[cfg(feature = "schema")]
-use serde_json::json;
 use serde_json::{Map, Value};
-#[cfg(feature = "schema")]
-use std::borrow::Cow;
 use std::sync::LazyLock;
 #[cfg(feature = "schema")]
 use std::sync::OnceLock;
@@ -102,7 +96,7 @@ macro_rules! command {
         CommandEntry {
             name: $name,
             #[cfg(feature = "schema")]
-            schema: schemas::<$request, $answer>,
+            schema: schemas::schemas::<$request, $answer>,
             read: |value| {
                 let $r: $request = understood(value)?;
                 Ok(Ready(Box::new(move |$progress| {
@@ -123,15 +117,15 @@ macro_rules! command {
 /// Every command; those on campaigns need the feature `files`, and many `whole`.
 pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
     let always = [
-        command!("force", ForceRequest => PointAnswer, |r, progress| force(&r, progress)),
-        command!("pressure", PressureRequest => PointAnswer, |r, progress| pressure(&r, progress)),
-        command!("contraction", ContractionRequest => PointAnswer, |r, progress| contraction(&r, progress)),
-        command!("fill", FillRequest => FillAnswer, |r, progress| fill(&r, progress)),
+        command!("force", ForceRequest => PointAnswer, |r, _progress| force(&r)),
+        command!("pressure", PressureRequest => PointAnswer, |r, _progress| pressure(&r)),
+        command!("contraction", ContractionRequest => PointAnswer, |r, _progress| contraction(&r)),
+        command!("fill", FillRequest => FillAnswer, |r, _progress| fill(&r)),
         command!("curve", CurveRequest => CurveAnswer, |r, progress| curve(&r, progress)),
-        command!("check", CheckRequest => CheckAnswer, |r, progress| check(&r, progress)),
+        command!("check", CheckRequest => CheckAnswer, |r, _progress| check(&r)),
         command!("measures", MeasuresRequest => MeasuresAnswer, |r, _progress| measures(&r)),
         command!("parts-list", PartsListRequest => PartsListAnswer, |r, _progress| parts_list(&r)),
-        command!("shape", ShapeRequest => ShapeAnswer, |r, progress| shape(&r, progress)),
+        command!("shape", ShapeRequest => ShapeAnswer, |r, _progress| shape(&r)),
         command!("quantities", QuantitiesRequest => QuantitiesAnswer, |r, _progress| quantities(&r)),
         command!("units", UnitsRequest => UnitsAnswer, |r, _progress| units(&r)),
     ];
@@ -142,7 +136,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!(long "design", DesignRequest => DesignAnswer, |r, progress| design(&r, progress)),
         command!(long "joint", JointRequest => JointAnswer, |r, progress| joint(&r, progress)),
         command!(long "motion", MotionRequest => MotionAnswer, |r, progress| motion(&r, progress)),
-        command!(long "study", StudyRequest => StudyAnswer, |r, progress| study(&r, progress)),
+        command!(long "study", StudyRequest => StudyAnswer, |r, _progress| study(&r)),
         command!(long "simulate", SimulateRequest => SimulateAnswer, |r, progress| simulate(&r, progress)),
         command!(long "validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
         command!(long "measured", MeasuredRequest => MeasuredAnswer, |r, progress| measured(&r, progress)),
@@ -156,7 +150,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!("parts-show", PartShowRequest => PartShowAnswer, |r, _progress| part_show(&r)),
         command!(long "rubber", RubberFitRequest => RubberFitAnswer, |r, progress| rubber_fit(&r, progress)),
         command!(long "build", BuildRequest => BuildAnswer, |r, progress| build(&r, progress)),
-        command!(long "export", ExportRequest => ExportAnswer, |r, progress| export(&r, progress)),
+        command!(long "export", ExportRequest => ExportAnswer, |r, _progress| export(&r)),
         command!("export-list", ExportListRequest => ExportListAnswer, |r, _progress| export_list(&r)),
     ];
     #[cfg(not(feature = "files"))]
@@ -170,12 +164,6 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
     ];
     always.into_iter().chain(whole).chain(files).collect()
 });
-
-/// The JSON Schema of a command: `request`, `answer` and `error`.
-#[cfg(feature = "schema")]
-pub fn schema(command: &str) -> Result<Value, Problem> {
-    Ok(find(command)?.schema())
-}
 
 /// Answers a request in JSON: for pages, other languages and servers. The command is its name, the words of the command line
 /// joined by a hyphen.
@@ -262,79 +250,6 @@ pub fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
     })
 }
 
-#[cfg(feature = "schema")]
-pub fn answer_schema<A: JsonSchema>() -> Value {
-    schema_of(root::<A>(), SchemaSettings::draft2020_12().for_serialize()).to_value()
-}
-
-#[cfg(feature = "schema")]
-fn schemas<Q: JsonSchema, A: JsonSchema>() -> Value {
-    schemas_of(root::<Q>(), root::<A>())
-}
-
-#[cfg(feature = "schema")]
-fn schemas_of(request: Root, answer: Root) -> Value {
-    let settings = SchemaSettings::draft2020_12;
-    let [answer, error] = [answer, root::<Problem>()].map(|of| schema_of(of, settings().for_serialize()));
-    let request = schema_of(request, settings().for_deserialize());
-    let mut all = json!({ "request": request, "answer": answer, "error": error });
-    annotate(&mut all);
-    all
-}
-
-/// A type by its functions, so that what makes a schema of it is compiled once for all types.
-#[cfg(feature = "schema")]
-type Root = (fn() -> Cow<'static, str>, fn(&mut SchemaGenerator) -> Schema);
-
-#[cfg(feature = "schema")]
-fn root<T: JsonSchema>() -> Root {
-    (T::schema_name, T::json_schema)
-}
-
-/// As schemars has it (`into_root_schema_for`), but that a type which contains itself is among its definitions.
-#[cfg(feature = "schema")]
-fn schema_of((name, schema_of_type): Root, settings: SchemaSettings) -> Schema {
-    let mut generator = settings.into_generator();
-    let mut schema = schema_of_type(&mut generator);
-    let meta_schema = generator.settings().meta_schema.clone();
-    let definitions = generator.take_definitions(false);
-    let object = schema.ensure_object();
-    object.entry("title").or_insert_with(|| name().into());
-    object.extend(meta_schema.map(|meta| ("$schema".to_owned(), meta.into())));
-    if !definitions.is_empty() {
-        object.insert("$defs".into(), definitions.into());
-    }
-    generator.transforms_mut().for_each(|transform| transform.transform(&mut schema));
-    schema
-}
-
-/// Request, answer and error of every command, and in `$defs`, once, what they refer to: all schemas in one document, for front ends that make
-/// their forms, flags or functions of it.
-///
-/// Beside the keywords of JSON Schema a field has `x-unit` and `x-quantity` (see `annotate`) and `x-group`, the group of fields to which it
-/// belongs in a form or a help text: `muscle`, `model`. A measure of the muscle also has its bounds (`minimum`, …), its value where nothing
-/// is stated (`default`), `x-symbol`, its short name in formulas, and `x-key`, its key in a muscle file.
-#[cfg(feature = "schema")]
-pub fn bundle() -> Value {
-    let (mut all, mut defs) = (Map::new(), Map::new());
-    for command in COMMANDS.iter() {
-        let mut parts = command.schema();
-        for part in parts.as_object_mut().into_iter().flat_map(|parts| parts.values_mut()) {
-            let Some(part) = part.as_object_mut() else { continue };
-            part.remove("$schema");
-            if let Some(Value::Object(of_part)) = part.remove("$defs") {
-                defs.extend(of_part);
-            }
-        }
-        defs.insert("Problem".into(), parts["error"].take());
-        parts["error"] = json!({ "$ref": "#/$defs/Problem" });
-        parts["long"] = command.long.into();
-        all.insert(command.name.into(), parts);
-    }
-    all.insert("$defs".into(), defs.into());
-    all.into()
-}
-
 /// Words of serde, and ours.
 const PLAIN: [(&str, &str); 12] = [
     ("string ", "the text "),
@@ -382,32 +297,4 @@ fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
 fn json<A: Serialize>(answer: &A) -> Result<Value, Problem> {
     serde_json::to_value(answer)
         .map_err(|e| Problem::new(ProblemKind::Output, format!("the answer cannot be written: {e}"), ""))
-}
-
-/// Says of every field below a schema in which unit it is: `x-unit` is the unit of its numbers, `x-quantity` what they measure where a user may
-/// write a text with another unit in their place. Both follow from the field's name; a field whose name does not tell states them itself.
-#[cfg(feature = "schema")]
-pub(crate) fn annotate(schema: &mut Value) {
-    const UNIT: &str = "x-unit";
-    const QUANTITY: &str = "x-quantity";
-    let fields = schema.get_mut("properties").and_then(Value::as_object_mut);
-    for (name, field) in fields.into_iter().flatten() {
-        // Rows state their units.
-        let of_rows =
-            |f: &Map<String, Value>| f.get("items").is_some_and(|items| items.get("$ref").is_some());
-        let stated = |f: &Map<String, Value>| f.contains_key(QUANTITY) || f.contains_key(UNIT);
-        let Some(field) = field.as_object_mut().filter(|f| !stated(f) && !of_rows(f)) else { continue };
-        let Some(NamedUnit { unit, dimension }) = NamedUnit::of_field(name) else { continue };
-        if let Some(dimension) = dimension {
-            field.insert(QUANTITY.into(), json!(dimension));
-        }
-        if !unit.is_empty() {
-            field.insert(UNIT.into(), unit.into());
-        }
-    }
-    match schema {
-        Value::Object(map) => map.values_mut().for_each(annotate),
-        Value::Array(list) => list.iter_mut().for_each(annotate),
-        _ => {}
-    }
 }

@@ -306,14 +306,12 @@ fn answers(
     pressures: &[f64],
     contractions: &[f64],
 ) -> Result<Vec<MeasuredPoint>> {
-    let mut points = vec![];
-    for &pressure_mpa in pressures {
-        for &contraction in contractions {
-            let force_n = evaluation.point(pressure_mpa, contraction)?.response.force_n;
-            points.push(MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) });
-        }
-    }
-    Ok(points)
+    let states = pressures.iter().flat_map(|&p| contractions.iter().map(move |&e| (p, e)));
+    let point = |(pressure_mpa, contraction)| {
+        let force_n = evaluation.point(pressure_mpa, contraction)?.response.force_n;
+        Ok(MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) })
+    };
+    states.map(point).collect()
 }
 
 /// k in N/mm from which the search begins where the strands do not stretch.

@@ -181,17 +181,11 @@ pub(crate) fn reach(evaluation: &mut Evaluation<'_>, pressures: &[f64], step: f6
 
 /// Refuses what a test does not take.
 pub(crate) fn check_test(test: Test, contractions: bool, forces: bool) -> Result<()> {
-    let name = test.name();
-    match test {
-        Test::Isotonic => Problem::refuse_unused(
-            &[("contractions", contractions)],
-            format!("`test` {name} needs pulls (`forces_n`) and computes contractions"),
-        ),
-        Test::Isometric | Test::Isobaric => Problem::refuse_unused(
-            &[("forces_n", forces)],
-            format!("`test` {name} needs contractions (`contractions`) and computes pulls"),
-        ),
-    }
+    let (unused, needs) = match test {
+        Test::Isotonic => (("contractions", contractions), "pulls (`forces_n`) and computes contractions"),
+        _ => (("forces_n", forces), "contractions (`contractions`) and computes pulls"),
+    };
+    Problem::refuse_unused(&[unused], format!("`test` {} needs {needs}", test.name()))
 }
 
 /// Evenly spaced values, both ends among them.
@@ -236,10 +230,14 @@ pub(crate) fn forces(values: &Option<Vec<f64>>, muscle: &Muscle, options: Option
 /// Refuses more points than `most`.
 pub(crate) fn check_count(counts: &[usize], most: usize) -> Result<()> {
     let points = counts.iter().fold(1usize, |a, b| a.saturating_mul(*b));
-    let wrong = || {
-        Problem::new(ProblemKind::Range, format!("{points} points are more than {most}"), "take larger steps")
-    };
-    (points <= most).then_some(()).ok_or_else(wrong)
+    if points <= most {
+        return Ok(());
+    }
+    Err(Problem::new(
+        ProblemKind::Range,
+        format!("{points} points are more than {most}"),
+        "take larger steps",
+    ))
 }
 
 pub(crate) fn answered<'a>(list: impl IntoIterator<Item = &'a Curve>) -> impl Iterator<Item = &'a Answer> {
@@ -397,7 +395,7 @@ pub struct StudyRow {
     pub wall_mm: Option<f64>,
 }
 
-pub fn study(request: &StudyRequest, _progress: &dyn Progress) -> Result<StudyAnswer> {
+pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
     let QuestionFields { muscle: m, model, asking } = &request.question;
     let sizes = fields()
         .filter(|(_, measure)| [&OUTER_DIAMETER, &WALL, &LENGTH].contains(measure))

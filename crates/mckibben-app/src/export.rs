@@ -6,7 +6,6 @@ use crate::{
 };
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::Workspace;
-use mckibben::progress::Progress;
 use mckibben_export::{BoxRequest, ExportedMuscle, Target};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -73,7 +72,7 @@ pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer> {
 }
 
 /// A muscle as files.
-pub fn export(request: &ExportRequest, _progress: &dyn Progress) -> Result<ExportAnswer> {
+pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     let Some(target) = request.target.as_deref() else {
         let message = "`target` is missing: what the muscle is exported for";
         let hint = format!("one of {}", Target::names());

@@ -3,7 +3,6 @@
 use crate::{Background, LoadFields, Problem, ProblemKind, QuestionFields, Result, above_zero, given, ratio};
 use mckibben::liquid::{Liquid, LiquidSupply};
 use mckibben::load::{Fill, FillError, Filling};
-use mckibben::progress::Progress;
 use mckibben::refused::Refused;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -53,7 +52,7 @@ impl From<FillError> for Problem {
 }
 
 /// A volume of liquid pushed into a muscle.
-pub fn fill(request: &FillRequest, _progress: &dyn Progress) -> Result<FillAnswer> {
+pub fn fill(request: &FillRequest) -> Result<FillAnswer> {
     let volume_mm3 = given("volume_mm3", request.volume_mm3, "a volume, such as 20 mL")?;
     above_zero(ProblemKind::Quantity, "volume_mm3", volume_mm3)?;
     let LiquidSupply { liquid, dead_volume_mm3 } = request.liquid.supply()?;

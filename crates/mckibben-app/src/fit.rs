@@ -5,10 +5,12 @@ use crate::{
 };
 use mckibben::formula::{Document, Form, Made, Provenance, UniversalFormula};
 use mckibben::{model::ModelKind, progress::Progress};
-use mckibben_campaign::fit::data::FitPoint;
+use mckibben_campaign::fit::data::{FitPoint, points};
 use mckibben_campaign::fit::results::{Results, results};
 use mckibben_campaign::fit::tables::{Table, tables};
-use mckibben_campaign::fit::{FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule, make};
+use mckibben_campaign::fit::universal::{self, UniversalRequest};
+use mckibben_campaign::fit::{FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule};
+use mckibben_campaign::{PointRow, fit::made_for, fit::make};
 use mckibben_fit::measured::{DataPoint, PointOptions, read_points};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -101,31 +103,27 @@ impl FitAnswer {
 /// From a table of points to a formula with its errors and where it holds.
 pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer> {
     match request.method {
-        FitMethod::Paper | FitMethod::Global => section(request),
+        FitMethod::Paper => {
+            section(request, Method::Paper(Rules { thin: request.thin_rule, slack: request.slack_rule }))
+        }
+        FitMethod::Global => {
+            request.check_rules("global")?;
+            let why = "`method` global has no intermediate tables";
+            Problem::refuse_unused(&[("tables", request.tables)], why)?;
+            section(request, Method::Global)
+        }
         FitMethod::Universal => universal(request, Form::Membrane, progress),
         FitMethod::UniversalSmall => universal(request, Form::Bulge, progress),
     }
 }
 
 /// A formula for muscles of one make.
-fn section(request: &FitRequest) -> Result<FitAnswer> {
-    let method = match request.method {
-        FitMethod::Paper => Method::Paper(Rules { thin: request.thin_rule, slack: request.slack_rule }),
-        _ => Method::Global,
-    };
-    if method == Method::Global {
-        request.check_rules("global")?;
-        let why = "`method` global has no intermediate tables";
-        Problem::refuse_unused(&[("tables", request.tables)], why)?;
-    }
+fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
     request.check_name()?;
     request.hold_out_mm.iter().try_for_each(|&d| finite("hold_out_mm", d).map(drop))?;
     let Points { points, failed, made_for, origin } = request.points()?;
     let made_for = made_for.map_or_else(|| request.made_for(), Ok)?;
-    let usual = match method {
-        Method::Paper(_) => "paper-method",
-        Method::Global => "global",
-    };
+    let usual = if method == Method::Global { "global" } else { "paper-method" };
     let fitted = make(&Request {
         points: &points,
         made_for,
@@ -150,9 +148,7 @@ fn section(request: &FitRequest) -> Result<FitAnswer> {
 }
 
 /// A formula for muscles of every make.
-#[cfg(feature = "files")]
 fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Result<FitAnswer> {
-    use mckibben_campaign::fit::universal::{UniversalRequest, samples, universal};
     request.check_foreign()?;
     request.check_name()?;
     let Some(path) = &request.campaign else {
@@ -165,28 +161,16 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
         Form::Membrane => ModelKind::Universal,
         Form::Bulge => ModelKind::UniversalSmall,
     };
-    let samples = samples(&rows).map_err(|e| no_fit(&origin.name, e))?;
+    let samples = universal::samples(&rows).map_err(|e| no_fit(&origin.name, e))?;
     let wanted = UniversalRequest {
         samples: &samples,
         form,
         name: request.name.clone().unwrap_or_else(|| usual.name().into()),
         from: origin.from,
     };
-    let formula = Document::Universal(universal(&wanted, progress).map_err(|e| no_fit(&origin.name, e))?);
+    let fitted = universal::universal(&wanted, progress).map_err(|e| no_fit(&origin.name, e))?;
+    let formula = Document::Universal(fitted);
     Ok(FitAnswer { formula, tables: vec![], figures: vec![], failed: 0, fitted: None })
-}
-
-#[cfg(not(feature = "files"))]
-fn universal(request: &FitRequest, _: Form, _: &dyn Progress) -> Result<FitAnswer> {
-    request.check_foreign()?;
-    Err(no_files())
-}
-
-/// Where there is no file system there are no campaigns on disk.
-#[cfg(not(feature = "files"))]
-fn no_files() -> Problem {
-    Problem::new(ProblemKind::Usage, "this build of the program cannot read campaigns from disk", "")
-        .in_field("campaign")
 }
 
 /// The paper's campaign computed anew.
@@ -256,10 +240,7 @@ impl FitRequest {
 
     fn points(&self) -> Result<Points> {
         match (&self.campaign, &self.table) {
-            #[cfg(feature = "files")]
             (Some(path), _) => of_campaign(path),
-            #[cfg(not(feature = "files"))]
-            (Some(_), _) => Err(no_files()),
             (None, Some(file)) => of_csv(file),
             (None, None) => Err(Problem::missing("table", "a table of points, or `campaign`")),
         }
@@ -345,19 +326,24 @@ fn file_name(name: &Path) -> Option<String> {
 
 /// The rows of a campaign's file, or of its folder of parts.
 #[cfg(feature = "files")]
-fn rows(path: &Path) -> Result<(Vec<mckibben_campaign::PointRow>, Origin)> {
+fn rows(path: &Path) -> Result<(Vec<PointRow>, Origin)> {
     let table = mckibben_campaign::campaign::rows(path)?;
     let (plan_hash, seed) = (Some(table.provenance.plan_sha256.clone()), table.provenance.seed);
     let from = Provenance { table: file_name(path), plan_hash, seed, ..Provenance::default() };
     Ok((table.collect::<Result<_, _>>()?, Origin { name: path.display().to_string(), from }))
 }
 
-#[cfg(feature = "files")]
+/// Where there is no file system there are no campaigns on disk.
+#[cfg(not(feature = "files"))]
+fn rows(_: &Path) -> Result<(Vec<PointRow>, Origin)> {
+    let message = "this build of the program cannot read campaigns from disk";
+    Err(Problem::new(ProblemKind::Usage, message, "").in_field("campaign"))
+}
+
 fn of_campaign(path: &Path) -> Result<Points> {
-    use mckibben_campaign::fit::{data::points, made_for};
     let (rows, origin) = rows(path)?;
     let points = points(&rows);
-    let made_for = made_for(&rows).map_err(|e| Problem::new(ProblemKind::Fit, e.to_string(), ""))?;
+    let made_for = made_for(&rows)?;
     Ok(Points { failed: rows.len() - points.len(), points, made_for: Some(made_for), origin })
 }
 

@@ -6,7 +6,7 @@
 //! use mckibben_app::{ForceRequest, force};
 //!
 //! let request = ForceRequest { pressure_mpa: Some(0.25), contraction: Some(0.10), ..Default::default() };
-//! let answer = force(&request, &mckibben::progress::Silent)?;
+//! let answer = force(&request)?;
 //! assert_eq!(answer.point.model, "fe");
 //! assert!((answer.point.response.force_n - 491.43).abs() < 0.01);
 //! # Ok::<(), mckibben_app::Problem>(())
@@ -60,6 +60,8 @@ mod report;
 pub mod rows;
 mod rubber;
 mod rubber_fit;
+#[cfg(feature = "schema")]
+mod schemas;
 mod shape;
 mod simulate;
 mod uncertainty;
@@ -75,8 +77,6 @@ pub use burst::*;
 pub use campaign::*;
 pub use check::*;
 pub use commands::{COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed, understood};
-#[cfg(feature = "schema")]
-pub use commands::{answer_schema, bundle, schema};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;
@@ -107,6 +107,8 @@ pub use quantities::*;
 pub use report::{TitleBlock, body};
 pub use rubber::*;
 pub use rubber_fit::*;
+#[cfg(feature = "schema")]
+pub use schemas::{answer_schema, bundle, schema};
 pub use shape::*;
 pub use simulate::*;
 pub use uncertainty::*;

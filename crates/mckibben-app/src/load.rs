@@ -88,10 +88,7 @@ pub(crate) fn loaded(
     for &pressure_mpa in pressures_mpa {
         let balances = evaluation.balances(&load, pressure_mpa);
         cancel::check()?;
-        let (equilibria, error) = match balances {
-            Ok(equilibria) => (equilibria, None),
-            Err(error) => (vec![], Some(error)),
-        };
+        let (equilibria, error) = balances.map_or_else(|e| (vec![], Some(e)), |all| (all, None));
         stable.push((pressure_mpa, equilibria.iter().find(|b| b.stable).cloned()));
         at.push(LoadedAt { pressure_mpa, equilibria, error });
     }

@@ -10,7 +10,7 @@ use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::MeshSpec;
 use mckibben_fem::elements::{Elements, section};
 use mckibben_fem::three_dimensional::{BrickSpec, Match};
-use std::{fmt, sync::Arc};
+use std::sync::Arc;
 
 /// A force model that is not yet bound to a muscle: a closed form, a fitted formula, or finite elements with their mesh.
 #[derive(Debug, Clone, PartialEq)]
@@ -126,12 +126,6 @@ impl Model {
                 Err(ModelError::Missing { model: elements.name(), missing, key: "" })
             }
         }
-    }
-}
-
-impl fmt::Display for Model {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
     }
 }
 

@@ -99,9 +99,8 @@ pub struct ModelDetails {
 /// A model; `None` where there is none of that name.
 pub(crate) fn model_details(name: &str) -> Result<Option<ModelDetails>, Problem> {
     let Ok(model) = Model::named(name, &[], &Default::default()) else { return Ok(None) };
-    let Some(entry) = Model::all().into_iter().find(|entry| entry.name == model.name()) else {
-        return Ok(None);
-    };
+    let entry = Model::all().into_iter().find(|entry| entry.name == model.name());
+    let Some(entry) = entry else { return Ok(None) };
     let (source, uncertainty_basis, needs) = match model.build(&Muscle::prototype()) {
         Ok(bound) => (bound.info().source.to_string(), basis_of(&bound.info().accuracy), None),
         Err(error @ ModelError::Missing { .. }) => (String::new(), String::new(), Some(error.to_string())),

@@ -9,7 +9,7 @@ use mckibben::answer::{Answer, Options};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::{
     analysis::Burst, analysis::Evaluation, analysis::source_of, muscle::Direction, muscle::Muscle,
-    progress::Progress, uncertainty::basis_of, units::NamedUnit,
+    uncertainty::basis_of, units::NamedUnit,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -103,7 +103,7 @@ pub struct ModelAbout {
 }
 
 /// F(P, ε).
-pub fn force(request: &ForceRequest, _progress: &dyn Progress) -> Result<PointAnswer> {
+pub fn force(request: &ForceRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
@@ -111,7 +111,7 @@ pub fn force(request: &ForceRequest, _progress: &dyn Progress) -> Result<PointAn
 }
 
 /// P(F, ε).
-pub fn pressure(request: &PressureRequest, _progress: &dyn Progress) -> Result<PointAnswer> {
+pub fn pressure(request: &PressureRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
     let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
     pull(force_n, question.options)?;
@@ -120,7 +120,7 @@ pub fn pressure(request: &PressureRequest, _progress: &dyn Progress) -> Result<P
 }
 
 /// ε(F, P).
-pub fn contraction(request: &ContractionRequest, _progress: &dyn Progress) -> Result<PointAnswer> {
+pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
@@ -158,14 +158,10 @@ fn answered(
         check_both(options, &question.muscle)?;
     }
     let mut on = |options| ask(&mut question.evaluation().with(options));
-    let mut all = || -> Result<(Answer, Vec<Answer>)> {
-        let point = on(options)?;
-        let both = Direction::BRANCHES.into_iter().filter(|_| both);
-        let branches =
-            both.map(|direction| on(Options { direction, ..options })).collect::<Result<_, _>>()?;
-        Ok((point, branches))
-    };
-    let (mut point, branches) = all()?;
+    let mut point = on(options)?;
+    let both = Direction::BRANCHES.into_iter().filter(|_| both);
+    let branches: Vec<Answer> =
+        both.map(|direction| on(Options { direction, ..options })).collect::<Result<_>>()?;
     let all = std::iter::once(&point).chain(&branches);
     let highest_mpa = all.map(|a| a.response.pressure_mpa).fold(0.0, f64::max);
     let background = question.background(&mut point, highest_mpa)?;

@@ -8,7 +8,7 @@ use crate::{
 use mckibben::analysis::{Burst, FailurePressure, SAFETY};
 use mckibben::muscle::Direction;
 use mckibben::{curve::Test, muscle::file::to_toml, progress::Progress, warning::is_of_burst};
-use mckibben_build::{Plan, drawing_svg};
+use mckibben_build::{Plan, TestPoint, drawing_svg};
 use mckibben_report::{Document, Figure, Part};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -65,20 +65,17 @@ pub(crate) fn report(
         pressure_mpa: Some(pressure_mpa),
         ..CheckRequest::default()
     };
-    let shown = check(&wanted, progress)?;
+    let shown = check(&wanted)?;
     step(1)?;
     // To a whole percent: a state that one can set.
     let usual = (50.0 * plan.operating.free_contraction).round() / 100.0;
     let contraction = ratio(request.contraction.unwrap_or(usual))?;
-    let point = force(
-        &ForceRequest {
-            question: request.muscle.clone().into(),
-            pressure_mpa: Some(pressure_mpa),
-            contraction: Some(contraction),
-            ..ForceRequest::default()
-        },
-        progress,
-    )?;
+    let point = force(&ForceRequest {
+        question: request.muscle.clone().into(),
+        pressure_mpa: Some(pressure_mpa),
+        contraction: Some(contraction),
+        ..ForceRequest::default()
+    })?;
     step(2)?;
     let units = &request.units;
     let said = shown.warnings.iter().filter(|w| is_of_burst(w)).cloned().map(Part::Text);
@@ -89,9 +86,10 @@ pub(crate) fn report(
         contraction: Some(contraction),
         ..ShapeRequest::default()
     };
-    parts.push(body_part(&deformed, progress)?);
+    parts.push(body_part(&deformed)?);
     step(3)?;
-    parts.extend(front(plan, burst, units));
+    parts.extend(margins(plan, burst, units));
+    parts.extend(drawing_svg(plan).ok().map(Part::Drawing));
     parts.push(Part::Heading("Curves".into()));
     for test in [Test::Isobaric, Test::Isometric] {
         parts.extend(curves(request, test, pressure_mpa, progress)?.map(|f| Part::Figure(Box::new(f))));
@@ -145,13 +143,13 @@ fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
 }
 
 /// The deformed muscle by itself.
-pub fn body(request: &ShapeRequest, progress: &dyn Progress) -> Result<Document> {
-    let parts = vec![body_part(request, progress)?];
+pub fn body(request: &ShapeRequest) -> Result<Document> {
+    let parts = vec![body_part(request)?];
     Ok(Document { title: "The deformed muscle".into(), parts, ..Document::default() })
 }
 
-fn body_part(request: &ShapeRequest, progress: &dyn Progress) -> Result<Part> {
-    let mut answer = shape(request, progress)?;
+fn body_part(request: &ShapeRequest) -> Result<Part> {
+    let mut answer = shape(request)?;
     for list in answer.arrays.values_mut() {
         // A few micrometres are finer than a screen.
         list.iter_mut().for_each(|v| *v = (*v * 1e4).round() / 1e4);
@@ -220,12 +218,6 @@ fn limits(shown: &CheckAnswer, point: &PointAnswer) -> Vec<Part> {
     vec![Part::Heading("Assumptions and limits".into()), Part::List(list)]
 }
 
-/// The margins of safety, and the drawing.
-fn front(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
-    let drawing = drawing_svg(plan).ok().map(Part::Drawing);
-    margins(plan, burst, units).into_iter().chain(drawing).collect()
-}
-
 /// The pressure of each failure over the working pressure, beside what is required.
 fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
     let working_mpa = plan.operating.pressure_mpa;
@@ -262,18 +254,18 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
 /// The points of the first test, with a column to fill in.
 fn test_sheet(plan: &Plan, units: &Units) -> Vec<Part> {
     let length_mm = plan.muscle.length_mm();
-    let mut rows: Vec<Vec<String>> = vec![];
-    for (i, point) in plan.test.iter().enumerate() {
+    let row = |(i, point): (usize, &TestPoint)| {
         let branch = if point.branch == Direction::Elongation { "falling" } else { "rising" };
-        rows.push(vec![
+        vec![
             (i + 1).to_string(),
             units.length.show(length_mm * (1.0 - point.contraction)),
             percent(point.contraction),
             units.pressure.show(point.pressure_mpa),
             branch.into(),
             String::new(),
-        ]);
-    }
+        ]
+    };
+    let rows = plan.test.iter().enumerate().map(row).collect();
     let pull = format!("measured pull [{}]", units.force.name);
     let head = ["no.", "distance of the clamps", "contraction", "pressure", "pressure is", &pull];
     vec![

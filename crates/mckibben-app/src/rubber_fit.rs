@@ -96,9 +96,6 @@ pub struct RubberFitAnswer {
     /// Hoop stretch of the muscle up to which the laws were examined.
     #[serde(skip)]
     pub hoop_stretch: f64,
-    /// What receives the rubber.
-    #[serde(skip)]
-    receiver: Receiver,
     /// Relaxation, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub relaxation: Option<PronyFit>,
@@ -108,14 +105,6 @@ pub struct RubberFitAnswer {
     /// The figure, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
-}
-
-/// A muscle that receives a rubber.
-#[derive(Debug, Clone)]
-struct Receiver {
-    muscle: Muscle,
-    /// Name of the rubber there; default that of the table.
-    rubber_name: Option<String>,
 }
 
 /// A constant with the law that it belongs to: a row of a table.
@@ -165,14 +154,13 @@ impl RubberFitAnswer {
     }
 
     /// The muscle with a law.
-    fn with_law(&self, law: &FittedLaw) -> Result<String> {
+    fn with_law(&self, law: &FittedLaw, muscle: &Muscle, rubber: Option<String>) -> Result<String> {
         let (relaxation, softening) = (self.relaxation.as_ref(), self.softening.as_ref());
         let over_time = softening.map(|s| &s.first_loading).or(relaxation.map(|r| &r.instantaneous));
         let stem = || Path::new(&self.data).file_stem().map(|s| s.to_string_lossy().into_owned());
-        let Receiver { muscle, rubber_name } = &self.receiver;
         let mut tube = muscle.tube().clone();
         tube.rubber = Rubber {
-            name: rubber_name.clone().or_else(stem),
+            name: rubber.or_else(stem),
             // 1 + strain has more digits than the measurement.
             fitted_to_stretch: Some((self.fitted_to_stretch * 1e4).round() / 1e4),
             softening: softening.map(|s| OgdenRoxburgh { r: s.r, m_mpa: s.m_mpa, beta: s.beta }),
@@ -249,11 +237,11 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         softening,
         muscle_file: None,
         hoop_stretch: settings.hoop_stretch,
-        receiver: Receiver { muscle, rubber_name: request.name.clone() },
         figure: request.figure.then(|| figure::tension(&fit, &file.name)),
         laws: fit.laws,
     };
-    answer.muscle_file = answer.taken().map(|law| answer.with_law(law)).transpose()?;
+    answer.muscle_file =
+        answer.taken().map(|law| answer.with_law(law, &muscle, request.name.clone())).transpose()?;
     Ok(answer)
 }
 

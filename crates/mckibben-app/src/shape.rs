@@ -4,7 +4,7 @@ use crate::{
     MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite, given, pull, ratio,
 };
 use mckibben::answer::{Answer, Options};
-use mckibben::{analysis::Evaluation, model::Workspace, muscle::Muscle, progress::Progress};
+use mckibben::{analysis::Evaluation, model::Workspace, muscle::Muscle};
 use mckibben_fem::axisymmetric::{Axisymmetric, Section};
 use mckibben_fem::{elements::Elements, output::Stations, simulation::free_contraction, with_ends};
 use schemars::JsonSchema;
@@ -55,7 +55,7 @@ pub struct ShapeAnswer {
     pub arrays: BTreeMap<String, Vec<f64>>,
 }
 
-pub fn shape(request: &ShapeRequest, _progress: &dyn Progress) -> Result<ShapeAnswer, Problem> {
+pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
     let model = Model::named("fe", &[], &request.mesh)?;
     model.admit(&muscle)?;

@@ -37,7 +37,10 @@ pub struct UncertaintyWords {
 impl UncertaintyWords {
     /// Of the ± of a pull at a pressure by a model.
     pub(crate) fn at(parts: Option<UncertaintyParts>, model: &mut Evaluation<'_>, pressure_mpa: f64) -> Self {
-        let left = parts.and_then(|parts| bench_n(&parts, model, pressure_mpa));
+        // The ± after the suggested test, where the muscle was not measured and it helps.
+        let left = parts.filter(|parts| parts.fit.is_none() || parts.transfer.is_some()).and_then(|parts| {
+            model.identified_n(pressure_mpa).filter(|left| *left > 0.0 && *left < WORTH * parts.total())
+        });
         let mut out = Self { bench_uncertainty_n: left, parts, pressure_mpa, ..Self::default() };
         (out.text, out.bench) = (out.text_in(&Units::default()), out.bench_in(&Units::default()));
         out
@@ -66,13 +69,6 @@ impl UncertaintyWords {
     pub fn bench_in(&self, u: &Units) -> Option<String> {
         bench(self.bench_uncertainty_n?, self.pressure_mpa, u)
     }
-}
-
-/// The ± in N after the suggested test; `None` where the muscle was measured, or where it helps little.
-fn bench_n(parts: &UncertaintyParts, model: &mut Evaluation<'_>, pressure_mpa: f64) -> Option<f64> {
-    let left =
-        model.identified_n(pressure_mpa).filter(|_| parts.fit.is_none() || parts.transfer.is_some())?;
-    (left > 0.0 && left < WORTH * parts.total()).then_some(left)
 }
 
 /// A ± with its parts, the largest first: `± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1`.

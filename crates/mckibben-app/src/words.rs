@@ -25,25 +25,25 @@ pub fn air(normal_litres: f64) -> String {
 /// A number to the last digit of its ± ([`half_width`]).
 pub fn within(v: f64, uncertainty: f64) -> String {
     const NO_UNCERTAINTY: i32 = -4;
-    let known = uncertainty > 0.0 && uncertainty.is_finite();
-    to_place(v, if known { last_place(uncertainty) } else { NO_UNCERTAINTY })
+    to_place(v, if known(uncertainty) { last_place(uncertainty) } else { NO_UNCERTAINTY })
 }
 
 /// A ±: two digits.
 pub fn half_width(uncertainty: f64) -> String {
-    match uncertainty > 0.0 && uncertainty.is_finite() {
-        true => to_place(uncertainty, last_place(uncertainty)),
-        false => number(uncertainty, 2),
-    }
+    if known(uncertainty) { to_place(uncertainty, last_place(uncertainty)) } else { number(uncertainty, 2) }
 }
 
 /// A part of a ±: two digits, but none beyond a tenth of the last digit of the whole.
 pub fn part(v: f64, whole: f64) -> String {
-    let known = |x: f64| x > 0.0 && x.is_finite();
-    match known(v) && known(whole) {
-        true => to_place(v, last_place(v).max(last_place(whole) - 1)),
-        false => number(v, 2),
+    if known(v) && known(whole) {
+        to_place(v, last_place(v).max(last_place(whole) - 1))
+    } else {
+        number(v, 2)
     }
+}
+
+fn known(uncertainty: f64) -> bool {
+    uncertainty > 0.0 && uncertainty.is_finite()
 }
 
 /// The power of ten of the second digit of a ±.

@@ -137,7 +137,7 @@ fn clamping(plan: &Plan) -> Values {
 }
 
 fn tests(plan: &Plan) -> Values {
-    let (safety, operating) = (&plan.safety, &plan.operating);
+    let (safety, operating, allowed) = (&plan.safety, &plan.operating, plan.operating.allowed_mpa);
     let burst = operating.burst.map_or_else(
         || "not known: no number for it is stated".into(),
         |(burst_mpa, by)| format!("{}: {by}", operating.pressure(burst_mpa)),
@@ -145,12 +145,8 @@ fn tests(plan: &Plan) -> Values {
     vec![
         ("working", operating.pressure(safety.pressure_mpa)),
         ("burst", burst),
-        ("allowed", operating.allowed_mpa.map_or_else(|| "not known".into(), |mpa| operating.pressure(mpa))),
-        (
-            "relief",
-            operating
-                .pressure(relief_mpa(safety.pressure_mpa, operating.allowed_mpa.unwrap_or(f64::INFINITY))),
-        ),
+        ("allowed", allowed.map_or_else(|| "not known".into(), |mpa| operating.pressure(mpa))),
+        ("relief", operating.pressure(relief_mpa(safety.pressure_mpa, allowed.unwrap_or(f64::INFINITY)))),
         ("proof", operating.pressure(safety.proof_pressure_mpa)),
         ("leak", operating.pressure(safety.leak_pressure_mpa)),
         ("energy", significant(safety.air_energy_j, 2)),

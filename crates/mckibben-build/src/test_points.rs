@@ -55,13 +55,9 @@ pub(crate) fn csv(plan: &Plan) -> String {
         plan.operating.pressure(plan.operating.pressure_mpa)
     );
     for point in &plan.test {
-        let branch = match point.branch {
-            Direction::Elongation => "elongation",
-            Direction::Contraction | Direction::Mean => "contraction",
-        };
         let (p, e) = (trimmed(point.pressure_mpa, 5), trimmed(point.contraction, 4));
         let distance = trimmed(length_mm * (1.0 - point.contraction), 1);
-        out.push_str(&format!("{p},{e},,{branch},{distance}\n"));
+        out.push_str(&format!("{p},{e},,{},{distance}\n", point.branch));
     }
     out
 }

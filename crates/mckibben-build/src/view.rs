@@ -98,14 +98,7 @@ impl View<'_> {
 
     /// A horizontal dimension between x of the body; its line lies at `row`, in mm on paper from the axis. Extension lines begin at `from` of the body.
     pub(crate) fn across(&mut self, x: (f64, f64), from: (f64, f64), row: f64, text: &str) {
-        let y = self.origin[1] + row;
-        let beyond = BEYOND_MM * row.signum();
-        let (a, b) = (self.at(x.0, from.0), self.at(x.1, from.1));
-        for end in [a, b] {
-            let gap = GAP_MM * (y - end[1]).signum();
-            self.sheet.line(Pen::Thin, [[end[0], end[1] + gap], [end[0], y + beyond]]);
-        }
-        dimension(self.sheet, [a[0], y], [b[0], y], text);
+        self.extended([self.at(x.0, from.0), self.at(x.1, from.1)], 1, row, text);
     }
 
     /// A vertical dimension between y of the body at a place x of the body, inside of it.
@@ -116,14 +109,20 @@ impl View<'_> {
 
     /// A vertical dimension beside the body: its line lies at `column`, in mm on paper from the origin.
     pub(crate) fn beside(&mut self, y: (f64, f64), from: f64, column: f64, text: &str) {
-        let x = self.origin[0] + column;
-        let beyond = BEYOND_MM * column.signum();
-        let (a, b) = (self.at(from, y.0), self.at(from, y.1));
-        for end in [a, b] {
-            let gap = GAP_MM * (x - end[0]).signum();
-            self.sheet.line(Pen::Thin, [[end[0] + gap, end[1]], [x + beyond, end[1]]]);
+        self.extended([self.at(from, y.0), self.at(from, y.1)], 0, column, text);
+    }
+
+    /// A dimension whose line lies at `offset` from the origin along a coordinate, with extension lines from both ends.
+    fn extended(&mut self, ends: [[f64; 2]; 2], along: usize, offset: f64, text: &str) {
+        let place = self.origin[along] + offset;
+        let moved = |end: [f64; 2], to: f64| if along == 0 { [to, end[1]] } else { [end[0], to] };
+        for end in ends {
+            let gap = GAP_MM * (place - end[along]).signum();
+            let last = moved(end, place + BEYOND_MM * offset.signum());
+            self.sheet.line(Pen::Thin, [moved(end, end[along] + gap), last]);
         }
-        dimension(self.sheet, [x, a[1]], [x, b[1]], text);
+        let [a, b] = ends.map(|end| moved(end, place));
+        dimension(self.sheet, a, b, text);
     }
 
     /// A number in a circle with a line to a point of the body.

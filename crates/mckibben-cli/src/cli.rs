@@ -1,12 +1,10 @@
 //! The commands: their texts (`commands.txt`), and what runs them.
 
-use crate::{
-    Args, Format, Problem, commands::build, commands::campaign, commands::check, commands::compare,
-    commands::curve, commands::design, commands::export, commands::fill, commands::fit, commands::help,
-    commands::identify, commands::joint, commands::motion, commands::parts, commands::point,
-    commands::rubber, commands::schema, commands::serve, commands::simulate, commands::validate, spec::flags,
-    spec::text_of,
+use crate::commands::{
+    build, campaign, check, compare, curve, design, export, fill, fit, help, identify, joint, motion, parts,
+    point, rubber, schema, serve, simulate, validate,
 };
+use crate::{Args, Format, Problem, spec::flags, spec::text_of};
 use clap::{ArgAction, ArgMatches, Command, CommandFactory, Parser};
 use serde_json::Value;
 

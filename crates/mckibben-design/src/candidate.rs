@@ -7,6 +7,7 @@ use mckibben::analysis::{Burst, Evaluation, burst};
 use mckibben::model::{ModelError, Response};
 use mckibben::muscle::Muscle;
 use serde::Serialize;
+use std::collections::HashSet;
 
 /// A candidate at one operating point.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -145,13 +146,8 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
     let pressure_mpa = points.iter().map(|p| p.response.pressure_mpa).fold(0.0, f64::max);
     let mut spare: Vec<(Limit, f64)> = probe.checks.iter().map(|c| (c.limit, -c.excess())).collect();
     spare.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let mut known = vec![];
-    spare.retain(|(limit, _)| {
-        !known.contains(limit) && {
-            known.push(*limit);
-            true
-        }
-    });
+    let mut known = HashSet::new();
+    spare.retain(|(limit, _)| known.insert(*limit));
     let further = |a: f64, e: f64| if e.abs() > a.abs() { e } else { a };
     let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, further);
     Ok(Candidate {

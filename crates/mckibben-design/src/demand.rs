@@ -116,35 +116,35 @@ impl Demand {
 
     /// So many times what is wanted, over the same way.
     pub fn times(&self, factor: f64) -> Self {
-        match self {
-            Self::Points(points) => {
-                let one = |q: &OperatingPoint| OperatingPoint { force_n: factor * q.force_n, ..*q };
-                Self::Points(points.iter().map(one).collect())
-            }
-            Self::Load { load, way } => Self::Load { load: load.times(factor), way: *way },
-            Self::Joint(joint) => {
-                let one = |t: &TorqueWanted| TorqueWanted { torque_nm: factor * t.torque_nm, ..*t };
-                let torques = joint.torques.iter().map(one).collect();
-                Self::Joint(JointDemand { torques, ..joint.clone() })
-            }
-        }
+        self.scaled(factor, 1.0)
     }
 
     /// The same over a share of the way; the torques of a joint have theirs from its angles.
     pub(super) fn shorter(&self, share: f64) -> Self {
+        self.scaled(1.0, share)
+    }
+
+    fn scaled(&self, factor: f64, share: f64) -> Self {
         match self {
             Self::Points(points) => {
-                let one = |q: &OperatingPoint| OperatingPoint { contraction: share * q.contraction, ..*q };
+                let one = |&OperatingPoint { force_n, contraction }: &OperatingPoint| OperatingPoint {
+                    force_n: factor * force_n,
+                    contraction: share * contraction,
+                };
                 Self::Points(points.iter().map(one).collect())
             }
             Self::Load { load, way } => Self::Load {
-                load: load.clone(),
+                load: load.times(factor),
                 way: match way {
                     Lift::Stroke(mm) => Lift::Stroke(share * mm),
                     Lift::Contraction(ratio) => Lift::Contraction(share * ratio),
                 },
             },
-            Self::Joint(_) => self.clone(),
+            Self::Joint(joint) => {
+                let one = |t: &TorqueWanted| TorqueWanted { torque_nm: factor * t.torque_nm, ..*t };
+                let torques = joint.torques.iter().map(one).collect();
+                Self::Joint(JointDemand { torques, ..joint.clone() })
+            }
         }
     }
 

@@ -9,7 +9,7 @@ use mckibben::units::{Dimension, rounded};
 use serde::{Deserialize, Serialize};
 
 /// A kind of limit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Limit {
     /// The pull that is wanted, at the highest pressure that supply and muscle allow.

@@ -131,18 +131,13 @@ fn local_minimum(three: &[Sample], at: &mut impl FnMut(f64) -> Sample) -> Option
         return None;
     }
     let limits = b.excess.len().min(a.excess.len()).min(c.excess.len());
-    for j in 0..limits {
+    (0..limits).find_map(|j| {
         let (l, m, r) = (a.excess[j], b.excess[j], c.excess[j]);
-        if !(m > 0.0 && m < NEARLY && l > m && r >= m) {
-            continue;
-        }
+        let dips = m > 0.0 && m < NEARLY && l > m && r >= m;
         let value = |s: &Sample| Merit(s.excess.get(j).copied().unwrap_or(f64::INFINITY), [0.0; 2]);
-        let least = golden(a.x, b.clone(), c.x, STEPS, value, at);
-        if least.excess.get(j).is_some_and(|e| *e <= 0.0) {
-            return Some(least);
-        }
-    }
-    None
+        let least = dips.then(|| golden(a.x, b.clone(), c.x, STEPS, value, at))?;
+        least.excess.get(j).is_some_and(|e| *e <= 0.0).then_some(least)
+    })
 }
 
 /// Adds the parts of a segment that fit.

@@ -57,10 +57,12 @@ pub struct Rejected {
     /// The bound it breaks by most.
     #[serde(skip)]
     pub reason: Reason,
+    #[serde(skip)]
+    pub muscle: Muscle,
 }
 
 impl Rejected {
-    pub(super) fn new(muscle: &Muscle, reason: Reason, misses_by: Option<f64>) -> Self {
+    pub(super) fn new(muscle: Muscle, reason: Reason, misses_by: Option<f64>) -> Self {
         Self {
             outer_diameter_mm: muscle.outer_diameter_mm(),
             wall_mm: muscle.wall_mm(),
@@ -70,6 +72,7 @@ impl Rejected {
             sleeve: muscle.braid().sleeve.as_ref().map(|s| s.name.clone()),
             misses_by,
             reason,
+            muscle,
         }
     }
 }

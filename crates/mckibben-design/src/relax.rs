@@ -4,14 +4,14 @@ use crate::limit::{Probe, probe_with};
 use crate::search::{Pick, Search};
 use crate::spec::THICK_WALL;
 use crate::trial::{Below, Trial};
-use crate::{BraidChoice, Build, Check, Limit, OperatingPoint, Spec, fits, tubes};
+use crate::{BraidChoice, Build, Check, Limit, OperatingPoint, Spec, fits};
 use mckibben::analysis::{Evaluation, Options, bisect, find_root};
 use mckibben::model::ModelError;
-use mckibben::muscle::{Braid, BraidStiffness, Muscle};
-use mckibben::sleeve::library;
+use mckibben::muscle::Muscle;
 use mckibben::threads;
 use mckibben::units::{Values, rounded};
 use serde::Serialize;
+use std::collections::HashSet;
 
 /// A change of the specification with which a muscle fits.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -113,25 +113,15 @@ impl Relaxation {
             Self::MaxLiquidVolume { liquid_volume_mm3 } => {
                 limits.liquid_volume_mm3 = Some(*liquid_volume_mm3)
             }
-            Self::Sleeve { sleeve, .. } => {
-                let braid = library::find(sleeve).and_then(|sleeve| sleeve.on(sleeve.diameters().0));
-                braid.into_iter().for_each(|braid| spec.braid = BraidChoice::Sleeves(vec![braid]));
-            }
-            Self::Rubber { rubber, tube } => {
-                let of_rubber = tubes::cast_of(rubber).unwrap_or_default();
-                spec.tubes = of_rubber.into_iter().filter(|part| part.name == *tube).collect();
-            }
-            Self::Stiffness { family_stiffness_n_per_mm: k } => {
-                let braid = Braid { stiffness: BraidStiffness::NewtonPerMm(*k), ..spec.base.braid().clone() };
-                spec.base.with_braid(braid).into_iter().for_each(|base| spec.base = base);
-            }
             Self::Together { changes } => changes.iter().for_each(|change| change.apply(spec)),
+            // Other parts, with which a muscle was found.
+            Self::Sleeve { .. } | Self::Rubber { .. } | Self::Stiffness { .. } => {}
         }
     }
 }
 
 /// A kind of change.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum Kind {
     Pull,
     Contraction,
@@ -197,12 +187,8 @@ impl<'a> Misses<'a> {
         let places: Vec<(usize, Pick)> = self.picks.iter().copied().enumerate().collect();
         let mut rough: Vec<_> = threads::map(&places, rough).into_iter().flatten().flatten().collect();
         rough.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut kinds: Vec<Kind> = vec![];
-        for (_, kind, _) in &rough {
-            if !kinds.contains(kind) {
-                kinds.push(*kind);
-            }
-        }
+        let mut known = HashSet::new();
+        let kinds: Vec<Kind> = rough.iter().map(|r| r.1).filter(|kind| known.insert(*kind)).collect();
         let least = |kind: &Kind| {
             let mut best: Option<Change> = None;
             for (ask, _, pick) in rough.iter().filter(|(_, other, _)| other == kind).take(MOST) {
@@ -354,15 +340,11 @@ impl Miss<'_> {
 
     /// All limits that are missed, changed together.
     fn together(&self, trial: &mut Trial<'_>, probe: &Probe) -> Option<Change> {
-        let mut kinds: Vec<Kind> = vec![];
-        for check in probe.checks.iter().filter(|c| c.excess() > 0.0) {
-            let kind = if check.limit == Limit::Force { Kind::Pull } else { Kind::Limit(check.limit) };
-            if !kinds.contains(&kind) {
-                kinds.push(kind);
-            }
-        }
+        let mut known = HashSet::new();
+        let missed = probe.checks.iter().filter(|c| c.excess() > 0.0 && known.insert(c.limit));
+        let kinds = missed.map(|c| if c.limit == Limit::Force { Kind::Pull } else { Kind::Limit(c.limit) });
         let alone = Miss { proven: false, ..*self };
-        let changes = kinds.into_iter().map(|kind| alone.change(kind, trial, probe));
+        let changes = kinds.map(|kind| alone.change(kind, trial, probe));
         let (asks, changes): (Vec<f64>, Vec<Relaxation>) =
             changes.collect::<Option<Vec<Change>>>()?.into_iter().unzip();
         self.fits(&changes).then(|| (asks.into_iter().sum(), Relaxation::Together { changes }))

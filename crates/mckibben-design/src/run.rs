@@ -7,7 +7,6 @@ use crate::relax::{Kind, Misses};
 use crate::search::{Pick, SPARE, Search, SearchResult};
 use crate::trial::Trial;
 use crate::{Build, Candidate, Models, Reason, Rejected, Relaxation, Spec, SpecError};
-use mckibben::muscle::Muscle;
 use mckibben::progress::{Progress, Silent};
 use mckibben::threads;
 use mckibben::units::Values;
@@ -30,7 +29,6 @@ pub struct Outcome {
 pub struct Closest {
     /// Its measures and why it does not fit.
     pub rejected: Rejected,
-    pub muscle: Muscle,
     /// The muscles of the search, those that miss by least first.
     picks: Vec<Pick>,
 }
@@ -94,20 +92,17 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
             Ok(probe) => (Reason::Limit(*probe.worst().filter(|c| c.excess() > 0.0)?), Some(probe.miss())),
             Err(error) => (Reason::Model(error), None),
         };
-        Some((Rejected::new(&muscle, reason, misses_by), muscle))
+        Some(Rejected::new(muscle, reason, misses_by))
     };
     // By the model that decides others may be closer than by that of the search.
     let nearest = &picks[..picks.len().min(spec.top + SPARE)];
-    let mut misses: Vec<(Rejected, Muscle)> = threads::map(nearest, reject).into_iter().flatten().collect();
-    let missed = |miss: &(Rejected, Muscle)| miss.0.misses_by.unwrap_or(f64::INFINITY);
-    misses.sort_by(|a, b| missed(a).total_cmp(&missed(b)));
-    let closest = misses.first().filter(|_| candidates.is_empty()).map(|(rejected, muscle)| Closest {
-        rejected: rejected.clone(),
-        muscle: muscle.clone(),
-        picks: picks.clone(),
-    });
+    let mut rejected: Vec<Rejected> = threads::map(nearest, reject).into_iter().flatten().collect();
+    let missed = |r: &Rejected| r.misses_by.unwrap_or(f64::INFINITY);
+    rejected.sort_by(|a, b| missed(a).total_cmp(&missed(b)));
+    rejected.truncate(spec.top);
+    let closest = rejected.first().filter(|_| candidates.is_empty());
+    let closest = closest.map(|rejected| Closest { rejected: rejected.clone(), picks });
     progress.check()?;
-    let rejected = misses.into_iter().take(spec.top).map(|miss| miss.0).collect();
     Ok(Outcome { candidates, rejected, looked_at: (result.looked_at, result.fitted), closest })
 }
 

@@ -230,12 +230,11 @@ impl Spec {
         let lengths = self.length_mm.as_ref().map_or(1.0, count);
         let all = sections * lengths * braids * self.rubbers.len().max(1) as f64;
         if all > 5e6 {
-            Err(SpecError::Refused(format!(
+            return Err(SpecError::Refused(format!(
                 "{all:.3e} combinations are too many; at most 5 million: take larger steps or fewer values"
-            )))
-        } else {
-            Ok(())
+            )));
         }
+        Ok(())
     }
 }
 

@@ -1,7 +1,7 @@
 //! mckibben for Python: `mckibben._native`, on which the Python package is built.
 //!
-//! A thin border. Requests and answers are maps and lists of Python, turned into those of the application layer without text on the
-//! way ([`ask`]); lists of numbers are NumPy arrays, read where they lie ([`model`]). The interpreter is released around all work, and
+//! A thin border. Requests and answers are maps and lists of Python, turned into those of the application layer by way of JSON
+//! ([`ask`]); lists of numbers are NumPy arrays, read where they lie ([`model`]). The interpreter is released around all work, and
 //! hears of it now and then ([`run`]): a progress bar moves, Ctrl-C ends the work. What is wrong is raised as one of the package's
 //! exceptions ([`error`]); a panic is one of them.
 
@@ -22,21 +22,15 @@ use pyo3::pymodule;
 #[pymodule(gil_used = false)]
 mod _native {
     #[pymodule_export]
-    use crate::ask::{ask, choice, quantity, schema, unit_of, values};
-    #[pymodule_export]
-    use crate::files::{
-        drive_files, joint_files, read_formula, read_table, read_text, toml, toml_text, write_file,
+    use crate::{
+        ask::{ask, choice, quantity, schema, unit_of, values},
+        files::{drive_files, joint_files, read_formula, read_table, read_text, toml, toml_text, write_file},
+        formula::Formula,
+        model::Model,
+        muscle::{muscle_fields, muscle_text, muscle_with, parameters, rubber_stress},
+        simulation::Simulation,
+        view::{body_html, report_html},
     };
-    #[pymodule_export]
-    use crate::formula::Formula;
-    #[pymodule_export]
-    use crate::model::Model;
-    #[pymodule_export]
-    use crate::muscle::{muscle_fields, muscle_text, muscle_with, parameters, rubber_stress};
-    #[pymodule_export]
-    use crate::simulation::Simulation;
-    #[pymodule_export]
-    use crate::view::{body_html, report_html};
 
     /// The version of the crates, and of the package.
     #[pymodule_export]

@@ -73,8 +73,7 @@ impl Model {
         let many = Many { wanted: self::wanted(wanted)?, slopes: false, parameters: vec![], nan };
         let mut place = [f64::NAN];
         self.answer(py, [&[first], &[second]], &many, &mut place, None)?;
-        let [answer] = place;
-        Ok(answer)
+        Ok(place[0])
     }
 }
 

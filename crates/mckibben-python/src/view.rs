@@ -15,9 +15,9 @@ fn page(document: &Document) -> Result<String, Wrong> {
 #[pyo3(signature = (request: "dict[str, typing.Any]"))]
 pub fn body_html(py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<String> {
     let request = value::request(request)?;
-    Ok(run::long(py, None, |progress| {
+    Ok(run::long(py, None, |_| {
         let request: ShapeRequest = understood(&request)?;
-        page(&body(&request, progress)?)
+        page(&body(&request)?)
     })?)
 }
 

@@ -1,11 +1,6 @@
-//! The embedded font: the width of texts set in it, and their outlines.
-
-#[cfg(feature = "png")]
-use std::fmt::Write as _;
+//! The embedded font: the width of texts set in it.
 
 use ttf_parser::Face;
-#[cfg(feature = "png")]
-use ttf_parser::{GlyphId, OutlineBuilder};
 
 use crate::{FigureError, Result};
 
@@ -15,7 +10,7 @@ pub(crate) const FAMILY: &str = "DejaVu Sans, Helvetica, Arial, sans-serif";
 
 /// Measures texts in the embedded font.
 pub(crate) struct Metrics {
-    font: Face<'static>,
+    pub(crate) font: Face<'static>,
 }
 
 impl Metrics {
@@ -32,26 +27,13 @@ impl Metrics {
     }
 
     /// How far a character moves the pen; one that the font lacks takes 0.7 of the size.
-    fn advance(&self, c: char, size: f64) -> f64 {
+    pub(crate) fn advance(&self, c: char, size: f64) -> f64 {
         let advance = self.font.glyph_index(c).and_then(|glyph| self.font.glyph_hor_advance(glyph));
         advance.map_or(0.7 * size, |units| f64::from(units) * self.scale(size))
     }
 
-    fn scale(&self, size: f64) -> f64 {
+    pub(crate) fn scale(&self, size: f64) -> f64 {
         size / f64::from(self.font.units_per_em())
-    }
-
-    /// The outlines of a text that starts at `at` on its base line, as the data of an SVG path.
-    #[cfg(feature = "png")]
-    pub fn outlines(&self, text: &str, size: f64, at: (f64, f64)) -> String {
-        let mut pen = Pen { out: String::new(), x: at.0, y: at.1, scale: self.scale(size) };
-        for c in text.chars() {
-            // A character that the font lacks is its empty box, glyph 0.
-            let glyph = self.font.glyph_index(c).unwrap_or(GlyphId(0));
-            self.font.outline_glyph(glyph, &mut pen);
-            pen.x += self.advance(c, size);
-        }
-        pen.out
     }
 
     /// Breaks a text into lines no wider than `room` where it has blanks.
@@ -87,49 +69,5 @@ impl Metrics {
             }
         }
         String::new()
-    }
-}
-
-/// Writes outlines, which have their y upwards, from where the pen is.
-#[cfg(feature = "png")]
-struct Pen {
-    out: String,
-    x: f64,
-    y: f64,
-    scale: f64,
-}
-
-#[cfg(feature = "png")]
-impl Pen {
-    fn command(&mut self, letter: char, points: &[(f32, f32)]) {
-        self.out.push(letter);
-        for (i, (x, y)) in points.iter().enumerate() {
-            let (x, y) = (self.x + f64::from(*x) * self.scale, self.y - f64::from(*y) * self.scale);
-            // Writing into a string does not fail.
-            let _ = write!(self.out, "{}{x:.3} {y:.3}", if i > 0 { " " } else { "" });
-        }
-    }
-}
-
-#[cfg(feature = "png")]
-impl OutlineBuilder for Pen {
-    fn move_to(&mut self, x: f32, y: f32) {
-        self.command('M', &[(x, y)]);
-    }
-
-    fn line_to(&mut self, x: f32, y: f32) {
-        self.command('L', &[(x, y)]);
-    }
-
-    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        self.command('Q', &[(x1, y1), (x, y)]);
-    }
-
-    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        self.command('C', &[(x1, y1), (x2, y2), (x, y)]);
-    }
-
-    fn close(&mut self) {
-        self.out.push('Z');
     }
 }

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use resvg::usvg::roxmltree::{Document, Node};
+use ttf_parser::{GlyphId, OutlineBuilder};
 
 use crate::Result;
 use crate::font::Metrics;
@@ -48,4 +49,59 @@ fn path(out: &mut String, number: usize, text: Node<'_, '_>, metrics: &Metrics) 
     }
     out.push_str("/>");
     Ok(())
+}
+
+impl Metrics {
+    /// The outlines of a text that starts at `at` on its base line, as the data of an SVG path.
+    pub fn outlines(&self, text: &str, size: f64, at: (f64, f64)) -> String {
+        let mut pen = Pen { out: String::new(), x: at.0, y: at.1, scale: self.scale(size) };
+        for c in text.chars() {
+            // A character that the font lacks is its empty box, glyph 0.
+            let glyph = self.font.glyph_index(c).unwrap_or(GlyphId(0));
+            self.font.outline_glyph(glyph, &mut pen);
+            pen.x += self.advance(c, size);
+        }
+        pen.out
+    }
+}
+
+/// Writes outlines, which have their y upwards, from where the pen is.
+struct Pen {
+    out: String,
+    x: f64,
+    y: f64,
+    scale: f64,
+}
+
+impl Pen {
+    fn command(&mut self, letter: char, points: &[(f32, f32)]) {
+        self.out.push(letter);
+        for (i, (x, y)) in points.iter().enumerate() {
+            let (x, y) = (self.x + f64::from(*x) * self.scale, self.y - f64::from(*y) * self.scale);
+            // Writing into a string does not fail.
+            let _ = write!(self.out, "{}{x:.3} {y:.3}", if i > 0 { " " } else { "" });
+        }
+    }
+}
+
+impl OutlineBuilder for Pen {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.command('M', &[(x, y)]);
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.command('L', &[(x, y)]);
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        self.command('Q', &[(x1, y1), (x, y)]);
+    }
+
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        self.command('C', &[(x1, y1), (x2, y2), (x, y)]);
+    }
+
+    fn close(&mut self) {
+        self.out.push('Z');
+    }
 }

@@ -335,7 +335,7 @@ impl From<&Rejected> for RejectedAnswer {
 
 /// What is said of a burst where nothing fits: that it was not checked, of strands whose strength is not stated.
 pub(super) fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
-    let missing = outcome.closest.as_ref().and_then(|closest| Burst::missing(&closest.muscle));
+    let missing = outcome.closest.as_ref().and_then(|closest| Burst::missing(&closest.rejected.muscle));
     missing.map(|why| said_of(&Burst::unknown(why), max_pressure_mpa, 0.0)).unwrap_or_default()
 }
 

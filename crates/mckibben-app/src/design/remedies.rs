@@ -61,7 +61,7 @@ pub(super) fn of_parts(
     progress: &dyn Progress,
 ) -> Vec<Relaxation> {
     if assumed::is_paper(spec) {
-        return stiffer(spec, models.decides(), &closest.muscle).into_iter().collect();
+        return stiffer(spec, models.decides(), &closest.rejected.muscle).into_iter().collect();
     }
     if spec.tubes.is_empty() || matches!(spec.wanted, Demand::Joint(_)) {
         return vec![];

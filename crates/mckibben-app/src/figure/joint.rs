@@ -8,10 +8,8 @@ use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 /// Torque over angle of each family, and the map of angle and stiffness, as far as they are there.
 pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figure> {
     let about = answer.muscles.first().map_or_else(String::new, |m| m.line(u));
-    let mut figure = Figure::new("Joint")
-        .caption(caption(format!("Model {}. {about}", answer.model)))
-        .palette(Palette::Sequential);
-    let (mut drawn, mut bands) = (false, vec![]);
+    let mut figure = Figure::new("Joint").palette(Palette::Sequential);
+    let (mut said, mut bands) = ("", vec![]);
     let same = |a: &JointRow, b: &JointRow| {
         (a.pressure_1_mpa, a.pressure_2_mpa) == (b.pressure_1_mpa, b.pressure_2_mpa)
     };
@@ -43,10 +41,9 @@ pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figur
         }
         if bands.len() <= MOST_BANDS && !bands.is_empty() {
             panel.series.append(&mut bands);
-            figure = figure.caption(caption(format!("Model {}{BAND}. {about}", answer.model)));
+            said = BAND;
         }
         figure = figure.panel(panel);
-        drawn = true;
     }
     if let Some(map) = &answer.map {
         let mut panel =
@@ -64,7 +61,7 @@ pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figur
             torques = torques.series(Series::line("", line).neutral());
         }
         figure = figure.panel(panel).panel(torques);
-        drawn = true;
     }
-    drawn.then_some(figure)
+    let figure = figure.caption(caption(format!("Model {}{said}. {about}", answer.model)));
+    (!figure.panels.is_empty()).then_some(figure)
 }

@@ -12,8 +12,8 @@ const SHAPES: usize = 6;
 
 /// Four panels: the curve, the shape of half the muscle, strand tension and strand angle along it.
 pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) -> Figure {
-    let mut figure = Figure::new(format!("{} test, finite elements", capital(test.name())));
-    figure = figure.palette(Palette::Sequential);
+    let title = format!("{} test, finite elements", capital(test.name()));
+    let mut figure = Figure::new(title).palette(Palette::Sequential);
     let (x, y) = axes(test, u);
     let mut curve = Panel::new(x, y);
     let mut fixed: Vec<f64> = points.iter().map(|q| key(test, q)).collect();
@@ -62,12 +62,11 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
     if longest > 1 {
         figure = figure.panel(curve.title("curve"));
     }
-    figure = figure.panel(shape.title("outer and inner surface"));
-    figure = figure.panel(tension.title("strand tension"));
-    figure = figure.panel(angle.title("strand angle"));
+    figure = figure.panel(shape.title("outer and inner surface")).panel(tension.title("strand tension"));
     let (drawn, all) = (shown.len(), solved.len());
     let some = if drawn < all { some_of(drawn, all, "shapes") } else { String::new() };
-    figure.caption(caption(format!("Axisymmetric finite elements{some}. {}", m.line(u))))
+    let caption = caption(format!("Axisymmetric finite elements{some}. {}", m.line(u)));
+    figure.panel(angle.title("strand angle")).caption(caption)
 }
 
 fn capital(word: &str) -> String {

@@ -13,13 +13,15 @@ use super::{BoundModel, Many, PointQuantity};
 use crate::{Problem, ProblemKind, Result, finite, ratio};
 use mckibben::analysis::Evaluation;
 use mckibben::model::{Bounds, ModelError, Workspace, pulls_within};
-use mckibben::muscle::{BraidStiffness, Muscle};
+use mckibben::muscle::{Braid, BraidStiffness, Muscle};
 use mckibben::{cancel, differences::slope, rubber::RubberLaw, warning::strand_strength_n};
 use mckibben_fit::identify::{Candidate, Target};
 use std::f64::consts::PI;
 
 /// What rounding leaves of no pull, as a share of the pressure on the outer section.
 const ROUNDING: f64 = 1e-9;
+/// Step of differences in θ, relative. With fourth-order differences their error is below 1e-9 of the derivative.
+const STEP: f64 = 1e-3;
 
 impl BoundModel {
     /// Answers a block; how many points have no answer, or the first of them with its reason.
@@ -165,12 +167,7 @@ impl BoundModel {
         let message = format!("{} has no derivative by {by} at P = {p} MPa, ε = {e}", self.name());
         Problem::new(ProblemKind::NoAnswer, message, "leave out `jac`")
     }
-}
 
-/// Step of differences in θ, relative. With fourth-order differences their error is below 1e-9 of the derivative.
-const STEP: f64 = 1e-3;
-
-impl BoundModel {
     /// The derivatives that `many` wants at a point of the model, into `places`.
     pub(super) fn slopes(
         &self,
@@ -190,10 +187,8 @@ impl BoundModel {
         };
         by_pair.copy_from_slice(pair.get(..by_pair.len()).unwrap_or_default());
         by_parameters.iter_mut().for_each(|v| *v *= scale);
-        match by_pair.iter().chain(by_parameters.iter()).all(|v| v.is_finite()) {
-            true => Ok(()),
-            false => Err(self.no_slope("a requested quantity", p, e)),
-        }
+        let finite = by_pair.iter().chain(by_parameters.iter()).all(|v| v.is_finite());
+        finite.then_some(()).ok_or_else(|| self.no_slope("a requested quantity", p, e))
     }
 
     /// ∂F/∂P and ∂F/∂ε.
@@ -254,7 +249,6 @@ pub fn with_parameters(muscle: &Muscle, values: &[(String, f64)]) -> Result<Musc
 /// The same muscle with k stated in N/mm, where it follows from other measures.
 fn stated(muscle: &Muscle) -> Result<Muscle> {
     let Some(k) = muscle.family_stiffness_n_per_mm() else { return Ok(muscle.clone()) };
-    let mut braid = muscle.braid().clone();
-    braid.stiffness = BraidStiffness::NewtonPerMm(k);
-    Ok(muscle.with_braid(braid)?)
+    let stiffness = BraidStiffness::NewtonPerMm(k);
+    Ok(muscle.with_braid(Braid { stiffness, ..muscle.braid().clone() })?)
 }

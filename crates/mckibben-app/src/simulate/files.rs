@@ -3,6 +3,7 @@
 use crate::{BuiltFile, MuscleSummary, Problem, ProblemKind, Result, Units};
 use mckibben::{model::Response, size};
 use mckibben_fem::output::{Shape, VtuFile, VtuSeries};
+use mckibben_io::files::File;
 
 /// The files of the points so far.
 pub(super) struct ShapeFiles {
@@ -40,5 +41,5 @@ fn built(VtuFile { name, text }: VtuFile) -> BuiltFile {
         name if name.starts_with("plug") => "the terminal",
         _ => "the list of the others, which ParaView opens",
     };
-    BuiltFile::new(&name, about, Ok(text))
+    File::text(name, about, text).into()
 }

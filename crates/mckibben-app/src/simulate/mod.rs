@@ -133,8 +133,9 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     let muscle = request.muscle.resolve()?;
     let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &request.mesh)?;
     let Model::Elements(elements) = &model else {
+        let name = model.name();
         let message =
-            format!("a test needs a finite-element model, and \"{model}\" is not one; give fe or fe3d");
+            format!("a test needs a finite-element model, and \"{name}\" is not one; give fe or fe3d");
         return Err(Problem::new(ProblemKind::Model, message, "`curve` draws the curves of every model"));
     };
     model.admit(&muscle)?;
@@ -143,8 +144,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         Meshed::new(elements, &inner).map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
     let (simulation, workspace) = (meshed.simulation(&muscle), &mut Workspace::new());
     let questions = request.questions(&*simulation, workspace)?;
-    let deck =
-        if request.deck { Some(written_deck(&meshed, &ends, request.test, &questions)?) } else { None };
+    let deck = request.deck.then(|| written_deck(&meshed, &ends, request.test, &questions)).transpose()?;
     let summary = MuscleSummary::from(&muscle);
     let extent = if request.eighth { Extent::Eighth } else { Extent::Whole };
     let mut files = request.vtu.then(|| ShapeFiles::new(&summary));

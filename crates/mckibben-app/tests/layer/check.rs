@@ -1,12 +1,11 @@
 //! What `check` finds.
 
 use mckibben::muscle::measures::LENGTH;
-use mckibben::progress::Silent;
 use mckibben_app::units::Units;
 use mckibben_app::{CheckAnswer, CheckRequest, FindingKind, MuscleFields, check};
 
 fn checked(request: CheckRequest) -> CheckAnswer {
-    check(&request, &Silent).unwrap()
+    check(&request).unwrap()
 }
 
 /// √(total² − friction²), by hand from the parts of the same muscle.

@@ -43,7 +43,7 @@ fn refusal(command: &str, request: Value) -> Problem {
 #[test]
 fn a_request_in_json_is_the_request_in_rust() {
     let request = ForceRequest { pressure_mpa: Some(0.2), contraction: Some(0.1), ..Default::default() };
-    let answer = force(&request, &Silent).unwrap();
+    let answer = force(&request).unwrap();
     let text = ask("force", &serde_json::to_string(&request).unwrap(), &Silent).unwrap();
     assert_eq!(text, serde_json::to_string(&answer).unwrap());
     assert_eq!(answer.point.model, "fe");

@@ -45,7 +45,7 @@ fn a_list_is_its_points() {
                 contraction: Some(contraction),
                 ..Default::default()
             };
-            let alone = force(&request, &Silent).unwrap().point.response.force_n;
+            let alone = force(&request).unwrap().point.response.force_n;
             assert!((pull - alone).abs() < 1e-5, "{model} {contraction}: {pull} {alone}");
         }
     }

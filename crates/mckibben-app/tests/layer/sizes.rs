@@ -178,7 +178,7 @@ fn every_number_of_a_muscle_file_of_any_size_is_an_answer_or_a_problem() {
                 ..ForceRequest::default()
             };
             for model in ["thick-wall", "universal"] {
-                judged(&|p| mckibben_app::force(&request(model), p), &format!("{model}: {key:?} {size}"));
+                judged(&|_| mckibben_app::force(&request(model)), &format!("{model}: {key:?} {size}"));
             }
         }
     }

@@ -89,6 +89,7 @@ fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> P
 }
 
 fn filled(row: PointRow, point: Result<CurvePoint, FemError>) -> PointRow {
+    let count = |iterations: usize| u32::try_from(iterations).unwrap_or(u32::MAX);
     match point {
         Ok(CurvePoint { response: Some(r), sensitivities, iterations, .. }) if r.force_n.is_finite() => {
             let finite = |v: Option<f64>| v.filter(|v| v.is_finite());
@@ -107,16 +108,14 @@ fn filled(row: PointRow, point: Result<CurvePoint, FemError>) -> PointRow {
                     .map(|s| (s.name, s.force_n_per_unit))
                     .collect(),
                 status: Status::Ok,
-                iterations: u32::try_from(iterations).unwrap_or(u32::MAX),
+                iterations: count(iterations),
                 ..row
             }
         }
         Ok(_) => PointRow { status: Status::NotConverged, cause: "the pull is not finite".into(), ..row },
         Err(error) => {
             let (status, iterations) = match &error {
-                FemError::Path { status, iterations, .. } => {
-                    (*status, u32::try_from(*iterations).unwrap_or(u32::MAX))
-                }
+                FemError::Path { status, iterations, .. } => (*status, count(*iterations)),
                 _ => (Status::NotConverged, 0),
             };
             PointRow { status, cause: error.to_string(), iterations, ..row }

@@ -69,7 +69,7 @@ impl Constants {
 }
 
 /// F of a pressure and contraction as points, their errors in units of the blocked force.
-fn points(d: f64, s: f64, force: impl Fn(f64, f64) -> Option<f64>) -> Vec<DataPoint> {
+fn points((d, s): (f64, f64), force: impl Fn(f64, f64) -> Option<f64>) -> Vec<DataPoint> {
     let error = Some(force(FULL_PRESSURE, 0.0).unwrap_or(1.0));
     let section = Section { outer_diameter_mm: Some(d), wall_mm: Some(s), ..Section::default() };
     let one = |contraction: f64, pressure_mpa: f64| {
@@ -80,18 +80,12 @@ fn points(d: f64, s: f64, force: impl Fn(f64, f64) -> Option<f64>) -> Vec<DataPo
     CONTRACTIONS.iter().flat_map(|&e| PRESSURES.iter().filter_map(move |&p| one(e, p))).collect()
 }
 
-/// The 25 points of Table 1.
-fn table_points() -> Vec<DataPoint> {
-    let (d, s) = TABLE_1_SECTION;
-    points(d, s, table_1)
-}
-
 /// (11) on the campaign's points.
 fn formula_points() -> Vec<DataPoint> {
     let sections = DIAMETERS.iter().flat_map(|&d| WALLS.iter().map(move |&s| (d, s)));
     let points = |(d, s): (f64, f64)| {
         let section = Coefficients::published().section(d, s);
-        points(d, s, |p, e| Some(section.force_n(p, e)))
+        points((d, s), |p, e| Some(section.force_n(p, e)))
     };
     sections.flat_map(points).collect()
 }
@@ -118,7 +112,7 @@ fn values(free: Values<'_>, fixed: Values<'_>, points: &[DataPoint], loss: Loss)
 /// The constants with which our finite elements come nearest to Table 1 and (11).
 pub fn fit_constants() -> Result<Constants> {
     let (c10, k, n) = (Target::Law(0), Target::Stiffness, Target::StiffnessExponent);
-    let (table, formula) = (table_points(), formula_points());
+    let (table, formula) = (points(TABLE_1_SECTION, table_1), formula_points());
     let both = [table.clone(), formula.clone()].concat();
     let all = values(&[(c10, 0.1), (k, 600.0), (n, 1.0)], &[], &both, Loss::Squares)?;
     let &[c10_mpa, ..] = all.as_slice() else {

@@ -58,25 +58,22 @@ impl FitPoint {
         let section = Coefficients::published().section(self.outer_diameter_mm, self.wall_mm);
         section.force_n(self.pressure_mpa, self.contraction)
     }
+}
 
-    /// The point of a row, where it has an answer.
-    pub fn from_row(row: &PointRow) -> Option<Self> {
-        let force_n = row.force_n.filter(|f| f.is_finite() && row.status.is_ok())?;
-        Some(Self {
+/// The answered points of a table.
+pub fn points(rows: &[PointRow]) -> Vec<FitPoint> {
+    let point = |row: &PointRow| {
+        Some(FitPoint {
             outer_diameter_mm: row.outer_diameter_mm,
             wall_mm: row.wall_mm,
             length_mm: row.length_mm,
             angle_deg: row.angle_deg,
             pressure_mpa: row.pressure_mpa,
             contraction: row.contraction,
-            force_n,
+            force_n: row.force_n.filter(|f| f.is_finite() && row.status.is_ok())?,
         })
-    }
-}
-
-/// The answered points of a table.
-pub fn points(rows: &[PointRow]) -> Vec<FitPoint> {
-    rows.iter().filter_map(FitPoint::from_row).collect()
+    };
+    rows.iter().filter_map(point).collect()
 }
 
 /// P from `first` to .25 MPa in steps of .01 MPa, as in the paper's isometric tests.

@@ -15,6 +15,7 @@ pub mod universal;
 pub use global::{GlobalFit, global};
 pub use make::{FittedFormula, Method, Request, fitted, made_for, make};
 use mckibben::cancel::Cancelled;
+use nalgebra::{DMatrix, DVector};
 pub use paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};
 use thiserror::Error;
 
@@ -52,4 +53,11 @@ impl FitError {
     pub(crate) fn singular(place: impl std::fmt::Display) -> Self {
         Self::Refused(format!("least squares have no finite answer for {place}"))
     }
+}
+
+/// Least squares by QR; `None` where they have no finite answer.
+fn least_squares(matrix: DMatrix<f64>, values: DVector<f64>) -> Option<DVector<f64>> {
+    let qr = matrix.qr();
+    let solved = qr.r().solve_upper_triangular(&(qr.q().transpose() * values))?;
+    solved.iter().all(|v| v.is_finite()).then_some(solved)
 }

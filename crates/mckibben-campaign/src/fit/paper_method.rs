@@ -8,7 +8,7 @@
 //! Each step is a separate least-squares fit; the residuals of one are not in the next.
 
 use super::data::{FitPoint, distinct, same};
-use super::{FitError, Result};
+use super::{FitError, Result, least_squares};
 use mckibben::formula::Coefficients;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
@@ -157,6 +157,8 @@ fn enough(quantity: &'static str, count: usize, needed: usize, place: impl Fn() 
 
 /// Step 1.
 fn curve(d: f64, s: f64, p: f64, all: Vec<(f64, f64)>, rules: Rules) -> Result<CurveFit> {
+    let place = || format!("the curve of D0 {d}, s {s} mm at {p} MPa");
+    let singular = || FitError::singular(place());
     let thin = d < THIN.0 && s > THIN.1 && same(p, THIN.2);
     let mut curve =
         CurveFit { outer_diameter_mm: d, wall_mm: s, pressure_mpa: p, abc: None, points: all, rule: "" };
@@ -176,19 +178,14 @@ fn curve(d: f64, s: f64, p: f64, all: Vec<(f64, f64)>, rules: Rules) -> Result<C
             return Ok(curve);
         }
         curve.rule = "straight line over ε ≤ 0.05: D0 < 35, s > 3 at 0.05 MPa";
-        let PolynomialFit { coefficients: [b, c], r2 } =
-            fit::<2>(&curve.points).ok_or_else(|| singular(d, s, p))?;
+        let PolynomialFit { coefficients: [b, c], r2 } = fit::<2>(&curve.points).ok_or_else(singular)?;
         curve.abc = Some(PolynomialFit { coefficients: [0.0, b, c], r2 });
         return Ok(curve);
     }
     let count = distinct(curve.points.iter().map(|q| q.0)).len();
-    enough("contraction", count, 3, || format!("the curve of D0 {d}, s {s} mm at {p} MPa"))?;
-    curve.abc = Some(fit::<3>(&curve.points).ok_or_else(|| singular(d, s, p))?);
+    enough("contraction", count, 3, place)?;
+    curve.abc = Some(fit::<3>(&curve.points).ok_or_else(singular)?);
     Ok(curve)
-}
-
-fn singular(d: f64, s: f64, p: f64) -> FitError {
-    FitError::singular(format!("the curve of D0 {d}, s {s} mm at {p} MPa"))
 }
 
 /// Step 3.
@@ -263,15 +260,8 @@ pub fn fit<const N: usize>(points: &[(f64, f64)]) -> Option<PolynomialFit<N>> {
     let power = |j: usize| i32::try_from(N - 1 - j).unwrap_or(0);
     let matrix = DMatrix::from_fn(points.len(), N, |i, j| (points[i].0 / scale).powi(power(j)));
     let values = DVector::from_iterator(points.len(), points.iter().map(|p| p.1));
-    let qr = matrix.qr();
-    let solved = qr.r().solve_upper_triangular(&(qr.q().transpose() * values))?;
-    let mut coefficients = [0.0; N];
-    for (j, c) in coefficients.iter_mut().enumerate() {
-        *c = solved[j] / scale.powi(power(j));
-    }
-    if coefficients.iter().any(|c| !c.is_finite()) {
-        return None;
-    }
+    let solved = least_squares(matrix, values)?;
+    let coefficients = std::array::from_fn(|j| solved[j] / scale.powi(power(j)));
     let mut fitted = PolynomialFit { coefficients, r2: 1.0 };
     let mean = points.iter().map(|p| p.1).sum::<f64>() / points.len() as f64;
     let left: f64 = points.iter().map(|p| (p.1 - fitted.at(p.0)).powi(2)).sum();

@@ -46,24 +46,20 @@ const STEPS: usize = 6;
 /// Random muscles of the last table, and their seed.
 const RANDOM: (usize, u64) = (500, 7);
 
-struct Findings(Vec<Finding>);
-
-impl Findings {
-    /// Points with their errors, and the share that was set as a goal.
-    fn add<'a>(
-        &mut self,
-        comparison: impl Into<String>,
-        at_most: Option<f64>,
-        points: impl IntoIterator<Item = &'a FitPoint>,
-        difference_n: impl Fn(&FitPoint) -> f64,
-    ) -> Result<()> {
-        let points: Vec<FitPoint> = points.into_iter().copied().collect();
-        let errors = errors(&compared(&points, difference_n)?, |_| true);
-        let errors = errors.ok_or_else(|| FitError::empty(" to compare"))?;
-        let ok = at_most.is_none_or(|most| errors.summary.max <= most);
-        self.0.push(Finding { comparison: comparison.into(), at_most, ok, errors });
-        Ok(())
-    }
+/// Points with their errors, and the share that was set as a goal.
+fn add<'a>(
+    out: &mut Vec<Finding>,
+    comparison: impl Into<String>,
+    at_most: Option<f64>,
+    points: impl IntoIterator<Item = &'a FitPoint>,
+    difference_n: impl Fn(&FitPoint) -> f64,
+) -> Result<()> {
+    let points: Vec<FitPoint> = points.into_iter().copied().collect();
+    let errors = errors(&compared(&points, difference_n)?, |_| true);
+    let errors = errors.ok_or_else(|| FitError::empty(" to compare"))?;
+    let ok = at_most.is_none_or(|most| errors.summary.max <= most);
+    out.push(Finding { comparison: comparison.into(), at_most, ok, errors });
+    Ok(())
 }
 
 /// Computes everything anew.
@@ -75,7 +71,7 @@ pub fn results(progress: &dyn Progress) -> Result<Results> {
         progress.check()
     };
     step(0)?;
-    let mut out = Findings(vec![]);
+    let out = &mut vec![];
     let is_table = |p: &&FitPoint| same(p.outer_diameter_mm, 50.0) && same(p.wall_mm, 1.0);
     let to_table =
         |p: &FitPoint| table_1(p.pressure_mpa, p.contraction).map_or(0.0, |force| force - p.force_n);
@@ -83,8 +79,8 @@ pub fn results(progress: &dyn Progress) -> Result<Results> {
     step(1)?;
     let good = Grid::PAPER.compute(|d, s| constants.muscle(d, s));
     let name = "FE with fitted constants vs Table 1 (D0 50, s 1)";
-    out.add(name, Some(0.015), good.iter().filter(is_table), to_table)?;
-    out.add("FE as shipped vs Table 1", None, campaign.iter().filter(is_table), to_table)?;
+    add(out, name, Some(0.015), good.iter().filter(is_table), to_table)?;
+    add(out, "FE as shipped vs Table 1", None, campaign.iter().filter(is_table), to_table)?;
 
     let held = Grid::HELD_OUT.points(&base);
     let all = [campaign.clone(), held.clone()].concat();
@@ -106,8 +102,8 @@ pub fn results(progress: &dyn Progress) -> Result<Results> {
         let difference = |p: &FitPoint| p.formula_n(&f) - p.published_n();
         let goal = |v| (i == 0).then_some(v);
         let name = format!("paper's method on our FE vs published, D0 35-50, s 1-4{text}");
-        out.add(name, goal(0.025), all.iter().filter(wide), difference)?;
-        out.add(format!("the same, D0 30, s 1-5{text}"), goal(0.09), all.iter().filter(slim), difference)?;
+        add(out, name, goal(0.025), all.iter().filter(wide), difference)?;
+        add(out, format!("the same, D0 30, s 1-5{text}"), goal(0.09), all.iter().filter(slim), difference)?;
     }
 
     // With the constants of the first line, so that one set of constants answers both questions.
@@ -115,18 +111,17 @@ pub fn results(progress: &dyn Progress) -> Result<Results> {
     let difference = |p: &FitPoint| p.formula_n(&f) - p.published_n();
     let name = "paper's method on our FE with fitted constants vs published, D0 35-50, s 1-4";
     let all_good = [good.clone(), Grid::HELD_OUT.compute(|d, s| constants.muscle(d, s))].concat();
-    out.add(name, Some(0.025), all_good.iter().filter(wide), difference)?;
-    out.add("the same, D0 30, s 1-5", Some(0.09), all_good.iter().filter(slim), difference)?;
+    add(out, name, Some(0.025), all_good.iter().filter(wide), difference)?;
+    add(out, "the same, D0 30, s 1-5", Some(0.09), all_good.iter().filter(slim), difference)?;
 
     step(3)?;
     let steps = pressure_steps(1);
     let full = Grid { pressures: &steps, ..Grid::PAPER }.points(&base);
     let global = fitted(&full, Method::Global, &[])?;
     let held_by_steps = Grid { pressures: &steps, ..Grid::HELD_OUT }.points(&base);
-    out.add("global vs FE, all of the range (P by .01 MPa)", Some(0.004), &full, |p| {
-        p.difference_n(&global)
-    })?;
-    out.add("global vs FE, D0 35 held out", Some(0.004), &held_by_steps, |p| p.difference_n(&global))?;
+    let by_global = |p: &FitPoint| p.difference_n(&global);
+    add(out, "global vs FE, all of the range (P by .01 MPa)", Some(0.004), &full, by_global)?;
+    add(out, "global vs FE, D0 35 held out", Some(0.004), &held_by_steps, by_global)?;
 
     step(4)?;
     // Between the points: half steps of D0, s and ε.
@@ -134,22 +129,22 @@ pub fn results(progress: &dyn Progress) -> Result<Results> {
     let (diameters, walls, contractions) = (half(30.0, 2.5, 8), half(1.0, 0.5, 8), half(0.0, 0.025, 8));
     let finer = Grid { contractions: &contractions, pressures: &steps, ..Grid::PAPER };
     let between = Grid { diameters: &diameters, walls: &walls, ..finer }.points(&base);
-    out.add("global vs FE between the points too (half steps)", None, &between, |p| p.difference_n(&global))?;
+    add(out, "global vs FE between the points too (half steps)", None, &between, by_global)?;
     let of_finer = fitted(&finer.points(&base), Method::Global, &[])?;
     let name = "global of a campaign with ε by 2.5 % vs FE, between the points too";
-    out.add(name, Some(0.004), &between, |p| p.difference_n(&of_finer))?;
+    add(out, name, Some(0.004), &between, |p| p.difference_n(&of_finer))?;
 
     let published = |p: &FitPoint| p.published_n() - p.force_n;
-    out.add("published formula vs FE, the campaign", None, campaign, published)?;
+    add(out, "published formula vs FE, the campaign", None, campaign, published)?;
     let in_range = between.iter().filter(|p| p.pressure_mpa > 0.045);
-    out.add("published formula vs FE, between the points too", None, in_range, published)?;
-    out.add("published formula vs FE, D0 35", None, &held, published)?;
+    add(out, "published formula vs FE, between the points too", None, in_range, published)?;
+    add(out, "published formula vs FE, D0 35", None, &held, published)?;
     let ours = fitted(campaign, Method::Paper(Rules::default()), &[])?;
-    out.add("paper's method on our FE vs FE, the campaign", None, campaign, |p| p.difference_n(&ours))?;
-    out.add("paper's method on our FE vs FE, D0 35", None, &held, |p| p.difference_n(&ours))?;
+    add(out, "paper's method on our FE vs FE, the campaign", None, campaign, |p| p.difference_n(&ours))?;
+    add(out, "paper's method on our FE vs FE, D0 35", None, &held, |p| p.difference_n(&ours))?;
     step(5)?;
     let random_muscles = held_out(&held_out_samples(RANDOM.0, RANDOM.1));
     let global_terms = if let Body::Global(sum) = &global.body { sum.terms.len() } else { 0 };
     step(STEPS)?;
-    Ok(Results { findings: out.0, constants, global_terms, random_muscles })
+    Ok(Results { findings: std::mem::take(out), constants, global_terms, random_muscles })
 }

@@ -112,7 +112,7 @@ fn status_text(s: &CampaignStatus, u: &Units) -> String {
     out += &pairs(&listed(&value(s), shards, u));
     let open: Vec<&ShardStatus> = s.shards.iter().filter(|s| s.state != ShardState::Done).collect();
     if !open.is_empty() {
-        out += &format!("\n{}", tabled(&open, "shard state parts parts_wanted=of", u));
+        out += &format!("\n{}", tabled(open, "shard state parts parts_wanted=of", u));
     }
     out.extend(s.damaged.iter().map(|part| format!("Cut off: {}\n", place(part))));
     if s.shards_missing > 0 {

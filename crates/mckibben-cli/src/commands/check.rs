@@ -3,7 +3,6 @@
 use crate::{
     Args, FLAT, Format, Problem, Units, burst_first, commands::fit::formula_text, emit, files, pairs, shown,
 };
-use mckibben::progress::Silent;
 use mckibben::warning::is_of_burst;
 use mckibben_app::rows::{characteristic_rows, muscle_sheets};
 use mckibben_app::{CheckAnswer, CheckFormulaRequest, FindingKind, Model, ProblemKind, check, check_formula};
@@ -24,7 +23,7 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
         let message = "--latex is of a formula, not of a muscle";
         return Err(Problem::new(ProblemKind::Usage, message, "`mckibben check formula.json --latex`"));
     }
-    let answer = check(&args.request()?, &Silent)?;
+    let answer = check(&args.request()?)?;
     args.show(&answer, FLAT, text)
 }
 

@@ -1,6 +1,6 @@
 //! `compare`: models, and measured points.
 
-use crate::{Args, Bar, Problem, Units, place, tabled, understood, value, warn};
+use crate::{Args, Bar, Problem, Units, headed, place, tabled, understood, value, warn};
 use mckibben_app::{CompareAnswer, CompareRequest, ComparedModel, Direction};
 use serde_json::Value;
 
@@ -47,9 +47,5 @@ fn as_text(args: &Args, request: &CompareRequest, answer: &CompareAnswer, u: &Un
     if answer.models.iter().any(|m| m.errors.volume_points > 0) {
         out += &format!("\nvolume of the cavity:\n{}", tabled(&errors, VOLUMES, u));
     }
-    if !not.is_empty() {
-        let keys = "model unanswered=points cause";
-        out += &format!("\nnot compared, or not at these points:\n{}", tabled(&not, keys, u));
-    }
-    out
+    out + &headed("not compared, or not at these points:", not, "model unanswered=points cause", u)
 }

@@ -6,7 +6,7 @@ use crate::{
     output::text::aligned, output::text::within, percent, percents, streamed, warn,
 };
 use mckibben::curve::{Curve, Test};
-use mckibben::{answer::Answer, muscle::Direction, progress::Silent, study::StudyPanel};
+use mckibben::{answer::Answer, muscle::Direction, study::StudyPanel};
 use mckibben_app::{CurveAnswer, CurveRequest, PointRow, StudyAnswer, breakdown, curve_by_curve, study};
 
 pub fn run(args: &Args) -> Result<u8, Problem> {
@@ -123,7 +123,7 @@ fn column(test: Test, curve: &Curve, u: &Units) -> Vec<String> {
 }
 
 fn run_study(args: &Args) -> Result<u8, Problem> {
-    let mut answer = study(&args.request()?, &Silent)?;
+    let mut answer = study(&args.request()?)?;
     args.draw(&mut answer.figure)?;
     args.show(&answer, "points", study_text)
 }

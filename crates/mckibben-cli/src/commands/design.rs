@@ -1,8 +1,8 @@
 //! `design`: the main job.
 
 use crate::{
-    Args, Bar, Format, NO_ANSWER, Problem, Units, burst_first, check_ending, each, emit, in_flags, listed,
-    number, pairs, place, said, save, tabled, value,
+    Args, Bar, Format, NO_ANSWER, Problem, Units, burst_first, check_ending, each, emit, headed, in_flags,
+    listed, number, pairs, place, said, save, tabled, value,
 };
 use mckibben::units::rounded;
 use mckibben_app::{CandidateAnswer, ClosestAnswer, DesignAnswer, RejectedAnswer};
@@ -100,11 +100,8 @@ fn bundle(answer: &DesignAnswer, u: &Units) -> String {
 
 /// The muscles as sold that would do.
 fn bought(answer: &DesignAnswer, row: &Value, u: &Units) -> String {
-    if answer.bought.is_empty() {
-        return String::new();
-    }
     let keys = "product name outer_diameter_mm=D0 length_mm=L0 force_n+uncertainty_n=F wanted.contraction=at:% pressure_mpa=P wanted.force_n=required";
-    said(row, "\nAs sold these would do[, {each} of one]\n", u) + &tabled(&answer.bought, keys, u)
+    headed(&said(row, "As sold these would do[, {each} of one]", u), &answer.bought, keys, u)
 }
 
 /// What the muscle must do.
@@ -214,17 +211,15 @@ fn verified(answer: &DesignAnswer, u: &Units) -> String {
         row
     });
     let keys = "force_n=required contraction=at:% pressure_mpa=P_required force_at_max_pressure_n=F_at_max_P difference_n=difference:3 cause=no_answer";
-    let points = tabled(&rows.collect::<Vec<_>>(), keys, u);
+    let points = tabled(rows, keys, u);
     format!("\nBy finite elements the first muscle {holds}\n{points}")
 }
 
 fn spread_text(spreads: &[Spread], u: &Units) -> String {
-    if spreads.is_empty() {
-        return String::new();
-    }
     let keys = "force_n=required contraction=at:% pressure_mpa=P low_n=least high_n=largest likely_n=±:~";
     let about = "least and largest: in the worst corners of the tolerances; ±: likely";
-    format!("\nTolerances of the first candidate\n{}{about}\n", tabled(spreads, keys, u))
+    let table = headed("Tolerances of the first candidate", spreads, keys, u);
+    if table.is_empty() { table } else { table + about + "\n" }
 }
 
 fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {

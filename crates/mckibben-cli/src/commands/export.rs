@@ -1,6 +1,6 @@
 //! `export`: a folder with a muscle for a controller or a simulator.
 
-use crate::{Args, Bar, FLAT, Problem, Units, listed, pairs, place, save_all, tabled, value};
+use crate::{Args, FLAT, Problem, Units, listed, pairs, place, save_all, tabled, value};
 use mckibben_app::{ExportAnswer, ExportListRequest, export, export_list};
 use std::path::Path;
 
@@ -9,7 +9,7 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
         let answer = export_list(&ExportListRequest {})?;
         return args.print(&answer, "targets", |answer, u| tabled(&answer.targets, TARGETS, u));
     }
-    let answer = export(&args.request()?, &Bar::new("points"))?;
+    let answer = export(&args.request()?)?;
     let folder = args.path("output");
     folder.as_deref().map_or(Ok(()), |folder| save_all(&answer.files, folder))?;
     args.print(&answer, FLAT, |answer, u| text(answer, folder.as_deref(), u))

@@ -1,14 +1,13 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
 use crate::{Args, FLAT, Problem, Units, burst_first, listed, pairs, value};
-use mckibben::progress::Silent;
 use mckibben_app::FillAnswer;
 use mckibben_app::rows::{estimated, limit_rows};
 
 const KEYS: &str = "model about.source=by liquid.name=liquid liquid.gas_share=gas:% liquid.bulk_modulus_mpa=bulk_modulus effective_bulk_modulus_mpa=with_its_gas_at_this_pressure pushed_volume_mm3=pushed_in compressed_volume_mm3=of_it_by_compression pressure_mpa stroke_mm contraction+contraction_uncertainty:% state force_n+uncertainty_n=pull shut_stiffness_n_per_mm=stiffness,_liquid_shut_in stiffness_n_per_mm=at_constant_pressure pump_work_j=work_of_the_pump muscle_energy_j=stored_in_the_muscle liquid_energy_j=stored_in_the_liquid load_work_j=work_on_the_load friction_work_j=taken_by_friction volume_mm3=cavity rest_volume_mm3=cavity_at_the_start";
 
 pub fn run(args: &Args) -> Result<u8, Problem> {
-    let answer = mckibben_app::fill(&args.request()?, &Silent)?;
+    let answer = mckibben_app::fill(&args.request()?)?;
     args.show(&answer, FLAT, text)
 }
 

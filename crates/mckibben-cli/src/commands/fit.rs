@@ -58,18 +58,19 @@ pub fn formula_text(formula: &Document, terms: bool) -> String {
     let (f, u) = (value(formula), Units::default());
     let mut out = pairs(&listed(&f, FORMULA, &u));
     if terms {
-        let list = f["terms"].as_array().map_or(&[][..], Vec::as_slice);
+        let list = f["terms"].as_array().into_iter().flatten();
         out += &format!("\nTerms\n\n{}", tabled(list, "value:7~ unit name", &u));
     }
     let errors = &f["errors"];
     let against = errors["against"].as_str().unwrap_or_default();
-    out + &format!("\nErrors against {against}\n\n{}", tabled(&error_rows(errors), ERRORS, &u))
+    out + &format!("\nErrors against {against}\n\n{}", tabled(error_rows(errors), ERRORS, &u))
 }
 
 /// The errors of all points, of those that were left out, and by region.
 fn error_rows(errors: &Value) -> Vec<Value> {
+    let shown = |v: &Value| v.as_f64().map_or_else(String::new, |v| number(v, 4));
     let held_out = errors["held_out"]["outer_diameters_mm"].as_array().into_iter().flatten();
-    let held_out: Vec<String> = held_out.filter_map(|d| Some(number(d.as_f64()?, 4))).collect();
+    let held_out: Vec<String> = held_out.map(shown).collect();
     let named = [
         ("fit", "all fitted".to_owned()),
         ("held_out", format!("held out: D0 {}", held_out.join(", "))),
@@ -78,16 +79,11 @@ fn error_rows(errors: &Value) -> Vec<Value> {
     let mut rows: Vec<(String, Value)> = named.map(|(key, name)| (name, errors[key].clone())).into();
     for region in errors["regions"].as_array().into_iter().flatten() {
         let name = region["quantity"].as_str().unwrap_or_default();
-        let at = region["value"].as_f64().map_or_else(String::new, |v| number(v, 4));
-        rows.push((format!("{name} {at}"), region.clone()));
+        rows.push((format!("{name} {}", shown(&region["value"])), region.clone()));
     }
-    let there = rows.into_iter().filter(|(_, row)| row.is_object());
-    there
-        .map(|(name, mut row)| {
-            row["name"] = name.into();
-            row
-        })
-        .collect()
+    rows.retain(|(_, row)| row.is_object());
+    rows.iter_mut().for_each(|(name, row)| row["name"] = std::mem::take(name).into());
+    rows.into_iter().map(|(_, row)| row).collect()
 }
 
 /// A fitted formula, and where it was written.
@@ -143,8 +139,7 @@ fn signs_text(m: &PaperMethod) -> String {
             "holds": s.holds(),
         })
     });
-    let rows: Vec<Value> = rows.collect();
-    out + &tabled(&rows, "outer_diameter_mm=D0 statement pairs holds", &Units::default())
+    out + &tabled(rows, "outer_diameter_mm=D0 statement pairs holds", &Units::default())
 }
 
 fn report(args: &Args) -> Result<u8, Problem> {

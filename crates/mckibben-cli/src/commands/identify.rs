@@ -61,7 +61,7 @@ fn as_text(answer: &IdentifyAnswer, u: &Units) -> String {
         .into();
         row
     });
-    out += &tabled(&rows.collect::<Vec<_>>(), PARAMETERS, u);
+    out += &tabled(rows, PARAMETERS, u);
     if identified.parameters.len() > 1 {
         out += &correlation(identified);
     }
@@ -106,7 +106,7 @@ fn laws(answer: &IdentifyAnswer, u: &Units) -> String {
         row
     });
     let keys = "law constants rms_n=rms:3~ aicc_difference=ΔAICc:3~ neighbour_correlation=neighbours:2~";
-    let mut out = format!("\n{}", tabled(&rows.collect::<Vec<_>>(), keys, u));
+    let mut out = format!("\n{}", tabled(rows, keys, u));
     let doubtful = answer.laws.iter().filter_map(|law| Some((&law.law, law.doubt.as_ref()?)));
     out.extend(doubtful.map(|(law, doubt)| format!("  {law}: {doubt}\n")));
     if answer.laws.iter().filter_map(|row| row.neighbour_correlation).any(|r| r > 0.5) {

@@ -36,12 +36,9 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
 
 fn as_text(answer: &JointAnswer, u: &Units) -> String {
     let mut text = burst_first(&answer.warnings) + &format!("model {}\n", answer.model);
-    for (i, muscle) in answer.muscles.iter().enumerate() {
-        text += &format!("muscle {}: {}\n", i + 1, muscle.line(u));
-    }
-    for (name, value) in limit_rows(&answer.limits, "", u) {
-        text += &format!("{name} {value}\n");
-    }
+    let muscles = answer.muscles.iter().zip(1..);
+    text.extend(muscles.map(|(muscle, i)| format!("muscle {i}: {}\n", muscle.line(u))));
+    text.extend(limit_rows(&answer.limits, "", u).iter().map(|(name, value)| format!("{name} {value}\n")));
     if !answer.points.is_empty() {
         text += &format!("\n{}", rows(&answer.points, u));
         text += &answer.uncertainty_text.as_ref().map_or_else(String::new, |said| format!("\n{said}\n"));
@@ -81,5 +78,5 @@ fn rows(points: &[JointRow], u: &Units) -> String {
         torque_nm+uncertainty_nm=τ torque_turning_plus_nm=turning_to_+ torque_turning_minus_nm=to_− \
         stiffness_nm_per_rad+stiffness_uncertainty_nm_per_rad=−dτ/dφ stiffness_shut_isothermal_nm_per_rad=valves_shut,_slow \
         stiffness_shut_adiabatic_nm_per_rad=quick force_1_n=F1 force_2_n=F2 rest";
-    tabled(&rows.collect::<Vec<_>>(), keys, u)
+    tabled(rows, keys, u)
 }

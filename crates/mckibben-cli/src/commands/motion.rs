@@ -2,8 +2,8 @@
 
 use super::joint;
 use crate::{
-    Args, Bar, Problem, Units, args::load_tables, burst_first, exit_code, files, listed, number, pairs,
-    shown, tabled, value,
+    Args, Bar, Problem, Units, args::load_tables, burst_first, exit_code, files, headed, listed, number,
+    pairs, shown, value,
 };
 use mckibben_app::{
     MotionAnswer, MotionRequest, MotionRun, ProblemKind, Subject, TextFile, motion, rows::limit_rows,
@@ -55,18 +55,12 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
 
 fn as_text(answer: &MotionAnswer, u: &Units) -> String {
     let mut text = burst_first(&answer.warnings) + &format!("model {}\n", answer.model);
-    for muscle in &answer.muscles {
-        text += &format!("muscle: {}\n", muscle.line(u));
-    }
-    for (name, value) in limit_rows(&answer.limits, "", u) {
-        text += &format!("{name} {value}\n");
-    }
+    text.extend(answer.muscles.iter().map(|muscle| format!("muscle: {}\n", muscle.line(u))));
+    text.extend(limit_rows(&answer.limits, "", u).iter().map(|(name, value)| format!("{name} {value}\n")));
     if let Some(c) = answer.sonic_conductance_l_per_s_bar {
         text += &format!("\nthe smallest valve has {} L/(s bar)\n", number(c, 4));
     }
-    for run in answer.runs() {
-        text += &format!("\n{}", one(run, u));
-    }
+    text.extend(answer.runs().map(|run| format!("\n{}", one(run, u))));
     text
 }
 
@@ -92,15 +86,11 @@ fn one(of: &MotionRun, u: &Units) -> String {
     let mut list = listed(&row, &format!("{ends} end_pressure_mpa=with_a_pressure_of"), u);
     list.extend(of.uncertainty_in(u).map(|text| ("uncertainty".to_owned(), text)));
     list.extend(listed(&row, KEYS, u));
-    let mut text = pairs(&list);
-    if !run.events.is_empty() {
-        const SHOWN: usize = 12;
-        let keys = if degrees.is_some() { "time_s:4~ kind muscle" } else { "time_s:4~ kind" };
-        let shown = &run.events[..run.events.len().min(SHOWN)];
-        text += &format!("\nevents\n{}", tabled(shown, keys, u));
-        if run.events.len() > SHOWN {
-            text += &format!("and {} more (--format json has them all)\n", run.events.len() - SHOWN);
-        }
+    const SHOWN: usize = 12;
+    let keys = if degrees.is_some() { "time_s:4~ kind muscle" } else { "time_s:4~ kind" };
+    let mut text = pairs(&list) + &headed("events", run.events.iter().take(SHOWN), keys, u);
+    if run.events.len() > SHOWN {
+        text += &format!("and {} more (--format json has them all)\n", run.events.len() - SHOWN);
     }
     text
 }

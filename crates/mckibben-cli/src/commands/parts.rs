@@ -2,7 +2,6 @@
 
 use crate::{Args, Problem, Units, listed, output::text::law_text, pairs, tabled, value, warn};
 use mckibben_app::{PartShowAnswer, PartsListAnswer, RubberDetails, part_show, parts_list};
-use serde_json::Value;
 
 /// The lists, their columns, and what these are.
 const LISTS: [(&str, &str, &str); 5] = [
@@ -77,7 +76,7 @@ fn show_text(answer: &PartShowAnswer, u: &Units) -> String {
         out += &fits_text(rubber, u);
     }
     if all["sleeve"].is_object() {
-        let points = all["sleeve"]["points"].as_array().map_or(&[][..], Vec::as_slice);
+        let points = all["sleeve"]["points"].as_array().into_iter().flatten();
         let keys =
             "outer_diameter_mm=D0 angle_deg=θ0 stiffness_n_per_mm=k largest_contraction=contracts_by:%";
         out += &tabled(points, keys, u);
@@ -93,9 +92,9 @@ fn fits_text(rubber: &RubberDetails, u: &Units) -> String {
         row["taken"] = if fit.by_reach { "→" } else { "" }.into();
         row
     });
-    let rows: Vec<Value> = rows.filter(|row| row["standing"] != "behind").collect();
+    let rows = rows.filter(|row| row["standing"] != "behind");
     let keys = "taken=_ reach_up_to=reach:3~ up_to_strain=data_to:3% points constants=law_and_constants shear_modulus_mpa=μ:3~ r_squared=R²:5~ standing planar_difference=differs:2%~";
-    tabled(&rows, keys, u)
+    tabled(rows, keys, u)
         + &format!(
             "→: --rubber {} means it, for a muscle that stretches its rubber up to the reach (`mckibben check`); between two reaches it means constants between theirs, beyond the last those of the last.\nstanding: equal where the data do not distinguish a law from the recommended one. differs: at most so much from it in planar tension. Laws that fit less well: --format json.\n",
             rubber.rubber

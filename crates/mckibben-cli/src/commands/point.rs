@@ -1,22 +1,21 @@
 //! `force`, `pressure`, `contraction`: one point.
 
 use crate::{Args, Problem, burst_first, output::loaded::loaded, pairs};
-use mckibben::progress::Silent;
 use mckibben_app::{PointAnswer, PointQuantity, rows::point_rows};
 
 /// F(P, ε).
 pub fn force(args: &Args) -> Result<u8, Problem> {
-    show(args, mckibben_app::force(&args.request()?, &Silent)?, PointQuantity::Force)
+    show(args, mckibben_app::force(&args.request()?)?, PointQuantity::Force)
 }
 
 /// P(F, ε).
 pub fn pressure(args: &Args) -> Result<u8, Problem> {
-    show(args, mckibben_app::pressure(&args.request()?, &Silent)?, PointQuantity::Pressure)
+    show(args, mckibben_app::pressure(&args.request()?)?, PointQuantity::Pressure)
 }
 
 /// ε(F, P).
 pub fn contraction(args: &Args) -> Result<u8, Problem> {
-    show(args, mckibben_app::contraction(&args.request()?, &Silent)?, PointQuantity::Contraction)
+    show(args, mckibben_app::contraction(&args.request()?)?, PointQuantity::Contraction)
 }
 
 fn show(args: &Args, answer: PointAnswer, of: PointQuantity) -> Result<u8, Problem> {

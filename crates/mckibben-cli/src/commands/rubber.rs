@@ -79,10 +79,10 @@ fn as_text(answer: &RubberFitAnswer, u: &Units) -> String {
     out += &format!("\n{}", tabled(&laws, LAWS, u));
     if answer.laws.iter().any(|law| law.modes.len() > 1) {
         let keys = "law mode points to_stretch rms_mpa=rms:3~";
-        out += &format!("\n{}", tabled(&of_each(&laws, "modes"), keys, u));
+        out += &format!("\n{}", tabled(of_each(&laws, "modes"), keys, u));
     }
     let constants = "law name=constant value:5~ standard_error:2~ unit identifiable";
-    out += &format!("\n{}", tabled(&of_each(&laws, "parameters"), constants, u));
+    out += &format!("\n{}", tabled(of_each(&laws, "parameters"), constants, u));
     let hoop = number(answer.hoop_stretch, 3);
     out += &format!("in a muscle: axial stretch 0.6 to 1.1, hoop stretch 1 to {hoop}\n");
     let mut held_out = of_each(&laws, "held_out");
@@ -95,7 +95,7 @@ fn as_text(answer: &RubberFitAnswer, u: &Units) -> String {
         out += &tabled(&held_out, keys, u);
     }
     if all["relaxation"].is_object() {
-        let branches = all["relaxation"]["branches"].as_array().map_or(&[][..], Vec::as_slice);
+        let branches = all["relaxation"]["branches"].as_array().into_iter().flatten();
         let keys = "share=g:4~ time_constant_s=τ:4~ overstress+overstress_standard_error=g/(1−Σg)";
         let (about, branches) = (listed(&all["relaxation"], RELAXATION, u), tabled(branches, keys, u));
         out += &format!("\n{}\n{branches}g: share of the stress at once (Prony series)\n", pairs(&about));

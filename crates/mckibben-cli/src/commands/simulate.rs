@@ -1,8 +1,8 @@
 //! `simulate`: one finite-element test with everything it knows.
 
 use crate::{
-    Args, Bar, Format, Problem, Units, burst_first, check_ending, exit_code, listed, output::check, pairs,
-    percent, place, save, save_all, tabled, value,
+    Args, Bar, Format, Problem, Units, burst_first, check_ending, exit_code, headed, listed, output::check,
+    pairs, percent, place, save, save_all, tabled, value,
 };
 use mckibben_app::{SimulateAnswer, Simulated, understood};
 use serde_json::{Value, json};
@@ -81,10 +81,6 @@ fn last_text(point: &Value, u: &Units) -> String {
         row["gain_n"] = gain.map(|(value, slope)| 0.01 * value * slope).into();
         row
     };
-    let gains: Vec<Value> = rows("sensitivities").into_iter().map(gain).collect();
-    if !gains.is_empty() {
-        let keys = "name=_ value:4~ unit gain_n=pull:3~";
-        out += &format!("\nChange of the pull if one of these grows by 1 %\n{}", tabled(&gains, keys, u));
-    }
-    out
+    let (gains, keys) = (rows("sensitivities").into_iter().map(gain), "name=_ value:4~ unit gain_n=pull:3~");
+    out + &headed("Change of the pull if one of these grows by 1 %", gains, keys, u)
 }

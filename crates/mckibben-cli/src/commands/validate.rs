@@ -1,8 +1,8 @@
 //! `validate`: verification and validation, each with its table.
 
 use crate::{
-    Args, Bar, NO_ANSWER, Problem, Units, files, listed, number, output::width, pairs, plot, said, shown,
-    tabled, value,
+    Args, Bar, NO_ANSWER, Problem, Units, files, headed, listed, number, output::width, pairs, plot, said,
+    shown, tabled, value,
 };
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 use mckibben_app::{
@@ -11,7 +11,6 @@ use mckibben_app::{
     ValidateAnswer, in_one_line,
 };
 use mckibben_fit::validation::case::built_in;
-use serde_json::Value;
 use std::path::Path;
 
 pub fn run(args: &Args) -> Result<u8, Problem> {
@@ -185,24 +184,16 @@ fn muscle(case: &MeasuredCase, results: &[MeasuredResult], u: &Units) -> String 
         fits.map(|f| (format!("{} [{}]", f.fit, f.fitted_to), in_one_line(&f.parameters))).collect();
     let of_case: Vec<_> = results.iter().filter(|r| r.case == case.facts.name).collect();
     let branches = of_case.iter().flat_map(|r| {
-        let row = |branch: &MeasuredBranch| {
+        let row = move |branch: &MeasuredBranch| {
             let mut row = value(branch);
             row["of"] = format!("{} [{}]", r.fit, r.group.of).into();
             row
         };
-        r.group.by_branch.iter().map(row).collect::<Vec<Value>>()
+        r.group.by_branch.iter().map(row)
     });
-    let branches: Vec<Value> = branches.collect();
-    let mut errors = tabled(&of_case, RESULTS, u);
-    if !branches.is_empty() {
-        errors += &format!("\nBranches\n{}", tabled(&branches, BRANCHES, u));
-    }
-    block(
-        &format!("{}, points that pull", case.facts.title),
-        &listed(&value(case), FACTS, u),
-        &fitted,
-        &errors,
-    )
+    let errors = tabled(&of_case, RESULTS, u) + &headed("Branches", branches, BRANCHES, u);
+    let title = format!("{}, points that pull", case.facts.title);
+    block(&title, &listed(&value(case), FACTS, u), &fitted, &errors)
 }
 
 /// What is known of a case, its fitted constants, and the errors.

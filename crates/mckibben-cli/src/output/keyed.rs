@@ -7,13 +7,19 @@ use serde::Serialize;
 use serde_json::Value;
 
 /// A table with a row for each value of a list; columns of which there is nothing are left out.
-pub fn tabled<T: Serialize>(list: &[T], keys: &str, u: &Units) -> String {
-    if list.is_empty() {
+pub fn tabled(list: impl IntoIterator<Item = impl Serialize>, keys: &str, u: &Units) -> String {
+    let rows: Vec<Value> = list.into_iter().map(|row| value(&row)).collect();
+    if rows.is_empty() {
         return String::new();
     }
-    let rows: Vec<Value> = list.iter().map(value).collect();
     let keys = keys.split_whitespace().map(|token| Key::parse(token, u));
     columns(keys.filter_map(|key| column(&key, &rows)))
+}
+
+/// The same behind a line with its heading; nothing where there is no row.
+pub fn headed(head: &str, list: impl IntoIterator<Item = impl Serialize>, keys: &str, u: &Units) -> String {
+    let table = tabled(list, keys, u);
+    if table.is_empty() { table } else { format!("\n{head}\n{table}") }
 }
 
 fn column(key: &Key<'_>, rows: &[Value]) -> Option<(String, Vec<String>)> {

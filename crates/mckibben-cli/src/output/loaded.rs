@@ -26,8 +26,7 @@ pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
             row
         })
     });
-    let rows: Vec<Value> = rows.collect();
-    let mut text = format!("\nload {}\n{}", answer.load, tabled(&rows, EQUILIBRIA, u));
+    let mut text = format!("\nload {}\n{}", answer.load, tabled(rows, EQUILIBRIA, u));
     if let Some(cycle) = &answer.cycle {
         text += &format!("\n{}", pairs(&listed(&value(cycle), CYCLE, u)));
     }

@@ -41,61 +41,47 @@ pub fn show<T: Serialize + JsonSchema>(
     text: impl FnOnce() -> String,
     target: Target<'_>,
 ) -> Result<(), Problem> {
-    let answer = Answer { json: &|| json(answer), schema: answer_schema::<T>, rows };
-    answer.show(format, Box::new(text), target)
+    made(&|| json(answer), answer_schema::<T>, format, rows, Box::new(text), target)
 }
 
-/// An answer as what can be made of it: the same type for all answers, so that the rest is compiled once.
-struct Answer<'a> {
-    json: &'a dyn Fn() -> Result<Value, Problem>,
+/// The same of what can be made of an answer, of one type for all answers, so that it is compiled once.
+fn made(
+    json: &dyn Fn() -> Result<Value, Problem>,
     schema: fn() -> Value,
-    rows: &'a str,
-}
-
-impl Answer<'_> {
-    fn table(&self) -> Result<table::Table, Problem> {
-        let mut value = (self.json)()?;
-        let rows = self.rows;
-        let list = match value.get_mut(rows).map(Value::take) {
-            Some(Value::Array(list)) => list,
-            Some(Value::Object(columns)) => table::of_columns(&columns),
-            _ if rows == FLAT => vec![table::flat(value)],
-            _ if rows.is_empty() => vec![value],
-            _ => vec![],
-        };
-        let columns = table::columns(&(self.schema)(), rows);
-        Ok(table::Table { columns: table::with_others(columns, &list), rows: list })
-    }
-
-    fn show(
-        &self,
-        format: Format,
-        text: Box<dyn FnOnce() -> String + '_>,
-        target: Target<'_>,
-    ) -> Result<(), Problem> {
-        let form = form(target, format)?;
-        let out = match form {
-            Format::Text => {
-                unit_hint().into_iter().for_each(warn);
-                if target.is_some() {
-                    width::in_file();
-                }
-                width::broken(&clean::lines(&text())).into_bytes()
+    format: Format,
+    rows: &str,
+    text: Box<dyn FnOnce() -> String + '_>,
+    target: Target<'_>,
+) -> Result<(), Problem> {
+    let out = match form(target, format)? {
+        Format::Text => {
+            unit_hint().into_iter().for_each(warn);
+            if target.is_some() {
+                width::in_file();
             }
-            Format::Json => format!("{:#}\n", (self.json)()?).into_bytes(),
-            Format::Csv => table::csv(&self.table()?)?,
-            Format::Parquet => parquet::rows(&self.table()?)?,
-        };
-        if matches!(form, Format::Csv | Format::Parquet) {
+            width::broken(&clean::lines(&text())).into_bytes()
+        }
+        Format::Json => format!("{:#}\n", json()?).into_bytes(),
+        form => {
+            let mut value = json()?;
             // A table has no place for it.
-            let value = (self.json)()?;
             let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
             all.filter_map(Value::as_str).filter(|w| is_of_burst(w)).for_each(warn);
+            let list = match value.get_mut(rows).map(Value::take) {
+                Some(Value::Array(list)) => list,
+                Some(Value::Object(columns)) => table::of_columns(&columns),
+                _ if rows == FLAT => vec![table::flat(value)],
+                _ if rows.is_empty() => vec![value],
+                _ => vec![],
+            };
+            let columns = table::with_others(table::columns(&schema(), rows), &list);
+            let table = table::Table { columns, rows: list };
+            if form == Format::Csv { table::csv(&table)? } else { parquet::rows(&table)? }
         }
-        emit(&out, target)?;
-        warn_behind();
-        Ok(())
-    }
+    };
+    emit(&out, target)?;
+    warn_behind();
+    Ok(())
 }
 
 /// The format of a file by its ending; without one, or for standard output, that of `--format`.

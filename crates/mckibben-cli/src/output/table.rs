@@ -29,7 +29,7 @@ pub fn columns(root: &Value, rows: &str) -> Vec<Column> {
         }
         return out;
     }
-    for list in property(root, root, rows) {
+    for (_, list) in properties(root, root).filter(|(name, _)| *name == rows) {
         for node in variants(root, list) {
             match node.get("items") {
                 Some(item) => scalars(root, item, false, &mut out),
@@ -80,10 +80,6 @@ fn properties<'a>(root: &'a Value, node: &'a Value) -> impl Iterator<Item = (&'a
     maps.flat_map(Map::iter)
 }
 
-fn property<'a>(root: &'a Value, node: &'a Value, name: &str) -> Vec<&'a Value> {
-    properties(root, node).filter(|p| p.0 == name).map(|p| p.1).collect()
-}
-
 /// The keys of an object whose values are numbers, flags or texts, or lists of such.
 fn scalars(root: &Value, node: &Value, are_lists: bool, out: &mut Vec<Column>) {
     for (name, value) in properties(root, node) {
@@ -98,11 +94,9 @@ fn kind(root: &Value, node: &Value) -> Option<Kind> {
     let mut common = None;
     for node in variants(root, node) {
         let words = node.get("const").is_some() || node.get("enum").is_some();
-        let types: Vec<&str> = match node.get("type") {
-            Some(Value::String(one)) => vec![one],
-            Some(Value::Array(list)) => list.iter().filter_map(Value::as_str).collect(),
-            _ if words => vec!["string"],
-            _ => vec![],
+        let types: Vec<&str> = match &node["type"] {
+            Value::Array(list) => list.iter().filter_map(Value::as_str).collect(),
+            one => one.as_str().or(words.then_some("string")).into_iter().collect(),
         };
         for word in types {
             let kind = match word {

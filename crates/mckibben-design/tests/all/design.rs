@@ -10,9 +10,9 @@ use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, Strands};
 use mckibben::progress::Silent;
 use mckibben::units::Values;
 use mckibben_design::{
-    Below, BraidChoice, Build, Check, Demand, JointDemand, Lift, Limit, Limits, Models, Objective,
-    OperatingPoint, Relaxation, SAFETY, Spec, SpecError, Tolerances, TorqueWanted, VALIDATED_STRAND_STRAIN,
-    design, design_joint, spread,
+    Below, BraidChoice, Build, CandidatePoint, Check, Demand, JointDemand, Lift, Limit, Limits, Models,
+    Objective, OperatingPoint, Relaxation, SAFETY, Spec, SpecError, Tolerances, TorqueWanted,
+    VALIDATED_STRAND_STRAIN, design, design_joint, spread,
 };
 
 fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben::model::ModelError> {
@@ -21,23 +21,11 @@ fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben::model::ModelE
 
 fn spec(force_n: f64, contraction: f64) -> Spec {
     Spec {
-        wanted: vec![OperatingPoint { force_n, contraction }].into(),
-        count: 1,
         direction: Direction::Mean,
-        max_pressure_mpa: 0.25,
-        liquid: None,
-        base: Muscle::prototype(),
-        tubes: vec![],
-        outer_diameter_mm: Values::Interval(5.0, 80.0),
         wall_mm: Values::Interval(1.0, 5.0),
-        length_mm: None,
-        braid: BraidChoice::Angle(Values::List(vec![28.0])),
-        rubbers: vec![],
         limits: Limits::default(),
-        guaranteed: None,
         objective: Objective::Diameter,
-        top: 5,
-        extrapolate: false,
+        ..Spec::new(vec![OperatingPoint { force_n, contraction }], 0.25)
     }
 }
 
@@ -76,25 +64,22 @@ fn lists_of_stock_sizes_agree_with_brute_force() {
         let mut fitting = 0;
         for &d0 in &diameters {
             for &s in &walls {
-                let model = ThickWall::new(&spec.base.with_section(d0, s).unwrap());
-                if model.force_n(&mut Workspace::new(), 0.25, 0.1).unwrap() < 300.0 {
+                let (model, w) =
+                    (ThickWall::new(&spec.base.with_section(d0, s).unwrap()), &mut Workspace::new());
+                let pull_n = model.force_n(w, 0.25, 0.1).unwrap();
+                if pull_n < 300.0 {
                     continue;
                 }
                 fitting += 1;
-                let p = Evaluation::new(&model, &mut Workspace::new(), Options::default())
-                    .pressure_at(300.0, 0.1)
-                    .unwrap();
+                let mut evaluation = Evaluation::new(&model, w, Options::default());
+                let p = evaluation.pressure_at(300.0, 0.1).unwrap();
                 let (ours, other) = match objective {
                     Objective::Diameter => (best.muscle.outer_diameter_mm(), d0),
                     Objective::Pressure => (best.pressure_mpa, p),
-                    Objective::Margin => {
-                        (-best.margin, 1.0 - model.force_n(&mut Workspace::new(), 0.25, 0.1).unwrap() / 300.0)
-                    }
+                    Objective::Margin => (-best.margin, 1.0 - pull_n / 300.0),
                     Objective::BulgedDiameter | Objective::Length => unreachable!(),
                     Objective::Air => {
-                        let air = Evaluation::new(&model, &mut Workspace::new(), Options::default())
-                            .air_per_stroke(p, 0.1)
-                            .unwrap();
+                        let air = evaluation.air_per_stroke(p, 0.1).unwrap();
                         (best.air_normal_litres().unwrap(), air.normal_litres)
                     }
                 };
@@ -102,16 +87,6 @@ fn lists_of_stock_sizes_agree_with_brute_force() {
             }
         }
         assert_eq!(outcome.looked_at, (44, fitting));
-    }
-}
-
-#[test]
-fn bounds_bind_and_are_named() {
-    let mut spec = spec(700.0, 0.15);
-    spec.limits.bulged_diameter_mm = Some(60.0);
-    let outcome = design(&spec, BUILD).unwrap();
-    for candidate in &outcome.candidates {
-        assert!(candidate.bulged_diameter_mm().unwrap() <= 60.0);
     }
 }
 
@@ -190,14 +165,10 @@ fn the_objective_air_with_a_liquid_finds_the_least_liquid_of_a_list() {
         if model.force_n(w, 0.25, 0.1).unwrap() < 300.0 {
             continue;
         }
-        let p = Evaluation::new(&model, w, Options::default()).pressure_at(300.0, 0.1).unwrap();
+        let mut evaluation = Evaluation::new(&model, w, Options::default());
+        let p = evaluation.pressure_at(300.0, 0.1).unwrap();
         let supply = spec.liquid.as_ref().unwrap();
-        least = least.min(
-            Evaluation::new(&model, w, Options::default())
-                .liquid_per_stroke(supply, p, 0.1)
-                .unwrap()
-                .volume_mm3,
-        );
+        least = least.min(evaluation.liquid_per_stroke(supply, p, 0.1).unwrap().volume_mm3);
     }
     assert!((best / least - 1.0).abs() < 1e-9, "{best} {least}");
 }
@@ -272,20 +243,19 @@ fn every_change_makes_a_muscle_fit_and_none_is_larger_than_it_has_to_be() {
 }
 
 #[test]
-fn several_points_are_all_met() {
-    let mut spec = spec(700.0, 0.15);
-    let (low, high) = (
-        OperatingPoint { force_n: 700.0, contraction: 0.15 },
-        OperatingPoint { force_n: 1200.0, contraction: 0.05 },
-    );
-    spec.wanted = vec![low, high].into();
+fn several_points_are_all_met_within_the_bound() {
+    let points = [(700.0, 0.15), (1200.0, 0.05)];
+    let points = points.map(|(force_n, contraction)| OperatingPoint { force_n, contraction });
+    let mut spec = Spec { wanted: points.to_vec().into(), ..spec(700.0, 0.15) };
+    spec.limits.bulged_diameter_mm = Some(60.0);
     let outcome = design(&spec, BUILD).unwrap();
+    assert!(!outcome.candidates.is_empty());
     for candidate in &outcome.candidates {
-        for point in &candidate.points {
-            assert!(
-                point.force_at_max_pressure_n >= point.wanted.force_n && point.response.pressure_mpa <= 0.25
-            );
-        }
+        assert!(candidate.bulged_diameter_mm().unwrap() <= 60.0);
+        let meets = |point: &CandidatePoint| {
+            point.force_at_max_pressure_n >= point.wanted.force_n && point.response.pressure_mpa <= 0.25
+        };
+        assert!(candidate.points.iter().all(meets));
     }
 }
 
@@ -412,14 +382,13 @@ fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle(
     let torque = |(torque_nm, angle_deg)| TorqueWanted { torque_nm, angle_deg };
     let torques = [(8.0, 45.0), (3.0, 60.0)].map(torque).to_vec();
     let joint = JointDemand { torques: torques.clone(), largest_angle_deg: 60.0, radius_mm: 20.0 };
-    let models = Models { search: &thick, settle: None };
     let spec = Spec {
         wanted: Demand::Joint(joint),
         max_pressure_mpa: 0.6,
         limits: Limits { bulged_diameter_mm: Some(50.0), ..Limits::default() },
         ..spec(1.0, 0.0)
     };
-    let (chosen, outcome) = design_joint(&spec, &Values::Interval(5.0, 40.0), models, &Silent).unwrap();
+    let (chosen, outcome) = design_joint(&spec, &Values::Interval(5.0, 40.0), MODELS, &Silent).unwrap();
     let Demand::Joint(JointDemand { radius_mm, .. }) = chosen.wanted else { panic!() };
     let best = &outcome.candidates[0];
     let on = |radius_mm: f64| JointMuscle {
@@ -442,7 +411,7 @@ fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle(
     assert!((1.0..1.002).contains(&least), "{least}");
     for i in 0..36 {
         let (_, other) =
-            design_joint(&spec, &Values::List(vec![5.0 + f64::from(i)]), models, &Silent).unwrap();
+            design_joint(&spec, &Values::List(vec![5.0 + f64::from(i)]), MODELS, &Silent).unwrap();
         if let Some(other) = other.candidates.first() {
             assert!(best.muscle.outer_diameter_mm() <= other.muscle.outer_diameter_mm() + 0.011);
         }

@@ -2,7 +2,7 @@
 
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
-use mckibben::muscle::{Muscle, Tube};
+use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::random::{Random, rounds};
 use mckibben::units::Values;
 use mckibben_design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design, fits};
@@ -14,8 +14,7 @@ fn universal(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
 
 fn muscle(d0: f64, s: f64, angle: f64, length: f64) -> Option<Muscle> {
     let base = Muscle::prototype();
-    let mut braid = base.braid().clone();
-    braid.angle_deg = angle;
+    let braid = Braid { angle_deg: angle, ..base.braid().clone() };
     let tube = Tube { outer_diameter_mm: d0, wall_mm: s, length_mm: length, ..base.tube().clone() };
     Muscle::new(tube, braid, base.terminals().clone(), None).ok()
 }

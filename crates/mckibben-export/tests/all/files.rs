@@ -18,14 +18,30 @@ fn write(muscle: &ExportedMuscle, target: &str, folder: &Path) {
     }
 }
 
-/// What `main.c` of a folder prints, compiled as C99 without a warning.
-fn compiled_and_run(folder: &Path, arguments: &[&str]) -> String {
-    let strict = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-o", "main"];
-    let done = Command::new("cc").args(strict).args(arguments).current_dir(folder).output().unwrap();
+/// What a program prints, compiled in a folder as C99 without a warning.
+fn compiled_and_run(folder: &Path, main: &str, arguments: &[&str]) -> String {
+    std::fs::write(folder.join("main.c"), main).unwrap();
+    let strict =
+        ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-o", "main", "main.c"];
+    let done =
+        Command::new("cc").args(strict).args(arguments).arg("-lm").current_dir(folder).output().unwrap();
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
     let out = Command::new(folder.join("main")).output().unwrap();
     assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
     String::from_utf8(out.stdout).unwrap()
+}
+
+/// What a script prints, where Python has a module.
+fn python(folder: &Path, module: &str, script: &str) -> Option<Vec<Vec<f64>>> {
+    let run = |script: &str| Command::new("python3").args(["-c", script]).current_dir(folder).output();
+    run(&format!("import {module}")).ok().filter(|out| out.status.success())?;
+    let out = run(script).unwrap();
+    assert!(out.status.success(), "{module}: {}", String::from_utf8_lossy(&out.stderr));
+    Some(numbers(&String::from_utf8(out.stdout).unwrap()))
+}
+
+fn numbers(text: &str) -> Vec<Vec<f64>> {
+    text.lines().map(|line| line.split(' ').map(|v| v.parse().unwrap()).collect()).collect()
 }
 
 fn runs(program: &str) -> bool {
@@ -118,36 +134,27 @@ fn libraries_of_the_fmu_have_the_hashes_recorded_with_those_of_their_sources() {
     assert!(size <= 200_000, "{size} bytes");
 }
 
-/// Columns: pull, stiffness, dF/dP, volume, pressure of the pull, status; of the box, or along the tangents beyond it.
-fn of_c(flags: &[&str], beyond: bool) -> Option<Vec<Vec<f64>>> {
+/// Pull, stiffness, dF/dP, volume, pressure of the pull and status of C: of the box, or along the tangents beyond it.
+fn compare_with_c(flags: &[&str], tolerance: f64) {
     if !runs("cc") {
-        return None;
+        return;
     }
     let folder = tempfile::tempdir().unwrap();
     write(&PROTOTYPE, "c", folder.path());
-    let mut main = format!(
-        "#include \"muscle_prototype.h\"\n#include <stdio.h>\nint main(void) {{\nunsigned s;\nmckibben_muscle own = muscle_prototype;\nconst mckibben_muscle *m = &own;\nown.beyond = {};\n",
-        u8::from(beyond)
-    );
-    for (p, l) in points() {
-        let _ = writeln!(
-            main,
-            "{{ mckibben_real p = (mckibben_real){p:e}, l = (mckibben_real){l:e}, f = mckibben_force(m, p, l, &s);"
+    for (beyond, at) in [(0, Form::at as fn(&Form, f64, f64) -> Point), (1, Form::beyond)] {
+        let mut main = format!(
+            "#include \"muscle_prototype.h\"\n#include <stdio.h>\nint main(void) {{\nunsigned s;\nmckibben_muscle own = muscle_prototype;\nconst mckibben_muscle *m = &own;\nown.beyond = {beyond};\n"
         );
-        main += "printf(\"%.17g %.17g %.17g %.17g %.17g %u\\n\", (double)f, (double)mckibben_stiffness(m, p, l, 0), (double)mckibben_force_per_pressure(m, p, l, 0), (double)mckibben_volume(m, p, l, 0), (double)mckibben_pressure(m, f, l, 0), s); }\n";
-    }
-    main += "return 0; }\n";
-    std::fs::write(folder.path().join("main.c"), main).unwrap();
-    let mut all = vec!["-ffp-contract=off", "-O1", "main.c", "mckibben.c", "-lm"];
-    all.extend(flags);
-    let text = compiled_and_run(folder.path(), &all);
-    Some(text.lines().map(|line| line.split(' ').map(|v| v.parse().unwrap()).collect()).collect())
-}
-
-fn compare_with_c(flags: &[&str], tolerance: f64) {
-    for beyond in [false, true] {
-        let Some(rows) = of_c(flags, beyond) else { return };
-        compare_rows(&rows, tolerance, if beyond { Form::beyond } else { Form::at });
+        for (p, l) in points() {
+            let _ = writeln!(
+                main,
+                "{{ mckibben_real p = (mckibben_real){p:e}, l = (mckibben_real){l:e}, f = mckibben_force(m, p, l, &s);"
+            );
+            main += "printf(\"%.17g %.17g %.17g %.17g %.17g %u\\n\", (double)f, (double)mckibben_stiffness(m, p, l, 0), (double)mckibben_force_per_pressure(m, p, l, 0), (double)mckibben_volume(m, p, l, 0), (double)mckibben_pressure(m, f, l, 0), s); }\n";
+        }
+        main += "return 0; }\n";
+        let arguments = [&["-ffp-contract=off", "-O1", "mckibben.c"], flags].concat();
+        compare_rows(&numbers(&compiled_and_run(folder.path(), &main, &arguments)), tolerance, at);
     }
 }
 
@@ -231,13 +238,8 @@ int main(void) {
 "#;
     let token = format!("{{mckibben-air-{}}}", PROTOTYPE.hash);
     let main = main.replace("TOKEN", &token).replace("FOLDER", &folder.path().to_string_lossy());
-    std::fs::write(folder.path().join("main.c"), main).unwrap();
-    let text = compiled_and_run(folder.path(), &["-O1", "main.c", "-lm"]);
-    let rows: Vec<[f64; 5]> = text
-        .lines()
-        .map(|line| line.split(' ').map(|v| v.parse().unwrap()).collect::<Vec<f64>>().try_into().unwrap())
-        .collect();
-    let [start, filled, moved, full] = rows[..] else { panic!("{text}") };
+    let rows = numbers(&compiled_and_run(folder.path(), &main, &["-O1"]));
+    let [start, filled, moved, full] = &rows[..] else { panic!("{rows:?}") };
     let (p0, supply_pa) = (101_325.0, PROTOTYPE.form.supply_pa);
     let near = |a: f64, b: f64, share: f64| assert!((a / b - 1.0).abs() < share, "{a} {b}");
     // Choked: 101325 Pa are less than 0.3 of the supply of 351325 Pa only nearly; so the shape ψ of ISO 6358 at this ratio.
@@ -248,41 +250,23 @@ int main(void) {
     for row in [start, filled, moved, full] {
         near(row[4], (p0 + row[0]) * (row[1] + 1e-5) / (row[2] * 287.05), 1e-12);
     }
-    assert!(filled[0] > 1e4 && moved[1] > filled[1], "{text}");
+    assert!(filled[0] > 1e4 && moved[1] > filled[1], "{rows:?}");
     near(moved[2], filled[2], 1e-15);
-    let of_state = |row: [f64; 5]| (p0 + row[0]) * (row[1] + 1e-5).powf(1.25);
+    let of_state = |row: &[f64]| (p0 + row[0]) * (row[1] + 1e-5).powf(1.25);
     near(of_state(moved), of_state(filled), 1e-12);
     near(full[0], supply_pa, 1e-6);
 }
 
 #[test]
 fn python_with_numpy_is_the_form_to_1e_12() {
-    let numpy =
-        Command::new("python3").args(["-c", "import numpy"]).output().is_ok_and(|o| o.status.success());
-    if !numpy {
-        return;
-    }
     let folder = tempfile::tempdir().unwrap();
     write(&PROTOTYPE, "python", folder.path());
     let (p, l): (Vec<f64>, Vec<f64>) = points().into_iter().unzip();
     let script = format!(
-        "import numpy as n, muscle_prototype as m\np, l = n.array({p:?}), n.array({l:?})\nf = m.force(p, l)\nfor row in zip(f, m.stiffness(p, l), m.volume(p, l), m.status(p, l)): print(*(repr(float(v)) for v in row))\n"
+        "import numpy as n, muscle_prototype as m\np, l = n.array({p:?}), n.array({l:?})\nf = m.force(p, l)\nfor row in zip(f, m.stiffness(p, l), m.force_per_pressure(p, l), m.volume(p, l), m.pressure(f, l), m.status(p, l)): print(*(repr(float(v)) for v in row))\n"
     );
-    let out = Command::new("python3").args(["-c", &script]).current_dir(folder.path()).output().unwrap();
-    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
-    let text = String::from_utf8(out.stdout).unwrap();
-    let form = &PROTOTYPE.form;
-    let full = form.at(form.supply_pa, 0.0);
-    for (line, (p, l)) in text.lines().zip(points()) {
-        let row: Vec<f64> = line.split(' ').map(|v| v.parse().unwrap()).collect();
-        let point = form.at(p, 1.0 - l / form.length_m);
-        assert!((row[0] - point.force_n).abs() < 1e-12 * full.force_n, "{line} {point:?}");
-        assert!(
-            (row[1] - point.stiffness_n_per_m).abs() < 1e-12 * full.stiffness_n_per_m,
-            "{line} {point:?}"
-        );
-        assert!((row[2] - point.volume_m3).abs() < 1e-12 * full.volume_m3, "{line} {point:?}");
-        assert_eq!(row[3], f64::from(point.status));
+    if let Some(rows) = python(folder.path(), "numpy", &script) {
+        compare_rows(&rows, 1e-12, Form::at);
     }
 }
 
@@ -309,12 +293,13 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
             given.push((force, e, f64::from(sign)));
         }
     }
-    let gives = |pressure: &str, (force_n, e, sign): (f64, f64, f64)| {
-        let pressure_pa: f64 = pressure.parse().unwrap();
+    let gives = |printed: &[f64], (force_n, e, sign): (f64, f64, f64)| {
+        let pressure_pa = printed[0];
         let q = pressure_pa / form.supply_pa;
         let half_n = form.friction_n[0] * q.sqrt() + form.friction_n[1] * q;
         let pull_n = form.at(pressure_pa, e).force_n + sign * half_n;
-        assert!((pull_n - force_n).abs() < 1e-6, "{force_n} {e} {sign}: {pull_n}");
+        let (off_n, status) = ((pull_n - force_n).abs(), printed.get(1).unwrap_or(&0.0));
+        assert!(off_n < 1e-6 && *status == 0.0, "{force_n} {e} {sign}: {pull_n} {printed:?}");
     };
     // What the supply gives in the mean of both branches, and not while the muscle shortens.
     let most_n = form.at(form.supply_pa, 0.0).force_n - 0.5 * form.friction_n.iter().sum::<f64>();
@@ -322,29 +307,19 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
         let main = format!(
             "#include \"muscle_prototype.h\"\n#include \"mckibben_branch.h\"\n#include <stdio.h>\nint main(void) {{ double p; unsigned s;\n{main}(void)mckibben_pressure_on(&muscle_prototype, {most_n:e}, muscle_prototype.length, -1, &s); return s == MCKIBBEN_NO_ANSWER ? 0 : 1; }}\n"
         );
-        std::fs::write(folder.path().join("main.c"), main).unwrap();
-        let text = compiled_and_run(folder.path(), &["-O1", "main.c", "mckibben.c", "-lm"]);
-        assert_eq!(text.lines().count(), given.len());
-        for (line, given) in text.lines().zip(&given) {
-            let pressure = line.strip_suffix(" 0").unwrap_or_else(|| panic!("{line}: {given:?}"));
-            gives(pressure, *given);
-        }
+        let rows = numbers(&compiled_and_run(folder.path(), &main, &["-O1", "mckibben.c"]));
+        assert_eq!(rows.len(), given.len());
+        rows.iter().zip(&given).for_each(|(row, given)| gives(row, *given));
     }
     let script = format!(
         "import muscle_prototype as m\n{script}assert m.pressure_on({most_n:e}, m.LENGTH, -1) == m.SUPPLY\nassert m.pressure_status({most_n:e}, m.LENGTH, -1) == m.NO_ANSWER\n"
     );
-    let numpy =
-        Command::new("python3").args(["-c", "import numpy"]).output().is_ok_and(|o| o.status.success());
-    if numpy {
-        let out = Command::new("python3").args(["-c", &script]).current_dir(folder.path()).output().unwrap();
-        assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
-        let text = String::from_utf8(out.stdout).unwrap();
-        assert_eq!(text.lines().count(), given.len());
-        text.lines().zip(given).for_each(|(line, given)| gives(line, given));
+    if let Some(rows) = python(folder.path(), "numpy", &script) {
+        assert_eq!(rows.len(), given.len());
+        rows.iter().zip(given).for_each(|(row, given)| gives(row, given));
     }
 }
 
-/// A muscle with friction, and what C and Python print: of C the numbers of a line, by `main` with the muscle `m` and `unsigned s`.
 fn with_friction() -> ExportedMuscle {
     let muscle = Muscle::prototype().with_friction(Some(Friction::power_law(71.5, 0.56))).unwrap();
     exported(&muscle, 0.25).unwrap()
@@ -379,13 +354,8 @@ int main(void) {
     return 0;
 }
 "#;
-    std::fs::write(folder.path().join("main.c"), main).unwrap();
-    let text = compiled_and_run(folder.path(), &["-O1", "main.c", "mckibben.c", "-lm"]);
-    let answers: Vec<(f64, u32)> = text
-        .lines()
-        .map(|line| line.split_once(' ').unwrap())
-        .map(|(value, status)| (value.parse().unwrap(), status.parse().unwrap()))
-        .collect();
+    let rows = numbers(&compiled_and_run(folder.path(), main, &["-O1", "mckibben.c"]));
+    let answers: Vec<(f64, u32)> = rows.iter().map(|row| (row[0], row[1] as u32)).collect();
     let (form, near) = (&muscle.form, |a: f64, b: f64| (a - b).abs() < 1e-9 * b.abs().max(1.0));
     let (supply, low) = (form.supply_pa, form.contraction_low);
     let (pull, free) = (form.at(supply, 0.0), form.contraction(0.0, 0.5 * supply));
@@ -422,12 +392,6 @@ int main(void) {
 /// The same by Python; and derivatives by JAX, where it runs here, by differences of what they are the derivatives of.
 #[test]
 fn python_has_the_same_statuses_and_its_inverses_have_derivatives() {
-    let runs = |module: &str| {
-        Command::new("python3")
-            .args(["-c", &format!("import {module}")])
-            .output()
-            .is_ok_and(|o| o.status.success())
-    };
     let folder = tempfile::tempdir().unwrap();
     write(&with_friction(), "python", folder.path());
     let same = r#"
@@ -456,11 +420,7 @@ for f, at in [(m.contraction, (200., 1.5e5)), (m.pressure, (200., .26)), (on, (2
 assert abs(jax.grad(m.contraction)(200., 1.5e5) + 4.888e-4) < 1e-5 and abs(jax.grad(m.pressure)(200., .26) - 382.7) < 4 and abs(jax.grad(m.volume)(5e4, .24) - 1.97e-9) < 1e-10
 "#;
     for (module, script) in [("numpy", same), ("jax", slopes)] {
-        if runs(module) {
-            let out =
-                Command::new("python3").args(["-c", script]).current_dir(folder.path()).output().unwrap();
-            assert!(out.status.success(), "{module}: {}", String::from_utf8_lossy(&out.stderr));
-        }
+        python(folder.path(), module, script);
     }
 }
 
@@ -511,11 +471,8 @@ fn names_of_languages_and_libraries_are_names_of_muscles() {
         write(&muscle, "c", folder.path());
         let example = format!("{}_example.c", muscle.identifier());
         let main = std::fs::read_to_string(folder.path().join(example)).unwrap();
-        std::fs::write(folder.path().join("main.c"), main).unwrap();
-        assert!(
-            compiled_and_run(folder.path(), &["main.c", "mckibben.c", "-lm"]).contains("status 0"),
-            "{name}"
-        );
+        let text = compiled_and_run(folder.path(), &main, &["mckibben.c"]);
+        assert!(text.contains("status 0"), "{name}");
     }
 }
 

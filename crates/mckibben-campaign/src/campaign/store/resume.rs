@@ -68,12 +68,11 @@ impl Run<'_> {
         for ((number, path), checked) in parts.into_iter().zip(checked) {
             match checked? {
                 None if self.holds(number) => drop(whole.insert(number, PartSource::File(path))),
-                None => {}
                 Some(_) if self.holds(number) && overwrite && number >= provenance.parts() => {
                     folder.discard(&path)?
                 }
                 Some(cause) if self.holds(number) => damaged.push(Recomputed { file: path, cause }),
-                Some(_) => {}
+                _ => {}
             }
         }
         Ok((whole, damaged))

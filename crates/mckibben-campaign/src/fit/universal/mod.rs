@@ -13,7 +13,7 @@
 mod held_out;
 mod points;
 
-use super::{FitError, Result};
+use super::{FitError, Result, least_squares};
 use crate::hash;
 pub use held_out::{HeldOutRow, held_out, held_out_samples, rubber_laws};
 use mckibben::formula::{
@@ -187,10 +187,7 @@ fn solve(products: &[[u8; 5]], equations: &[&Equation]) -> Result<Vec<UniversalT
     }
     let matrix = DMatrix::from_fn(rows, columns, |i, j| equations[i].left[j]);
     let right = DVector::from_fn(rows, |i, _| equations[i].right);
-    let qr = matrix.qr();
-    let turned = qr.q().transpose() * right;
-    let solved = qr.r().solve_upper_triangular(&turned).filter(|x| x.iter().all(|v| v.is_finite()));
-    let x = solved.ok_or_else(|| FitError::singular("the universal formula"))?;
+    let x = least_squares(matrix, right).ok_or_else(|| FitError::singular("the universal formula"))?;
     let rounded = |v: f64| format!("{v:.8e}").parse().unwrap_or(v);
     let term = |(&powers, &v): (&[u8; 5], &f64)| UniversalTerm { powers, value: rounded(v) };
     Ok(products.iter().zip(x.iter()).map(term).collect())
