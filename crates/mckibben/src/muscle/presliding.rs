@@ -12,7 +12,7 @@
 /// The second rule is Masing's. A branch that comes back to the reversal before the last one closes a loop, and goes on as if that loop had
 /// not been (Madelung's rule): z depends on the reversals that are remembered and on x alone, at any speed. At a constant F_c a loop of a stroke
 /// S ≥ 2 x_s encloses 2 F_c (S − 4 x_s/3), a smaller one F_c S³/(6 x_s²); no loop gives work. Infinitely many elements in closed form: z has no
-/// steps of its slope but where a loop closes. Sources: Iwan (1966) \[iwan1966\]; Al-Bender, Lampaert & Swevers (2005) \[albender2005\].
+/// steps of its slope but where a loop closes. Sources: Iwan (1966) \[iwan1966\]; Al-Bender, Lampaert & Swevers (2005) \[al-bender2005\].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Presliding {
     /// x_s in mm.
@@ -105,6 +105,7 @@ mod tests {
         let curve = Vec::from_iter((0..=80).map(|i| at.share(3.0 + 0.01 * f64::from(i))));
         assert!(curve.windows(2).all(|w| w[0] < w[1]) && curve[0] == 0.0 && (curve[80] - 1.0).abs() < 1e-12);
         for (stroke, exact) in [(0.5_f64, 0.5_f64.powi(3) / (6.0 * 0.64)), (4.0, 8.0 - 32.0 / 15.0)] {
+            at.travel(2.6);
             at.travel(2.6 + stroke);
             let area = work(&mut at, &[2.6 + stroke, 2.6, 2.6 + stroke]);
             assert!((area - exact).abs() < 1e-12, "{area} {exact}");
