@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut actuated = Actuated::new(&model, Actuator::Valve(valve));
     actuated.fluid =
         Fluid::Air(Air { heat: Heat::Conductance(0.2), dead_volume_mm3: 10e3, ..Air::default() });
-    actuated.friction = Some(Hysteresis::new(&friction, None));
+    actuated.friction = Some(friction);
     let command = Command::Steps(vec![(0.0, 0.1), (0.1, 0.3), (0.6, 0.15)]);
     let mut drive = Drive::new(&load, vec![actuated], Target::Pressure(vec![command]), 1.0);
     drive.output_step_s = 0.01;

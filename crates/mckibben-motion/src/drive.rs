@@ -1,10 +1,11 @@
 //! What is to be run.
 
 use crate::{
-    ATMOSPHERE_MPA, Command, Fluid, Heat, Hose, Hysteresis, LiquidValve, Mechanism, MotionError, Pid,
-    PidOutput, Prony, Pump, Result, Syringe, Valve, ValveKind, error::within,
+    ATMOSPHERE_MPA, Command, Fluid, Heat, Hose, LiquidValve, Mechanism, MotionError, Pid, PidOutput, Prony,
+    Pump, Result, Syringe, Valve, ValveKind, error::within,
 };
 use mckibben::model::ForceModel;
+use mckibben::muscle::Friction;
 
 /// The supply of compressed air.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,8 +83,9 @@ pub struct Actuated<'a> {
     pub actuator: Actuator,
     /// What fills it.
     pub fluid: Fluid,
-    /// Friction of its braid.
-    pub friction: Option<Hysteresis>,
+    /// Friction of its braid, half the width of its loop, which builds up again after each reversal ([`Presliding`](mckibben::muscle::Presliding)).
+    /// Together with the overstress of the rubber it is no larger than the model's pull.
+    pub friction: Option<Friction>,
     /// Viscoelasticity of its rubber.
     pub rubber: Prony,
     /// Gauge pressure at the start in MPa; without it, what the first command says (0 where that is an opening that is closed).
@@ -325,7 +327,12 @@ impl Actuated<'_> {
             }
             None => {}
         }
-        self.friction.as_ref().map_or(Ok(()), Hysteresis::check)?;
+        if let Some(Friction { coefficient, exponent, lever_mm, presliding_mm }) = self.friction {
+            within("the friction's coefficient in N/MPa^β", coefficient, 0.0, 1e9)?;
+            within("the friction's exponent", exponent, 0.0, 10.0)?;
+            within("the friction's lever in mm", lever_mm, 0.0, 1e6)?;
+            within("the friction's presliding length in mm", presliding_mm.unwrap_or(1.0), 1e-6, 1e6)?;
+        }
         if let Some(p) = self.initial_pressure_mpa {
             within("the gauge pressure at the start in MPa", p, 0.0, 100.0)?;
         }

@@ -177,6 +177,7 @@ impl System<'_> {
             let muscle = member.muscle;
             let p = start.pressures_mpa.get(i).copied().unwrap_or(0.0);
             let contraction = drive.mechanism.lever(i, start.coordinate).contraction;
+            mode.presliding = muscle.friction.map(|f| f.presliding(member.length_mm * contraction, 0.0));
             mode.slack = match member.answer(p, contraction) {
                 Ok(answer) => answer.force_n.value < -self.slack_n(i),
                 Err(_) => member.hangs(p, contraction),

@@ -56,11 +56,12 @@ impl Linear {
                 rates(&y)
             };
             let step = 1e-4 * scale;
-            // Two widths, so that the error goes with their fourth power.
-            let wide = difference(&moved(2.0 * step)?, &moved(-2.0 * step)?, 4.0 * step);
-            let narrow = difference(&moved(step)?, &moved(-step)?, 2.0 * step);
-            let best: Vec<f64> = narrow.iter().zip(&wide).map(|(n, w)| (4.0 * n - w) / 3.0).collect();
-            a.set_column(column, &DVector::from_vec(best));
+            // Three widths: the first and second powers of the error vanish. Friction has the first one, about a state at rest.
+            let mut best = DVector::zeros(n);
+            for (width, weight) in [(step, 8.0 / 3.0), (2.0 * step, -2.0), (4.0 * step, 1.0 / 3.0)] {
+                best += weight * DVector::from_vec(difference(&moved(width)?, &moved(-width)?, 2.0 * width));
+            }
+            a.set_column(column, &best);
         }
         let step = 1e-6;
         let offset = |u: f64| {

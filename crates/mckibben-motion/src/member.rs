@@ -1,6 +1,6 @@
 //! A force model as the equations of motion need it: both pulls and volumes with their derivatives, and the slack muscle.
 
-use crate::{Actuated, Hysteresis};
+use crate::Actuated;
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{Ideal, ModelError, ThickWall, Workspace, pivoting_n_per_mm};
 use std::cell::{Cell, OnceCell, RefCell};
@@ -259,7 +259,7 @@ impl<'a> Member<'a> {
     fn pivoting(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Quantity, ModelError> {
         /// Of the pressure (relative) and the contraction.
         const SHARE: f64 = 1e-4;
-        if !self.muscle.friction.as_ref().is_some_and(Hysteresis::has_contact) {
+        if !self.muscle.friction.is_some_and(|friction| friction.lever_mm > 0.0) {
             return Ok(Quantity::default());
         }
         let model = self.muscle.model;

@@ -10,8 +10,6 @@ pub(crate) struct MuscleState {
     pub mass_g: f64,
     /// Of a valve that lags.
     pub opening: Option<f64>,
-    /// zᵢ of the friction's elements.
-    pub bristles: Vec<f64>,
     /// Of each Prony branch.
     pub branches_n: Vec<f64>,
     pub supplied_g: f64,
@@ -78,7 +76,7 @@ impl State {
         visit(&mut self.velocity);
         for m in &mut self.muscles {
             let fluid = [&mut m.absolute_mpa, &mut m.mass_g].into_iter();
-            fluid.chain(&mut m.opening).chain(&mut m.bristles).chain(&mut m.branches_n).for_each(&mut visit);
+            fluid.chain(&mut m.opening).chain(&mut m.branches_n).for_each(&mut visit);
         }
         if let Some(ControllerState { integral, filtered }) = &mut self.controller {
             visit(integral);
@@ -143,7 +141,6 @@ impl Layout {
             };
             MuscleState {
                 opening: lags.then_some(0.0),
-                bristles: vec![0.0; m.friction.as_ref().map_or(0, |f| f.presliding.0.len())],
                 branches_n: vec![0.0; m.rubber.0.len()],
                 ..MuscleState::default()
             }
@@ -191,13 +188,12 @@ mod tests {
     use crate::command::Command;
     use crate::control::{Pid, PidOutput};
     use crate::drive::Actuated;
-    use crate::friction::Hysteresis;
     use crate::mechanism::SingleMuscle;
     use crate::orifice::Orifice;
     use crate::valve::Valve;
     use crate::viscoelastic::{Branch, Prony};
     use mckibben::model::Ideal;
-    use mckibben::muscle::{Friction, Muscle};
+    use mckibben::muscle::Muscle;
 
     #[test]
     fn every_number_of_a_state_has_one_place() {
@@ -206,7 +202,6 @@ mod tests {
         let kind = ValveKind::Proportional { time_constant_s: 0.01, gain_per_mpa: 20.0 };
         let valve = Valve { kind, ..Valve::new(Orifice::new(0.5, 0.3).unwrap()) };
         let muscle = Actuated {
-            friction: Some(Hysteresis::new(&Friction::power_law(1.0, 1.0), None)),
             rubber: Prony(vec![Branch { share: 0.1, time_constant_s: 0.1 }; 3]),
             ..Actuated::new(&model, Actuator::Valve(valve))
         };
@@ -221,12 +216,12 @@ mod tests {
         };
         let target = Target::Position { command: Command::Constant(0.1), pid };
         let layout = Layout::new(&Drive::new(&load, vec![muscle], target, 1.0));
-        // q, v; p, m, opening, z, three branches; two of the controller; supplied, exhausted; nine totals.
-        assert_eq!((layout.core, layout.len), (2 + 7 + 2, 2 + 7 + 2 + 2 + 9));
+        // q, v; p, m, opening, three branches; two of the controller; supplied, exhausted; nine totals.
+        assert_eq!((layout.core, layout.len), (2 + 6 + 2, 2 + 6 + 2 + 2 + 9));
         let numbers: Vec<f64> = (0..layout.len).map(|i| i as f64 + 0.5).collect();
         let mut state = layout.state(&numbers);
         assert_eq!((state.coordinate, state.velocity), (0.5, 1.5));
-        assert_eq!((state.muscles[0].absolute_mpa, state.muscles[0].exhausted_g), (2.5, 12.5));
+        assert_eq!((state.muscles[0].absolute_mpa, state.muscles[0].exhausted_g), (2.5, 11.5));
         assert_eq!(state.totals.positive_work, layout.len as f64 - 0.5);
         assert_eq!(state.to_vec(), numbers);
         let mut written = vec![0.0; layout.len];

@@ -6,6 +6,7 @@ use crate::integrate::Equations;
 use crate::member::{Answer, Member, Moment, Substitute};
 use crate::state::{ControllerState, Layout, MuscleState, State};
 use crate::{ATMOSPHERE_MPA, Actuated, Drive, Fluid, MotionError, PidOutput, Result, Target};
+use mckibben::muscle::Presliding;
 use std::cell::{Cell, RefCell};
 
 /// What an on–off valve does.
@@ -24,11 +25,13 @@ pub(crate) struct Modes {
     pub muscles: Vec<Mode>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Mode {
     pub slack: bool,
-    /// The sign of the shortening speed in the equations of friction.
+    /// The sign of the shortening speed, where there is friction.
     pub sign: f64,
+    /// Of the friction: up to the last reversal, and without one from there on.
+    pub presliding: Option<Presliding>,
     pub switch: Switch,
 }
 
@@ -89,7 +92,7 @@ impl<'a> System<'a> {
         let layout = Layout::new(drive);
         let scale = sizes(drive, &members, &layout);
         let room = (layout.filled(0.0), Point::default());
-        let mode = Mode { slack: false, sign: 1.0, switch: Switch::Hold };
+        let mode = Mode { slack: false, sign: 1.0, presliding: None, switch: Switch::Hold };
         let modes = Modes { stop: None, muscles: vec![mode; members.len()] };
         Ok(Self {
             drive,
@@ -156,19 +159,20 @@ impl<'a> System<'a> {
                 },
                 area_mm2: if medium.needs_area() { cavity_area_mm2(cavity.value, length) } else { 0.0 },
             };
+            let share =
+                mode.presliding.as_ref().map_or(0.0, |p| p.share(member.length_mm * lever.contraction));
             let wall_n = if muscle.rubber.0.is_empty() { 0.0 } else { member.wall_n(gauge, &at) };
             let [model_n, excess, opposing, pull] =
-                if mode.slack { [0.0; 4] } else { pull(muscle, &at, now, wall_n) };
+                if mode.slack { [0.0; 4] } else { pull(muscle, &at, now, (wall_n, share)) };
             net += pull * member.length_mm * lever.per_coordinate;
 
             let command = self.command(t, i, control);
             let fluid = self.flows(muscle, now, command, mode, &cavity);
-            let (flows, friction) = ([fluid.supply, fluid.exhaust], muscle.friction.as_ref());
+            let flows = [fluid.supply, fluid.exhaust];
             rates.muscles.push(MuscleState {
                 absolute_mpa: fluid.pressure_rate,
                 mass_g: fluid.supply.mass_g_per_s + fluid.exhaust.mass_g_per_s,
                 opening: now.opening.map(|_| fluid.opening_rate),
-                bristles: friction.map_or(vec![], |f| f.rates(&now.bristles, speed, mode.sign)),
                 branches_n: muscle.rubber.rates(wall_n, &now.branches_n),
                 supplied_g: fluid.supply.mass_g_per_s,
                 exhausted_g: -fluid.exhaust.mass_g_per_s,
@@ -231,13 +235,13 @@ impl<'a> System<'a> {
     }
 }
 
-/// Of a taut muscle: the pull of the model, the part of viscoelasticity, that of friction, and the pull at the muscle's end.
-fn pull(muscle: &Actuated<'_>, at: &Answer, now: &MuscleState, wall_n: f64) -> [f64; 4] {
+/// Of a taut muscle: the pull of the model, the part of viscoelasticity, that of friction, and the pull at the muscle's end; by the wall's part
+/// of the pull and the share of the friction.
+fn pull(muscle: &Actuated<'_>, at: &Answer, now: &MuscleState, (wall_n, share): (f64, f64)) -> [f64; 4] {
     let (pressure, model_n) = (now.gauge_mpa(), at.force_n.value);
     let excess = muscle.rubber.excess_n(wall_n, &now.branches_n);
-    let friction = muscle.friction.as_ref().map_or(0.0, |friction| {
-        friction.level_n(pressure, at.pivoting_n_per_mm.value) * friction.presliding.share(&now.bristles)
-    });
+    let pivoting = at.pivoting_n_per_mm.value.max(0.0);
+    let friction = muscle.friction.map_or(0.0, |friction| friction.half_width_n(pressure, pivoting) * share);
     // A rope cannot push, and its end is free of force where it goes slack: friction and overstress are no larger than the pull.
     let most = model_n.max(0.0);
     let pull = model_n + (excess - friction).clamp(-most, most);
@@ -259,7 +263,6 @@ fn sizes(drive: &Drive<'_>, members: &[Member<'_>], layout: &Layout) -> State {
             absolute_mpa: 0.1,
             mass_g,
             opening: size.opening.map(|_| 1.0),
-            bristles: vec![1.0; size.bristles.len()],
             branches_n: vec![10.0; size.branches_n.len()],
             supplied_g: mass_g,
             exhausted_g: mass_g,

@@ -133,12 +133,6 @@ fn of_kind(kind: &str, about: &str) -> Value {
             let about = format!("{about}: a value, or {OVER_TIME}");
             json!({ "description": about, "anyOf": [any, of_kind("list pair time number", "Pairs of times and values")] })
         }
-        "presliding" => {
-            let length = of_kind(">0 length", "Presliding length of the friction");
-            let several =
-                "Shares of the friction, each with a presliding length: [[0.6, \"0.5 mm\"], [0.4, \"3 mm\"]]";
-            json!({ "description": about, "anyOf": [length, of_kind("list pair number length", several)] })
-        }
         "conditioned" => of_kind("pressure", about),
         ">0" | ">=0" => {
             let mut quantity = of_kind(rest, about);

@@ -18,14 +18,14 @@ use mckibben::{
     answer::Options,
     joint::Joint,
     model::{ForceModel, Workspace},
+    muscle::Friction,
     progress::Progress,
     uncertainty::UncertaintyParts,
     warning::Warning,
 };
 use mckibben_motion::{
-    Actuated, Command, Coordinate, Drive, DriveFile, Hysteresis, Linear, Mechanism, Motion, MotionError,
-    Moves, Names, SingleMuscle, Subject, Tables, Target, drive_names, parse_drive, run_as_far, size,
-    with_value,
+    Actuated, Command, Coordinate, Drive, DriveFile, Linear, Mechanism, Motion, MotionError, Moves, Names,
+    SingleMuscle, Subject, Tables, Target, drive_names, parse_drive, run_as_far, size, with_value,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -190,7 +190,10 @@ impl Moved {
     ) -> Drive<'a> {
         let muscles = self.models.iter().map(|model| Actuated {
             fluid: file.fluid.clone(),
-            friction: model.muscle().friction().map(|f| Hysteresis::new(f, file.presliding.as_ref())),
+            friction: model
+                .muscle()
+                .friction()
+                .map(|f| Friction { presliding_mm: file.presliding_mm.or(f.presliding_mm), ..*f }),
             rubber: file.rubber.clone(),
             ..Actuated::new(&**model, file.actuator)
         });

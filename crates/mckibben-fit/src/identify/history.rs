@@ -1,13 +1,13 @@
 //! Rows in time order: the friction has the history of the rows.
 //!
-//!   F = F₀(P, ε; θ) − F_c(P, ε; θ) Σ sᵢ zᵢ
+//!   F = F₀(P, ε; θ) − F_c(P, ε; θ) z
 //!
-//! F₀: the mean of both branches, F_c: half the width of the loop, zᵢ: states of the [`Presliding`](mckibben::muscle::Presliding), moved from row to row by the change of the
-//! contraction times L0. A table begins on the branch that its first row states; without one at z = 0. Between two rows the muscle moves one way.
+//! F₀: the mean of both branches, F_c: half the width of the loop, z: the share of the [`Presliding`](mckibben::muscle::Presliding) at the contraction times L0, with the history
+//! of the rows before. A table begins on the branch that its first row states; without one at rest, z = 0. Between two rows the muscle moves one way.
 
 use super::{IdentifyError, Result};
 use crate::measured::{DataPoint, Quantity};
-use mckibben::muscle::{Direction, Muscle};
+use mckibben::muscle::{Direction, Muscle, Presliding};
 
 /// Whether a row continues the history of another.
 fn continues(row: &DataPoint, before: &DataPoint) -> bool {
@@ -38,23 +38,21 @@ pub(super) fn directed(points: &[DataPoint]) -> Result<Vec<DataPoint>> {
     Ok(out)
 }
 
-/// Σ sᵢ zᵢ at `points`, some of the rows in their order; `None` of a muscle without friction.
+/// z at `points`, some of the rows in their order; `None` of a muscle without friction.
 pub(super) fn shares(rows: &[DataPoint], points: &[DataPoint], muscle: &Muscle) -> Option<Vec<f64>> {
-    let presliding = muscle.friction()?.presliding();
-    let (mut z, mut last): (Vec<f64>, Option<&DataPoint>) = (vec![], None);
+    let friction = muscle.friction()?;
+    let mut last: Option<(&DataPoint, Presliding)> = None;
     let (mut remaining, mut out) = (points.iter().peekable(), vec![]);
     for row in rows {
-        match last.filter(|before| continues(row, before)) {
-            Some(before) => {
-                let way_mm = row.section.length_mm.unwrap_or(muscle.length_mm());
-                presliding.travel(&mut z, (row.at.contraction - before.at.contraction) * way_mm);
-            }
-            // While it shortens its friction is positive, and the pull smaller.
-            None => z = vec![-row.at.direction().sign(); presliding.0.len()],
-        }
-        last = Some(row);
+        let at_mm = row.at.contraction * row.section.length_mm.unwrap_or(muscle.length_mm());
+        let before = last.take().filter(|(before, _)| continues(row, before));
+        // While it shortens its friction is positive, and the pull smaller.
+        let begin = || friction.presliding(at_mm, -row.at.direction().sign());
+        let mut presliding = before.map_or_else(begin, |(_, presliding)| presliding);
+        let z = presliding.travel(at_mm);
+        last = Some((row, presliding));
         if remaining.next_if(|point| *point == row).is_some() {
-            out.push(presliding.share(&z));
+            out.push(z);
         }
     }
     Some(out)

@@ -6,11 +6,9 @@ mod valve;
 
 use crate::drive::{Actuator, Supply, Target};
 use crate::fluid::Fluid;
-use crate::friction;
 use crate::viscoelastic::Prony;
 use mckibben::load::{Load, LoadTable};
 use mckibben::muscle::file::{FileError, Section, Source};
-use mckibben::muscle::{Presliding, PreslidingElement};
 use mckibben_io::table::read_load;
 use std::collections::BTreeMap;
 
@@ -60,8 +58,8 @@ pub struct DriveFile {
     pub damping_n_s_per_m: f64,
     /// Stops of a muscle's load: shortenings in mm.
     pub stops_mm: (f64, f64),
-    /// How the friction of the braid builds up; as the muscle states it, where there is none.
-    pub presliding: Option<Presliding>,
+    /// Presliding length of the friction in mm; that of the muscle, where there is none.
+    pub presliding_mm: Option<f64>,
     /// Viscoelasticity of the rubber.
     pub rubber: Prony,
     /// What is commanded.
@@ -117,7 +115,7 @@ pub fn parse_drive(text: &str, tables: &Tables) -> Result<DriveFile, FileError> 
         held: held(&load)?,
         damping_n_s_per_m: load.get("damping").unwrap_or(0.0),
         stops_mm: load.get("stops").unwrap_or((f64::NEG_INFINITY, f64::INFINITY)),
-        presliding: presliding(&root.at("friction"))?,
+        presliding_mm: root.at("friction").get("presliding"),
         rubber: Prony(prony.branches),
         target: command::target(&command, &root.at("controller"), about_joint, tables)?,
         until_s,
@@ -184,18 +182,6 @@ pub fn with_value(text: &str, dotted: &str, value: &str) -> Result<String, FileE
     };
     table.insert(last, item);
     Ok(document.to_string())
-}
-
-/// A length, or pairs of a share and a length.
-fn presliding(section: &Section<'_>) -> Result<Option<Presliding>, FileError> {
-    const KEY: &str = "presliding";
-    let Some(pairs) = section.get::<Vec<(f64, f64)>>(KEY) else {
-        return Ok(section.get(KEY).map(Presliding::from_length));
-    };
-    let elements = pairs.into_iter().map(|(share, length_mm)| PreslidingElement { share, length_mm });
-    let presliding = Presliding(elements.collect());
-    section.valid(KEY, friction::check(&presliding))?;
-    Ok(Some(presliding))
 }
 
 fn supply(section: &Section<'_>) -> Result<Supply, FileError> {
@@ -273,7 +259,7 @@ mod tests {
         assert_eq!(valve.supply, Orifice::new(0.5, 0.3).unwrap());
         let Fluid::Air(air) = &drive.fluid else { panic!() };
         assert_eq!((air.heat, air.dead_volume_mm3), (Heat::Transfer(25.0), 1e4));
-        assert_eq!(drive.presliding, None);
+        assert_eq!(drive.presliding_mm, None);
         assert_eq!((drive.damping_n_s_per_m, drive.stops_mm), (400.0, (-5.0, 80.0)));
         assert_eq!(drive.target, Target::Pressure(vec![Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)])]));
         assert_eq!((drive.until_s, drive.output_step_s), (5.0, 0.005));
@@ -309,12 +295,7 @@ mod tests {
             (format!("{MUSCLE}[valve]\nsonic_conductance = '0 L/(s bar)'\n{TAIL}"), "above zero"),
             (format!("{MUSCLE}[valve]\nname = 'festo-mh3'\n{TAIL}"), "festo-mh2"),
             (format!("{HEAD}critical_ratio = 1.5\n{TAIL}"), "critical"),
-            (
-                format!("{HEAD}[friction]\npresliding = [[0.6, '0.5 mm'], [0.3, '3 mm']]\n{TAIL}"),
-                "sum of the shares",
-            ),
-            (format!("{HEAD}[friction]\npresliding = [[1, '0 mm']]\n{TAIL}"), "presliding length"),
-            (format!("{HEAD}[friction]\npresliding = [1, 2]\n{TAIL}"), "pairs of a share and a length"),
+            (format!("{HEAD}[friction]\npresliding = '0 mm'\n{TAIL}"), "above zero"),
             (format!("{HEAD}[air]\nheat = 'warm'\n{TAIL}"), "isothermal"),
             (format!("{HEAD}[command]\npressure = '3 bar'\n"), "until"),
             (format!("{HEAD}[command]\nuntil = '1 s'\n"), "what is commanded"),

@@ -105,7 +105,7 @@ fn release_speeds_fall_with_the_load_as_measured() {
         let mut muscle = Actuated::new(&model, Actuator::Valve(Valve::new(Orifice::new(0.5, 0.3).unwrap())));
         muscle.fluid = Fluid::Air(Air { heat: Heat::Adiabatic, ..Air::default() });
         muscle.initial_pressure_mpa = Some(0.5);
-        muscle.friction = Some(Hysteresis::new(&FRICTION, None));
+        muscle.friction = Some(FRICTION);
         let mut drive = Drive::new(&load, vec![muscle], Target::Opening(vec![Command::Constant(0.0)]), 0.5);
         drive.initial_coordinate = Some(0.0);
         let motion = ran(&drive);

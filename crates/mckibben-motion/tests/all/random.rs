@@ -89,7 +89,7 @@ fn identity_random_drives_come_to_their_end_with_their_air_and_energy() {
         let (coefficient, presliding_mm) = (40.0 * draw.next(), Some(0.05 + draw.next()));
         let lever_mm = if coefficient > 20.0 { 0.5 } else { 0.0 };
         let level = Friction { presliding_mm, lever_mm, ..Friction::power_law(coefficient, 0.7) };
-        muscle.friction = (draw.next() < 0.5).then(|| Hysteresis::new(&level, None));
+        muscle.friction = (draw.next() < 0.5).then_some(level);
         if draw.next() < 0.4 {
             muscle.rubber =
                 Prony(vec![Branch { share: 0.4 * draw.next(), time_constant_s: draw.power(-2.0, 0.0) }]);

@@ -2,6 +2,7 @@
 
 use crate::support::{damped, note_muscle, ran, regulator, steps, valve};
 use mckibben::model::{ForceModel, ModelKind};
+use mckibben::muscle::Friction;
 use mckibben::progress::Silent;
 use mckibben_motion::*;
 
@@ -12,7 +13,9 @@ const COMMANDS: [f64; 8] = [0.0, 0.1, 0.2, 0.2, 0.0, 0.0, 0.0, 0.15];
 fn drive<'a>(load: &'a SingleMuscle, model: &'a dyn ForceModel, actuator: Actuator) -> Drive<'a> {
     let points: Vec<(f64, f64)> = COMMANDS.iter().enumerate().map(|(i, p)| (STEP_S * i as f64, *p)).collect();
     let until_s = STEP_S * COMMANDS.len() as f64;
-    let muscle = Actuated::new(model, actuator);
+    // Its memory is part of the state.
+    let muscle =
+        Actuated { friction: Some(Friction::power_law(20.0, 0.7)), ..Actuated::new(model, actuator) };
     Drive { output_step_s: STEP_S, ..Drive::new(load, vec![muscle], steps(&points), until_s) }
 }
 

@@ -74,9 +74,9 @@ impl<'a> Evaluation<'a> {
         match muscle.friction() {
             Some(friction) if friction.lever_mm > 0.0 => {
                 let pivoting = pivoting_n_per_mm(self.model, self.workspace, pressure_mpa, contraction)?;
-                Ok(friction.rule_n(pressure_mpa) + friction.lever_mm * pivoting)
+                Ok(friction.half_width_n(pressure_mpa, pivoting))
             }
-            Some(friction) => Ok(friction.rule_n(pressure_mpa)),
+            Some(friction) => Ok(friction.half_width_n(pressure_mpa, 0.0)),
             None if share > 0.0 => {
                 Ok(share * ThickWall::new(muscle).strand_pull_n(pressure_mpa, contraction)?)
             }

@@ -41,7 +41,7 @@ pub struct Friction {
     pub exponent: f64,
     /// μw in mm: coefficient of friction times lever of the strands' crossings. 0 where it is not stated.
     pub lever_mm: f64,
-    /// Presliding length in mm, for motions and loops with history ([`Presliding`]). `None` where it is not stated.
+    /// Presliding length x_s in mm, for motions and loops with history ([`Presliding`]). `None` where it is not stated.
     pub presliding_mm: Option<f64>,
 }
 
@@ -59,14 +59,16 @@ impl Friction {
         self.coefficient == 0.0 && self.exponent == 0.0 && self.lever_mm == 0.0
     }
 
-    /// How it builds up after a reversal: over the stated length, or 0.5 mm.
-    pub fn presliding(&self) -> Presliding {
-        self.presliding_mm.map_or_else(Presliding::default, Presliding::from_length)
+    /// How it builds up, over the stated length or 0.5 mm, from a position in mm on, after sliding towards `sign` (0: at rest).
+    pub fn presliding(&self, at_mm: f64, sign: f64) -> Presliding {
+        Presliding::new(self.presliding_mm.unwrap_or(0.5), at_mm, sign)
     }
 
-    /// C P^β in N at a pressure above zero.
-    pub fn rule_n(&self, pressure_mpa: f64) -> f64 {
-        self.coefficient * pressure_mpa.powf(self.exponent)
+    /// C P^β + μw G in N, of G in N/mm; 0 without pressure.
+    pub fn half_width_n(&self, pressure_mpa: f64, pivoting_n_per_mm: f64) -> f64 {
+        let half_n =
+            || self.coefficient * pressure_mpa.powf(self.exponent) + self.lever_mm * pivoting_n_per_mm;
+        if pressure_mpa > 0.0 { half_n() } else { 0.0 }
     }
 }
 

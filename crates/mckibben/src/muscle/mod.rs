@@ -35,7 +35,7 @@ pub use friction::Friction;
 pub use kind::{LARGEST_ANGLE_DEG, MuscleKind};
 pub use lay::StrandLay;
 pub use measures::{Measure, Parts};
-pub use presliding::{Presliding, PreslidingElement};
+pub use presliding::Presliding;
 pub use reach::largest_stretch;
 pub use stated::Stated;
 pub use terminals::{EndFactor, Terminals};

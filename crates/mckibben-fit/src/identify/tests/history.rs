@@ -1,4 +1,4 @@
-//! Rows in time order, against Dahl's equation written out.
+//! Rows in time order, against the branches of the friction written out.
 
 use super::*;
 use mckibben::model::pivoting_n_per_mm;
@@ -6,8 +6,8 @@ use mckibben::model::pivoting_n_per_mm;
 const LEVER_MM: f64 = 0.6;
 const PRESLIDING_MM: f64 = 0.8;
 
-/// Loops with a minor loop inside at two pressures, a row every quarter of a millimetre: after a reversal at x_r with z_r
-/// z = s − (s − z_r) e^(−|x − x_r|/x_s), s the sign of the way.
+/// Loops with a minor loop inside at two pressures, a row every quarter of a millimetre: after a reversal in full sliding
+/// z = s (1 − 2 (1 − |x − x_r|/2x_s)²) up to 2 x_s, s the sign of the way.
 fn loops(deviation_n: f64, seed: u64) -> Vec<DataPoint> {
     const TURNS: [f64; 5] = [0.02, 0.1, 0.06, 0.09, 0.02];
     const STEP: f64 = 0.25 / 200.0;
@@ -15,11 +15,13 @@ fn loops(deviation_n: f64, seed: u64) -> Vec<DataPoint> {
     let (model, w, mut noise) = (ThickWall::new(&muscle), &mut Workspace::new(), Noise(seed));
     let mut out: Vec<DataPoint> = vec![];
     for (set, pressure_mpa) in [0.2, 0.3].into_iter().enumerate() {
-        let mut before = 1.0;
-        for turn in TURNS.windows(2) {
+        for (leg, turn) in TURNS.windows(2).enumerate() {
             let (sign, rows) =
                 ((turn[1] - turn[0]).signum(), ((turn[1] - turn[0]).abs() / STEP).round() as usize);
-            let state = |way_mm: f64| sign - (sign - before) * (-way_mm / PRESLIDING_MM).exp();
+            // The first branch is not after a reversal.
+            let sticks =
+                |way_mm: f64| if leg == 0 { 0.0 } else { (1.0 - 0.5 * way_mm / PRESLIDING_MM).max(0.0) };
+            let state = |way_mm: f64| sign * (1.0 - 2.0 * sticks(way_mm).powi(2));
             for i in 0..rows {
                 let contraction = turn[0] + sign * STEP * i as f64;
                 let half = LEVER_MM * pivoting_n_per_mm(&model, w, pressure_mpa, contraction).unwrap();
@@ -30,7 +32,6 @@ fn loops(deviation_n: f64, seed: u64) -> Vec<DataPoint> {
                 let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
                 out.push(DataPoint { set, line: out.len() as u64 + 2, ..DataPoint::new(at) });
             }
-            before = state(0.25 * rows as f64);
         }
     }
     out

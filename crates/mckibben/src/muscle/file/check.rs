@@ -117,9 +117,6 @@ fn expected(kind: &str) -> String {
         "values" => "a list such as \"30,40,50\", or a range such as \"0..0.25:0.01\" or \"10..60\"".into(),
         "range" => "a range such as \"0..80 mm\" or \"-60..60 deg\"".into(),
         "over-time" => OVER_TIME.into(),
-        "presliding" => {
-            "a length, or pairs of a share and a length, as in [[0.6, \"0.5 mm\"], [0.4, \"3 mm\"]]".into()
-        }
         name => dimension(name).map_or(TEXT, Dimension::expectation).into(),
     }
 }
@@ -188,8 +185,6 @@ fn of_kind(kind: &str, value: &Written, expected: &str) -> Result<Value, String>
         }
         ("over-time", Some(_)) => Ok(value.as_str().into()),
         ("over-time", None) => of_kind(&format!("list pair time {rest}"), value, expected),
-        ("presliding", _) if value.is_array() => of_kind("list pair number length", value, expected),
-        ("presliding", _) => of_kind(">0 length", value, expected),
         ("conditioned", Some(text)) if text.ends_with('%') => {
             Ok(json!({ "strain": quantity(value, Dimension::Ratio)? }))
         }
