@@ -5,7 +5,7 @@
 //! the n points of a hexagonal lattice which are nearest to one of its centres of symmetry: ρ = 1 + d/r, d the distance of the farthest of them.
 //! Such a bundle is up to a tenth wider than the best one that is known.
 
-use mckibben::analysis::{Evaluation, Options};
+use mckibben::analysis::{Evaluation, Options, bisect};
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 
 /// ρ(n) of 1 to 20 circles.
@@ -78,15 +78,10 @@ pub fn touches_at(
     }
     let workspace = &mut Workspace::new();
     let free = Evaluation::new(model, workspace, Options::default()).free_contraction(pressure_mpa).ok()?;
-    let (mut low, mut high) = (0.0, free);
-    if diameter(high)? < pitch_mm {
+    if diameter(free)? < pitch_mm {
         return None;
     }
-    for _ in 0..40 {
-        let middle = 0.5 * (low + high);
-        if diameter(middle)? < pitch_mm { low = middle } else { high = middle }
-    }
-    Some(high)
+    Some(bisect(0.0, free, 40, |contraction| diameter(contraction).is_some_and(|mm| mm < pitch_mm)).1)
 }
 
 #[cfg(test)]

@@ -2,7 +2,6 @@
 
 use crate::limit::{Probe, probe_with};
 use crate::search::{Pick, Search};
-use crate::spec::THICK_WALL;
 use crate::trial::{Below, Trial};
 use crate::{BraidChoice, Build, Check, Limit, OperatingPoint, Spec, fits, tubes};
 use mckibben::analysis::{Evaluation, Options, bisect, find_root};
@@ -152,6 +151,9 @@ const EASED: f64 = 1e-5;
 /// Where several limits are missed, the share of the way is known to this; it is looked for on so many of the closest muscles.
 const ROUGH: f64 = 1e-3;
 const NEAREST: usize = 200;
+/// Shares of the way that are looked at together with a share of the pull; what misses by more by a better model is looked at later.
+const WAYS: [f64; 6] = [1.0, 0.85, 0.7, 0.55, 0.4, 0.25];
+const UNSURE: f64 = 5.0;
 
 /// The muscles of a search that do not fit, by the model that decides.
 pub(super) struct Misses<'a> {
@@ -177,21 +179,52 @@ impl<'a> Misses<'a> {
             out.extend(self.proven(first, |miss, _, _| miss.wider()));
         }
         if out.is_empty() {
-            let several = |pick: &Pick| self.proven(pick, |miss, trial, probe| miss.together(trial, probe));
-            out.extend(self.picks.iter().take(MOST).filter_map(several).min_by(|a, b| a.0.total_cmp(&b.0)));
+            out.extend(self.together());
         }
         out.sort_by(|a, b| a.0.total_cmp(&b.0));
         out.into_iter().map(|change| change.1).collect()
     }
 
-    /// The smallest change of each kind that is wanted: by the thick-wall model of all muscles, proven of those that ask for least.
+    /// Where no change of one kind does: less of the way and of the pull, and all other limits that are missed then, of those that ask for least by a
+    /// quick model.
+    fn together(&self) -> Option<Change> {
+        let change = |&(pick, share): &(Pick, f64), proven: bool| {
+            let muscle = self.search.muscle(pick).ok()?;
+            let (build, window) = if proven { (self.build, 0.0) } else { self.search.quick(&muscle) };
+            let spec = Spec { wanted: self.spec.wanted.shorter(share), ..self.spec.clone() };
+            let miss = Miss { spec: &spec, build, muscle: &muscle, proven };
+            let (mut trial, probe) = miss.held()?;
+            let (ask, mut changes) = miss.together(&mut trial, &probe)?;
+            if share < 1.0 {
+                let points = spec.points(&muscle).into_owned();
+                changes.insert(0, Relaxation::Contraction { share, points });
+            }
+            Some((ask - share.ln() + UNSURE * window, Relaxation::Together { changes }))
+        };
+        let all: Vec<(Pick, f64)> =
+            self.picks.iter().flat_map(|pick| WAYS.map(|share| (*pick, share))).collect();
+        let asks = threads::map(&all, |one| Some((change(one, false)?.0, *one)));
+        let mut least: Vec<_> = asks.into_iter().flatten().collect();
+        least.sort_by(|a, b| a.0.total_cmp(&b.0));
+        least.truncate(MOST);
+        let proven = threads::map(&least, |(_, one)| change(one, true));
+        proven.into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// The smallest change of each kind that is wanted: by a quick model of all muscles, proven of those that ask for least.
     pub(super) fn least(&self, wants: impl Fn(Kind) -> bool + Sync) -> Vec<Change> {
         let rough = |(place, pick): &(usize, Pick)| -> Option<Vec<(f64, Kind, Pick)>> {
             let muscle = self.search.muscle(*pick).ok()?;
-            let miss = Miss { spec: &self.spec, build: THICK_WALL, muscle: &muscle, proven: false };
+            let (build, window) = self.search.quick(&muscle);
+            let miss = Miss { spec: &self.spec, build, muscle: &muscle, proven: false };
             let (mut trial, probe) = miss.held()?;
             let kinds = miss.kinds(&trial, &probe, *place < NEAREST).into_iter().filter(|kind| wants(*kind));
-            let asks = kinds.map(|kind| Some((miss.change(kind, &mut trial, &probe)?.0, kind, *pick)));
+            // What fits by the quick model may miss by little.
+            let asks = kinds.map(|kind| {
+                let fits = probe.fits();
+                let ask = if fits { 0.0 } else { miss.change(kind, &mut trial, &probe)?.0 };
+                Some((ask + window, kind, *pick))
+            });
             Some(asks.flatten().collect())
         };
         let places: Vec<(usize, Pick)> = self.picks.iter().copied().enumerate().collect();
@@ -259,22 +292,28 @@ impl Miss<'_> {
 
     /// The kinds of change that may do alone: where one kind of limit is missed, and of a muscle that is `near` a shorter way where several are.
     fn kinds(&self, trial: &Trial<'_>, probe: &Probe, near: bool) -> Vec<Kind> {
-        let mut missed = probe.checks.iter().filter(|c| c.excess() > 0.0).map(|c| c.limit);
-        let Some(first) = missed.next() else { return vec![] };
-        let alone = missed.all(|limit| limit == first);
+        // What fits by a quick model may miss any of them by little.
+        let fits = probe.fits();
+        let missed: Vec<Limit> =
+            probe.checks.iter().filter(|c| fits || c.excess() > 0.0).map(|c| c.limit).collect();
+        let alone = fits || missed.iter().all(|limit| *limit == missed[0]);
         let by_pressure = match trial.below {
             None => Some(Kind::Supply),
             Some(Below::Failure(..)) => Some(Kind::Safety),
             Some(Below::Strained) => Some(Kind::StrandStrain),
             Some(Below::Rated | Below::Unanswered(_)) => None,
         };
-        let nearer = Some(Kind::Contraction).filter(|_| near || alone && first == Limit::Force);
-        let own: Vec<Kind> = match first {
-            _ if !alone => vec![],
-            Limit::Force => [Kind::Pull].into_iter().chain(by_pressure).collect(),
-            limit => vec![Kind::Limit(limit)],
-        };
-        own.into_iter().chain(nearer).collect()
+        let weak = alone && missed.contains(&Limit::Force);
+        let mut kinds: Vec<Kind> = (near || weak).then_some(Kind::Contraction).into_iter().collect();
+        if weak {
+            kinds.extend([Kind::Pull].into_iter().chain(by_pressure));
+        }
+        for limit in missed.into_iter().filter(|limit| alone && *limit != Limit::Force) {
+            if !kinds.contains(&Kind::Limit(limit)) {
+                kinds.push(Kind::Limit(limit));
+            }
+        }
+        kinds
     }
 
     /// The change of a kind.
@@ -351,7 +390,7 @@ impl Miss<'_> {
     }
 
     /// All limits that are missed, changed together.
-    fn together(&self, trial: &mut Trial<'_>, probe: &Probe) -> Option<Change> {
+    fn together(&self, trial: &mut Trial<'_>, probe: &Probe) -> Option<(f64, Vec<Relaxation>)> {
         let mut kinds: Vec<Kind> = vec![];
         for check in probe.checks.iter().filter(|c| c.excess() > 0.0) {
             let kind = if check.limit == Limit::Force { Kind::Pull } else { Kind::Limit(check.limit) };
@@ -363,7 +402,7 @@ impl Miss<'_> {
         let changes = kinds.into_iter().map(|kind| alone.change(kind, trial, probe));
         let (asks, changes): (Vec<f64>, Vec<Relaxation>) =
             changes.collect::<Option<Vec<Change>>>()?.into_iter().unzip();
-        self.fits(&changes).then(|| (asks.into_iter().sum(), Relaxation::Together { changes }))
+        self.fits(&changes).then(|| (asks.into_iter().sum(), changes))
     }
 
     /// Whether it fits a specification that is changed.
@@ -379,7 +418,9 @@ impl Miss<'_> {
     /// The pressure that all points need, where nothing bounds it.
     fn needed_mpa(&self, trial: &mut Trial<'_>) -> Option<f64> {
         let beyond = Options { extrapolate: true, ..self.spec.options() };
-        let mut model = Evaluation::new(&*trial.model, &mut trial.workspace, beyond);
+        // Where a pull is out of reach, other models search long for its pressure.
+        let model = if self.proven { &*trial.model } else { &*trial.thick_wall };
+        let mut model = Evaluation::new(model, &mut trial.workspace, beyond);
         let points = self.spec.points(self.muscle);
         let needs = points.iter().map(|q| model.pressure_at(q.force_n, q.contraction).ok());
         needs.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)

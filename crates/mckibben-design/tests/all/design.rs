@@ -45,24 +45,6 @@ const BUILD: &Build<'_> = &thick;
 const MODELS: Models<'_> = Models { search: BUILD, settle: None };
 
 #[test]
-fn the_smallest_diameter_just_reaches_the_force_at_the_maximum_pressure() {
-    let outcome = design(&spec(700.0, 0.15), BUILD).unwrap();
-    let best = &outcome.candidates[0];
-    let d0 = best.muscle.outer_diameter_mm();
-    assert_eq!(best.muscle.wall_mm(), 1.0);
-    let pull = |d0: f64| {
-        let muscle = best.muscle.with_section(d0, best.muscle.wall_mm()).unwrap();
-        ThickWall::new(&muscle).force_n(&mut Workspace::new(), 0.25, 0.15).unwrap()
-    };
-    assert!(pull(d0) >= 700.0 && pull(d0 - 0.011) < 700.0, "{d0}: {}", pull(d0));
-    assert!(best.pressure_mpa <= 0.25 && best.margin >= 0.0);
-    // Ranked: the others are larger, each with another wall.
-    for pair in outcome.candidates.windows(2) {
-        assert!(pair[0].muscle.outer_diameter_mm() <= pair[1].muscle.outer_diameter_mm());
-    }
-}
-
-#[test]
 fn lists_of_stock_sizes_agree_with_brute_force() {
     for objective in [Objective::Diameter, Objective::Pressure, Objective::Margin, Objective::Air] {
         let mut spec = spec(300.0, 0.1);
@@ -95,23 +77,13 @@ fn lists_of_stock_sizes_agree_with_brute_force() {
                         let air = Evaluation::new(&model, &mut Workspace::new(), Options::default())
                             .air_per_stroke(p, 0.1)
                             .unwrap();
-                        (best.air_normal_litres().unwrap(), air.normal_litres)
+                        (best.largest(|q| q.air_normal_litres).unwrap(), air.normal_litres)
                     }
                 };
                 assert!(ours <= other + 1e-12, "{objective:?}: {ours} against {other} at {d0}, {s}");
             }
         }
         assert_eq!(outcome.looked_at, (44, fitting));
-    }
-}
-
-#[test]
-fn bounds_bind_and_are_named() {
-    let mut spec = spec(700.0, 0.15);
-    spec.limits.bulged_diameter_mm = Some(60.0);
-    let outcome = design(&spec, BUILD).unwrap();
-    for candidate in &outcome.candidates {
-        assert!(candidate.bulged_diameter_mm().unwrap() <= 60.0);
     }
 }
 
@@ -142,11 +114,11 @@ fn a_liquid_takes_the_place_of_the_air_and_its_volume_is_that_of_the_equation() 
         let shrunk = l.relative_volume(best.pressure_mpa);
         let pushed =
             if l.bulk_modulus_mpa == 1e12 { there - rest } else { (there + dead) / shrunk - rest - dead };
-        let found = best.liquid_volume_mm3().unwrap();
+        let found = best.largest(|q| q.liquid_volume_mm3).unwrap();
         assert!((found / pushed - 1.0).abs() < 1e-9, "{found} {pushed}");
         let mass = 1e-6 * l.density_kg_per_m3 * (1.0 - l.gas_share) * (rest + dead + pushed);
         assert!((best.points[0].liquid_mass_g.unwrap() / mass - 1.0).abs() < 1e-9);
-        assert!(best.air_normal_litres().is_none());
+        assert!(best.largest(|q| q.air_normal_litres).is_none());
     }
 }
 
@@ -155,7 +127,7 @@ fn a_liquid_takes_the_place_of_the_air_and_its_volume_is_that_of_the_equation() 
 #[test]
 fn the_largest_liquid_volume_binds_at_the_volume_that_is_found() {
     let mut spec = with_oil();
-    let volume_mm3 = design(&spec, BUILD).unwrap().candidates[0].liquid_volume_mm3().unwrap();
+    let volume_mm3 = design(&spec, BUILD).unwrap().candidates[0].largest(|q| q.liquid_volume_mm3).unwrap();
     spec.limits.liquid_volume_mm3 = Some(volume_mm3 * (1.0 + 1e-6));
     let outcome = design(&spec, BUILD).unwrap();
     assert_eq!(outcome.candidates.len(), 1);
@@ -183,7 +155,7 @@ fn the_objective_air_with_a_liquid_finds_the_least_liquid_of_a_list() {
         ..with_oil()
     };
     let outcome = design(&spec, BUILD).unwrap();
-    let best = outcome.candidates[0].liquid_volume_mm3().unwrap();
+    let best = outcome.candidates[0].largest(|q| q.liquid_volume_mm3).unwrap();
     let (w, mut least) = (&mut Workspace::new(), f64::INFINITY);
     for (d0, s) in diameters.iter().flat_map(|d0| walls.iter().map(move |s| (*d0, *s))) {
         let model = ThickWall::new(&spec.base.with_section(d0, s).unwrap());
@@ -271,24 +243,6 @@ fn every_change_makes_a_muscle_fit_and_none_is_larger_than_it_has_to_be() {
     assert!(kinds.len() >= 5, "{kinds:?}");
 }
 
-#[test]
-fn several_points_are_all_met() {
-    let mut spec = spec(700.0, 0.15);
-    let (low, high) = (
-        OperatingPoint { force_n: 700.0, contraction: 0.15 },
-        OperatingPoint { force_n: 1200.0, contraction: 0.05 },
-    );
-    spec.wanted = vec![low, high].into();
-    let outcome = design(&spec, BUILD).unwrap();
-    for candidate in &outcome.candidates {
-        for point in &candidate.points {
-            assert!(
-                point.force_at_max_pressure_n >= point.wanted.force_n && point.response.pressure_mpa <= 0.25
-            );
-        }
-    }
-}
-
 /// A sleeve as sold keeps its strand length per turn: sinθ0 = π D0/ℓ.
 #[test]
 fn a_bought_sleeve_takes_its_angle_from_the_diameter() {
@@ -297,21 +251,6 @@ fn a_bought_sleeve_takes_its_angle_from_the_diameter() {
     for candidate in design(&spec, BUILD).unwrap().candidates {
         let turn = candidate.muscle.strand_length_per_turn_mm();
         assert!((turn - 200.0).abs() < 1e-9, "{turn}");
-    }
-}
-
-#[test]
-fn an_angle_interval_is_refined() {
-    let mut spec = spec(700.0, 0.10);
-    spec.wall_mm = Values::List(vec![1.5]);
-    spec.braid = BraidChoice::Angle(Values::Interval(15.0, 40.0));
-    let outcome = design(&spec, BUILD).unwrap();
-    let best = outcome.candidates[0].muscle.outer_diameter_mm();
-    for angle in [15.0, 20.0, 25.0, 30.0, 35.0, 40.0] {
-        spec.braid = BraidChoice::Angle(Values::List(vec![angle]));
-        if let Some(c) = design(&spec, BUILD).unwrap().candidates.first() {
-            assert!(best <= c.muscle.outer_diameter_mm() + 0.01, "{best} against {angle} deg");
-        }
     }
 }
 
@@ -412,7 +351,7 @@ fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle(
     let torque = |(torque_nm, angle_deg)| TorqueWanted { torque_nm, angle_deg };
     let torques = [(8.0, 45.0), (3.0, 60.0)].map(torque).to_vec();
     let joint = JointDemand { torques: torques.clone(), largest_angle_deg: 60.0, radius_mm: 20.0 };
-    let models = Models { search: &thick, settle: None };
+    let models = Models { search: BUILD, settle: None };
     let spec = Spec {
         wanted: Demand::Joint(joint),
         max_pressure_mpa: 0.6,
