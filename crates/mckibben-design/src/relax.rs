@@ -151,9 +151,9 @@ const EASED: f64 = 1e-5;
 /// Where several limits are missed, the share of the way is known to this; it is looked for on so many of the closest muscles.
 const ROUGH: f64 = 1e-3;
 const NEAREST: usize = 200;
-/// Shares of the way that are looked at together with a share of the pull; what misses by more by a better model is looked at later.
+/// Shares of the way that are looked at together with a share of the pull; muscles that the model of the search is not good for come last.
 const WAYS: [f64; 6] = [1.0, 0.85, 0.7, 0.55, 0.4, 0.25];
-const UNSURE: f64 = 5.0;
+const UNSURE: f64 = 100.0;
 
 /// The muscles of a search that do not fit, by the model that decides.
 pub(super) struct Misses<'a> {
@@ -190,7 +190,7 @@ impl<'a> Misses<'a> {
     fn together(&self) -> Option<Change> {
         let change = |&(pick, share): &(Pick, f64), proven: bool| {
             let muscle = self.search.muscle(pick).ok()?;
-            let (build, window) = if proven { (self.build, 0.0) } else { self.search.quick(&muscle) };
+            let (build, unsure) = if proven { (self.build, 0.0) } else { self.search.ranks(&muscle) };
             let spec = Spec { wanted: self.spec.wanted.shorter(share), ..self.spec.clone() };
             let miss = Miss { spec: &spec, build, muscle: &muscle, proven };
             let (mut trial, probe) = miss.held()?;
@@ -199,7 +199,7 @@ impl<'a> Misses<'a> {
                 let points = spec.points(&muscle).into_owned();
                 changes.insert(0, Relaxation::Contraction { share, points });
             }
-            Some((ask - share.ln() + UNSURE * window, Relaxation::Together { changes }))
+            Some((ask - share.ln() + UNSURE * unsure, Relaxation::Together { changes }))
         };
         let all: Vec<(Pick, f64)> =
             self.picks.iter().flat_map(|pick| WAYS.map(|share| (*pick, share))).collect();
@@ -215,7 +215,7 @@ impl<'a> Misses<'a> {
     pub(super) fn least(&self, wants: impl Fn(Kind) -> bool + Sync) -> Vec<Change> {
         let rough = |(place, pick): &(usize, Pick)| -> Option<Vec<(f64, Kind, Pick)>> {
             let muscle = self.search.muscle(*pick).ok()?;
-            let (build, window) = self.search.quick(&muscle);
+            let (build, unsure) = self.search.ranks(&muscle);
             let miss = Miss { spec: &self.spec, build, muscle: &muscle, proven: false };
             let (mut trial, probe) = miss.held()?;
             let kinds = miss.kinds(&trial, &probe, *place < NEAREST).into_iter().filter(|kind| wants(*kind));
@@ -223,7 +223,7 @@ impl<'a> Misses<'a> {
             let asks = kinds.map(|kind| {
                 let fits = probe.fits();
                 let ask = if fits { 0.0 } else { miss.change(kind, &mut trial, &probe)?.0 };
-                Some((ask + window, kind, *pick))
+                Some((ask + unsure, kind, *pick))
             });
             Some(asks.flatten().collect())
         };

@@ -243,13 +243,13 @@ impl<'a> Search<'a> {
             if !self.progress.cancelled() {
                 let mut screened = SearchResult::default();
                 let sample = self.sample(pick, THICK_WALL, &mut screened, true);
-                let (missed, window) = (sample.violation(), self.quick(&muscle).1);
-                if missed.is_finite() && (missed > FAR || window == FAR) {
+                let (missed, unsure) = (sample.violation(), self.ranks(&muscle).1);
+                if missed.is_finite() && (missed > FAR || unsure > 0.0) {
                     if missed <= FAR {
                         SearchResult::keep(&mut screened.near, sample.score, pick, MOST);
                         screened.fitted = 0;
                     }
-                    SearchResult::keep(&mut screened.misses, missed + window, pick, MOST);
+                    SearchResult::keep(&mut screened.misses, missed + unsure, pick, MOST);
                     return screened;
                 }
             }
@@ -260,21 +260,26 @@ impl<'a> Search<'a> {
         self.gather(threads::map(&all, one).into_iter())
     }
 
-    /// The model that ranks a muscle, and by how much one that fits by the model that decides may miss by it.
-    pub(super) fn quick(&self, muscle: &Muscle) -> (&Build<'_>, f64) {
-        let short = muscle.length_mm() < SHORT * muscle.outer_diameter_mm();
-        let apart = short || muscle.braid().angle_deg > STEEP_DEG;
+    /// The model that ranks a muscle, and by how much more by the model that decides one may miss that it is not good for.
+    pub(super) fn ranks(&self, muscle: &Muscle) -> (&Build<'_>, f64) {
         match self.is_good {
-            Some(is_good) if is_good(muscle) => (self.build, if apart { NEARLY_SHORT } else { NEARLY }),
+            Some(is_good) if is_good(muscle) => (self.build, 0.0),
             Some(_) => (THICK_WALL, FAR),
             None => (THICK_WALL, 0.0),
         }
     }
 
+    /// By how much a muscle that fits by the model that decides may miss by that of the search.
+    fn window(muscle: &Muscle) -> f64 {
+        let short = muscle.length_mm() < SHORT * muscle.outer_diameter_mm();
+        if short || muscle.braid().angle_deg > STEEP_DEG { NEARLY_SHORT } else { NEARLY }
+    }
+
     /// Whether a muscle may fit by the model that decides.
     pub(super) fn is_near(&self, pick: Pick, muscle: &Muscle) -> bool {
-        let (build, window) = self.quick(muscle);
-        self.sample(pick, build, &mut SearchResult::default(), false).violation() <= window
+        let (build, unsure) = self.ranks(muscle);
+        let sample = self.sample(pick, build, &mut SearchResult::default(), false);
+        sample.violation() <= unsure.max(Self::window(muscle))
     }
 
     /// Tries a muscle, and keeps it among those that fit or miss.
@@ -290,7 +295,7 @@ impl<'a> Search<'a> {
     /// Keeps a muscle that does not fit; what is no muscle at all is none.
     fn keep_miss(&self, sample: &Sample, pick: Pick, result: &mut SearchResult) {
         let Ok(muscle) = self.muscle(pick) else { return };
-        if self.is_good.is_some() && sample.violation() <= self.quick(&muscle).1.min(NEARLY_SHORT) {
+        if self.is_good.is_some() && sample.violation() <= Self::window(&muscle) {
             SearchResult::keep(&mut result.near, sample.score, pick, MOST);
         }
         SearchResult::keep(&mut result.misses, sample.violation(), pick, MOST);

@@ -155,7 +155,7 @@ fn of_parts(seed: u64) -> Spec {
     spec.base = muscle(30.0, 3.0, 28.0, length_mm).unwrap();
     let ideal_mm = (4.0 * force_n / (std::f64::consts::PI * supply_mpa)).sqrt();
     spec.limits.bulged_diameter_mm = (r.unit() < 0.4).then(|| ideal_mm * r.log(0.3, 3.0));
-    spec.tubes = tubes::catalogue().unwrap().iter().step_by(3).cloned().collect();
+    spec.tubes = tubes::catalogue().unwrap().iter().step_by(4).cloned().collect();
     let sleeves = library::entries().unwrap().iter().step_by(4).map(|entry| &entry.sleeve);
     spec.braid = BraidChoice::Sleeves(sleeves.map(|s| s.on(s.diameters().0).unwrap()).collect());
     spec
