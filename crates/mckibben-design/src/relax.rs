@@ -143,7 +143,7 @@ pub(super) enum Kind {
 /// A change, and how much it asks: the logarithm of its number over that of the specification.
 pub(super) type Change = (f64, Relaxation);
 
-/// Changes of one kind that another model than the thick-wall one computes, at most, and how much larger than the best one they may be.
+/// Changes of one kind that are proven, at most, and by how much more than the best one they may ask for.
 const MOST: usize = 12;
 const WINDOW: f64 = 0.06;
 /// A change is larger by this share than it has to be, so that it holds with three digits and the last bit of an inverse.
@@ -308,11 +308,8 @@ impl Miss<'_> {
         if weak {
             kinds.extend([Kind::Pull].into_iter().chain(by_pressure));
         }
-        for limit in missed.into_iter().filter(|limit| alone && *limit != Limit::Force) {
-            if !kinds.contains(&Kind::Limit(limit)) {
-                kinds.push(Kind::Limit(limit));
-            }
-        }
+        let own = [Limit::BulgedDiameter, Limit::MaxStretch, Limit::Buckling, Limit::LiquidVolume];
+        kinds.extend(own.into_iter().filter(|limit| alone && missed.contains(limit)).map(Kind::Limit));
         kinds
     }
 
