@@ -83,16 +83,6 @@ impl Candidate {
         self.largest(|p| p.response.bulged_diameter_mm)
     }
 
-    /// Largest air per stroke over the points, in normal litres.
-    pub fn air_normal_litres(&self) -> Option<f64> {
-        self.largest(|p| p.air_normal_litres)
-    }
-
-    /// Largest liquid volume over the points, in mm³.
-    pub fn liquid_volume_mm3(&self) -> Option<f64> {
-        self.largest(|p| p.liquid_volume_mm3)
-    }
-
     /// Largest of a quantity over the points.
     pub fn largest(&self, of: impl Fn(&CandidatePoint) -> Option<f64>) -> Option<f64> {
         self.points.iter().filter_map(of).reduce(f64::max)

@@ -53,10 +53,9 @@ pub fn design_joint(
             Ok(()) => {
                 let spec = Spec { extrapolate: true, ..spec };
                 let quiet = CancelOnly(progress);
-                let mut search = Search::new(&spec, models, &quiet);
-                search.screens = models.settle.is_some();
+                let search = Search::new(&spec, models, &quiet);
                 let result = search.run();
-                (result.best(), search.of_parts(&result))
+                (result.merit().0, search.of_parts(&result))
             }
             Err(error) => {
                 first_error.get_or_insert(error);

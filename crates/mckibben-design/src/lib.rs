@@ -43,7 +43,7 @@ pub use mckibben::warning::VALIDATED_STRAND_STRAIN;
 pub use reason::{Reason, Rejected};
 pub use relax::Relaxation;
 pub use run::{Closest, Outcome, design, design_with};
-pub use spec::{BraidChoice, Build, Limits, Models, Objective, SAFETY, Spec, SpecError};
+pub use spec::{BraidChoice, Build, Limits, Models, Objective, SAFETY, SearchedMuscles, Spec, SpecError};
 pub use tolerance::{Spread, SpreadError, ToleranceError, Tolerances, spread};
 pub use trial::Below;
 pub use tubes::{TubeError, TubePart};

@@ -2,7 +2,6 @@
 
 use crate::limit::{Probe, probe_with};
 use crate::search::{Pick, Search};
-use crate::spec::THICK_WALL;
 use crate::trial::{Below, Trial};
 use crate::{BraidChoice, Build, Check, Limit, OperatingPoint, Spec, fits};
 use mckibben::analysis::{Evaluation, Options, bisect, find_root};
@@ -134,7 +133,7 @@ pub(super) enum Kind {
 /// A change, and how much it asks: the logarithm of its number over that of the specification.
 pub(super) type Change = (f64, Relaxation);
 
-/// Changes of one kind that another model than the thick-wall one computes, at most, and how much larger than the best one they may be.
+/// Changes of one kind that are proven, at most, and by how much more than the best one they may ask for.
 const MOST: usize = 12;
 const WINDOW: f64 = 0.06;
 /// A change is larger by this share than it has to be, so that it holds with three digits and the last bit of an inverse.
@@ -142,6 +141,9 @@ const EASED: f64 = 1e-5;
 /// Where several limits are missed, the share of the way is known to this; it is looked for on so many of the closest muscles.
 const ROUGH: f64 = 1e-3;
 const NEAREST: usize = 200;
+/// Shares of the way that are looked at together with a share of the pull; muscles that the model of the search is not good for come last.
+const WAYS: [f64; 6] = [1.0, 0.85, 0.7, 0.55, 0.4, 0.25];
+const UNSURE: f64 = 100.0;
 
 /// The muscles of a search that do not fit, by the model that decides.
 pub(super) struct Misses<'a> {
@@ -167,21 +169,52 @@ impl<'a> Misses<'a> {
             out.extend(self.proven(first, |miss, _, _| miss.wider()));
         }
         if out.is_empty() {
-            let several = |pick: &Pick| self.proven(pick, |miss, trial, probe| miss.together(trial, probe));
-            out.extend(self.picks.iter().take(MOST).filter_map(several).min_by(|a, b| a.0.total_cmp(&b.0)));
+            out.extend(self.together());
         }
         out.sort_by(|a, b| a.0.total_cmp(&b.0));
         out.into_iter().map(|change| change.1).collect()
     }
 
-    /// The smallest change of each kind that is wanted: by the thick-wall model of all muscles, proven of those that ask for least.
+    /// Where no change of one kind does: less of the way and of the pull, and all other limits that are missed then, of those that ask for least by a
+    /// quick model.
+    fn together(&self) -> Option<Change> {
+        let change = |&(pick, share): &(Pick, f64), proven: bool| {
+            let muscle = self.search.muscle(pick).ok()?;
+            let (build, unsure) = if proven { (self.build, 0.0) } else { self.search.ranks(&muscle) };
+            let spec = Spec { wanted: self.spec.wanted.shorter(share), ..self.spec.clone() };
+            let miss = Miss { spec: &spec, build, muscle: &muscle, proven };
+            let (mut trial, probe) = miss.held()?;
+            let (ask, mut changes) = miss.together(&mut trial, &probe)?;
+            if share < 1.0 {
+                let points = spec.points(&muscle).into_owned();
+                changes.insert(0, Relaxation::Contraction { share, points });
+            }
+            Some((ask - share.ln() + UNSURE * unsure, Relaxation::Together { changes }))
+        };
+        let all: Vec<(Pick, f64)> =
+            self.picks.iter().flat_map(|pick| WAYS.map(|share| (*pick, share))).collect();
+        let asks = threads::map(&all, |one| Some((change(one, false)?.0, *one)));
+        let mut least: Vec<_> = asks.into_iter().flatten().collect();
+        least.sort_by(|a, b| a.0.total_cmp(&b.0));
+        least.truncate(MOST);
+        let proven = threads::map(&least, |(_, one)| change(one, true));
+        proven.into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// The smallest change of each kind that is wanted: by a quick model of all muscles, proven of those that ask for least.
     pub(super) fn least(&self, wants: impl Fn(Kind) -> bool + Sync) -> Vec<Change> {
         let rough = |(place, pick): &(usize, Pick)| -> Option<Vec<(f64, Kind, Pick)>> {
             let muscle = self.search.muscle(*pick).ok()?;
-            let miss = Miss { spec: &self.spec, build: THICK_WALL, muscle: &muscle, proven: false };
+            let (build, unsure) = self.search.ranks(&muscle);
+            let miss = Miss { spec: &self.spec, build, muscle: &muscle, proven: false };
             let (mut trial, probe) = miss.held()?;
             let kinds = miss.kinds(&trial, &probe, *place < NEAREST).into_iter().filter(|kind| wants(*kind));
-            let asks = kinds.map(|kind| Some((miss.change(kind, &mut trial, &probe)?.0, kind, *pick)));
+            // What fits by the quick model may miss by little.
+            let asks = kinds.map(|kind| {
+                let fits = probe.fits();
+                let ask = if fits { 0.0 } else { miss.change(kind, &mut trial, &probe)?.0 };
+                Some((ask + unsure, kind, *pick))
+            });
             Some(asks.flatten().collect())
         };
         let places: Vec<(usize, Pick)> = self.picks.iter().copied().enumerate().collect();
@@ -245,23 +278,25 @@ impl Miss<'_> {
 
     /// The kinds of change that may do alone: where one kind of limit is missed, and of a muscle that is `near` a shorter way where several are.
     fn kinds(&self, trial: &Trial<'_>, probe: &Probe, near: bool) -> Vec<Kind> {
-        let mut missed = probe.checks.iter().filter(|c| c.excess() > 0.0).map(|c| c.limit);
-        // What fits by the thick-wall model is too weak by the one that decides.
-        let first = missed.next().unwrap_or(Limit::Force);
-        let alone = missed.all(|limit| limit == first);
+        // What fits by a quick model may miss any of them by little.
+        let fits = probe.fits();
+        let missed: Vec<Limit> =
+            probe.checks.iter().filter(|c| fits || c.excess() > 0.0).map(|c| c.limit).collect();
+        let alone = fits || missed.iter().all(|limit| *limit == missed[0]);
         let by_pressure = match trial.below {
             None => Some(Kind::Supply),
             Some(Below::Failure(..)) => Some(Kind::Safety),
             Some(Below::Strained) => Some(Kind::StrandStrain),
             Some(Below::Rated | Below::Unanswered(_)) => None,
         };
-        let nearer = Some(Kind::Contraction).filter(|_| near || alone && first == Limit::Force);
-        let own: Vec<Kind> = match first {
-            _ if !alone => vec![],
-            Limit::Force => [Kind::Pull].into_iter().chain(by_pressure).collect(),
-            limit => vec![Kind::Limit(limit)],
-        };
-        own.into_iter().chain(nearer).collect()
+        let weak = alone && missed.contains(&Limit::Force);
+        let mut kinds: Vec<Kind> = (near || weak).then_some(Kind::Contraction).into_iter().collect();
+        if weak {
+            kinds.extend([Kind::Pull].into_iter().chain(by_pressure));
+        }
+        let own = [Limit::BulgedDiameter, Limit::MaxStretch, Limit::Buckling, Limit::LiquidVolume];
+        kinds.extend(own.into_iter().filter(|limit| alone && missed.contains(limit)).map(Kind::Limit));
+        kinds
     }
 
     /// The change of a kind.
@@ -339,7 +374,7 @@ impl Miss<'_> {
     }
 
     /// All limits that are missed, changed together.
-    fn together(&self, trial: &mut Trial<'_>, probe: &Probe) -> Option<Change> {
+    fn together(&self, trial: &mut Trial<'_>, probe: &Probe) -> Option<(f64, Vec<Relaxation>)> {
         let mut known = HashSet::new();
         let missed = probe.checks.iter().filter(|c| c.excess() > 0.0 && known.insert(c.limit));
         let kinds = missed.map(|c| if c.limit == Limit::Force { Kind::Pull } else { Kind::Limit(c.limit) });
@@ -347,7 +382,7 @@ impl Miss<'_> {
         let changes = kinds.map(|kind| alone.change(kind, trial, probe));
         let (asks, changes): (Vec<f64>, Vec<Relaxation>) =
             changes.collect::<Option<Vec<Change>>>()?.into_iter().unzip();
-        self.fits(&changes).then(|| (asks.into_iter().sum(), Relaxation::Together { changes }))
+        self.fits(&changes).then(|| (asks.into_iter().sum(), changes))
     }
 
     /// Whether it fits a specification that is changed.
@@ -363,7 +398,9 @@ impl Miss<'_> {
     /// The pressure that all points need, where nothing bounds it.
     fn needed_mpa(&self, trial: &mut Trial<'_>) -> Option<f64> {
         let beyond = Options { extrapolate: true, ..self.spec.options() };
-        let mut model = Evaluation::new(&*trial.model, &mut trial.workspace, beyond);
+        // Where a pull is out of reach, other models search long for its pressure.
+        let model = if self.proven { &*trial.model } else { &*trial.thick_wall };
+        let mut model = Evaluation::new(model, &mut trial.workspace, beyond);
         let points = self.spec.points(self.muscle);
         let needs = points.iter().map(|q| model.pressure_at(q.force_n, q.contraction).ok());
         needs.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)

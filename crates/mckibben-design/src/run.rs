@@ -10,6 +10,7 @@ use crate::{Build, Candidate, Models, Reason, Rejected, Relaxation, Spec, SpecEr
 use mckibben::progress::{Progress, Silent};
 use mckibben::threads;
 use mckibben::units::Values;
+use std::cmp::Ordering;
 
 /// What a design found.
 #[derive(Debug, Clone)]
@@ -22,6 +23,24 @@ pub struct Outcome {
     pub looked_at: (usize, usize),
     /// Where nothing fits: the muscle that comes closest, and what would have to give.
     pub closest: Option<Closest>,
+    /// The muscles that fit or nearly do by the model of the search, those of the least score first.
+    likely: Vec<(Score, Pick)>,
+}
+
+impl Outcome {
+    /// Where no candidate is sure to give what is wanted: the best muscle that is, by the lower end of the ± (95 %).
+    pub fn to_be_sure(&self, spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> Option<Candidate> {
+        let is_sure = |c: &Candidate| c.sure_pressure_mpa.is_some();
+        if spec.guaranteed.is_some() || self.candidates.is_empty() || self.candidates.iter().any(is_sure) {
+            return None;
+        }
+        let sure = Spec { guaranteed: Some(0.95), top: 1, ..searched(spec, models) };
+        if spec.tubes.is_empty() {
+            return design_with(&sure, models, progress).ok()?.candidates.pop();
+        }
+        // What is sure is among what fits, and no smaller.
+        settled(&Search::new(&sure, models, progress), models, &self.likely).pop()
+    }
 }
 
 /// The muscle that comes closest where nothing fits.
@@ -52,8 +71,9 @@ impl Closest {
     }
 }
 
-/// What muscles are ranked by differs by less than this share between the two models.
+/// What muscles are ranked by is larger by less than this share by the model of the search; of short muscles the two are further apart.
 const RANK: f64 = 0.03;
+const RANK_SHORT: f64 = 0.2;
 /// Muscles that are settled side by side.
 const CHUNK: usize = 4;
 /// Shares by which the two models' diameters may differ, tried one after the other.
@@ -81,7 +101,12 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
     {
         return Err(SpecError::NoMuscle(error));
     }
-    let candidates = settled(&search, models, &result);
+    let mut likely: Vec<(Score, Pick)> = result.fits.iter().chain(&result.near).copied().collect();
+    for (score, pick) in &mut likely {
+        score[0] -= score[0].abs() * if pick.is_short() { RANK_SHORT } else { RANK };
+    }
+    likely.sort_by(|a, b| order(&a.0, &b.0));
+    let candidates = settled(&search, models, &likely);
     progress.check()?;
     let decides = models.decides();
     let fitted = result.fits.iter().map(|fit| fit.1).filter(|_| candidates.is_empty());
@@ -103,7 +128,7 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
     let closest = rejected.first().filter(|_| candidates.is_empty());
     let closest = closest.map(|rejected| Closest { rejected: rejected.clone(), picks });
     progress.check()?;
-    Ok(Outcome { candidates, rejected, looked_at: (result.looked_at, result.fitted), closest })
+    Ok(Outcome { candidates, rejected, looked_at: (result.looked_at, result.fitted), closest, likely })
 }
 
 /// What is searched: outside of the range of a model as well, where another one decides.
@@ -111,8 +136,12 @@ fn searched(spec: &Spec, models: Models<'_>) -> Spec {
     Spec { extrapolate: spec.extrapolate || models.settle.is_some(), ..spec.clone() }
 }
 
-/// The muscles that hold by the model that decides, best first.
-fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Vec<Candidate> {
+fn order(a: &Score, b: &Score) -> Ordering {
+    a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
+}
+
+/// Of likely muscles, those of the least score first, the ones that hold by the model that decides, best first.
+fn settled(search: &Search<'_>, models: Models<'_>, likely: &[(Score, Pick)]) -> Vec<Candidate> {
     let spec = search.spec;
     let build = models.decides();
     let one = |pick: &Pick| -> Option<Candidate> {
@@ -121,19 +150,19 @@ fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Ve
         }
         let pick = if models.settle.is_some() { corrected(search, build, *pick)? } else { *pick };
         let muscle = search.muscle(pick).ok()?;
+        if spec.guaranteed.is_some() && !search.is_near(pick, &muscle) {
+            return None;
+        }
         let mut trial = Trial::new(spec, build, &muscle).ok()?;
         let probe = probe_with(&mut trial, true).ok().filter(Probe::fits)?;
         let tube = search.tube(pick).map(|part| part.name.clone());
         candidate(trial, &probe).ok().map(|found| Candidate { tube, ..found })
     };
-    let order = |a: &Score, b: &Score| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]));
-    let mut likely: Vec<(Score, Pick)> = result.fits.iter().chain(&result.near).copied().collect();
-    likely.sort_by(|a, b| order(&a.0, &b.0));
     let mut found: Vec<Candidate> = vec![];
     for some in likely.chunks(CHUNK) {
         // None of those that are left is better than the last that is printed.
         let last = found.get(spec.top - 1).map(|c| c.score[0]);
-        if last.is_some_and(|last| some[0].0[0] > last + RANK * last.abs()) {
+        if last.is_some_and(|last| some[0].0[0] > last) {
             break;
         }
         let picks: Vec<Pick> = some.iter().map(|(_, pick)| *pick).collect();

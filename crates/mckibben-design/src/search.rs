@@ -8,7 +8,7 @@ use crate::limit::{Score, probe_with};
 use crate::line::{self, Found, Merit, NO_SCORE, Sample};
 use crate::spec::THICK_WALL;
 use crate::trial::Trial;
-use crate::{BraidChoice, Build, Models, Objective, Spec, TubePart};
+use crate::{BraidChoice, Build, Models, Objective, SearchedMuscles, Spec, TubePart};
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
 use mckibben::progress::Progress;
 use mckibben::threads;
@@ -21,10 +21,11 @@ const COARSE_STEPS: usize = 4;
 pub(super) const SPARE: usize = 3;
 /// Muscles that are kept for the model that decides.
 const MOST: usize = 5000;
-/// Muscles that miss by at most this by the model of the search may fit by the other one; of short muscles the two are further apart.
+/// Muscles that miss by at most this by the model of the search may fit by the other one; of short ones and steep braids the two are further apart.
 const NEARLY: f64 = 0.05;
 const NEARLY_SHORT: f64 = 0.15;
 const SHORT: f64 = 3.0;
+const STEEP_DEG: f64 = 42.0;
 /// Tubes are screened by the thick-wall model: what misses its limits by more than this is not computed by another one.
 const FAR: f64 = 0.3;
 /// Muscles whose parts are looked at again near the best radius of a joint: so many of the best, and of those that miss by least.
@@ -59,6 +60,13 @@ pub(super) struct Pick {
     s: f64,
 }
 
+impl Pick {
+    /// Whether its ends shape a good part of it.
+    pub(super) fn is_short(&self) -> bool {
+        self.choice.length_mm < SHORT * self.d0
+    }
+}
+
 /// A search of a specification with one model.
 pub(super) struct Search<'a> {
     pub(super) spec: &'a Spec,
@@ -67,10 +75,8 @@ pub(super) struct Search<'a> {
     pub(super) progress: &'a dyn Progress,
     /// Walls that are done.
     pub(super) done: AtomicUsize,
-    /// Whether another model decides.
-    pub(super) settles: bool,
-    /// Whether the thick-wall model looks at tubes before the one that searches.
-    pub(super) screens: bool,
+    /// Where another model decides: the muscles that this one is good for.
+    is_good: Option<SearchedMuscles>,
     /// Golden sections towards the best score of a line.
     pub(super) steps: usize,
 }
@@ -90,20 +96,11 @@ pub(super) struct SearchResult {
 impl SearchResult {
     /// Of two that are as good the one is better of which a muscle that does not fit misses by less: among stock sizes the next better
     /// one is then within reach.
-    fn merit(&self) -> (Merit, f64) {
+    pub(super) fn merit(&self) -> (Merit, f64) {
         let miss = self.misses.first().map_or(f64::INFINITY, |m| m.0);
         match self.fits.first() {
             Some(fit) => (Merit::new(0.0, [(fit.0[0] * 1e4).round() * 1e-4, 0.0]), miss),
             None => (Merit::new(miss, NO_SCORE), 0.0),
-        }
-    }
-
-    /// How good the best of them is.
-    pub(super) fn best(&self) -> Merit {
-        match (self.fits.first(), self.misses.first()) {
-            (Some(fit), _) => Merit::new(0.0, fit.0),
-            (None, Some(miss)) => Merit::new(miss.0, NO_SCORE),
-            (None, None) => Merit::NONE,
         }
     }
 
@@ -136,10 +133,10 @@ impl<'a> Search<'a> {
             [] => vec![spec.base.tube().rubber.clone()],
             some => some.to_vec(),
         };
-        let settles = models.settle.is_some();
-        let steps = if settles { COARSE_STEPS } else { line::STEPS };
+        let is_good = models.settle.map(|settle| settle.1);
+        let steps = if is_good.is_some() { COARSE_STEPS } else { line::STEPS };
         let build = models.search;
-        Search { spec, build, rubbers, progress, done: AtomicUsize::new(0), settles, screens: true, steps }
+        Search { spec, build, rubbers, progress, done: AtomicUsize::new(0), is_good, steps }
     }
 
     pub(super) fn muscle(&self, pick: Pick) -> Result<Muscle, MuscleError> {
@@ -240,16 +237,25 @@ impl<'a> Search<'a> {
                 s: part.wall_mm,
             };
             // A sleeve that does not go over a tube makes no muscle.
-            result.invalid = self.muscle(pick).err();
-            if result.invalid.is_some() || self.progress.cancelled() {
-                return result;
-            }
-            // The infinitely long muscle pulls harder than a short one: where even it is far from its limits, no better model computes it.
-            if self.screens {
+            let muscle = match self.muscle(pick) {
+                Ok(muscle) => muscle,
+                Err(error) => {
+                    result.invalid = Some(error);
+                    return result;
+                }
+            };
+            // The infinitely long muscle pulls harder than a short one: where even it is far from its limits, no better model computes it, and where the model
+            // of the search is not good for it, the one that decides does, if it may be among the best.
+            if !self.progress.cancelled() {
                 let mut screened = SearchResult::default();
                 let sample = self.sample(pick, THICK_WALL, &mut screened, true);
-                if sample.violation().is_finite() && sample.violation() > FAR {
-                    self.keep_miss(&sample, pick, &mut screened);
+                let (missed, unsure) = (sample.violation(), self.ranks(&muscle).1);
+                if missed.is_finite() && (missed > FAR || unsure > 0.0) {
+                    if missed <= FAR {
+                        SearchResult::keep(&mut screened.near, sample.score, pick, MOST);
+                        screened.fitted = 0;
+                    }
+                    SearchResult::keep(&mut screened.misses, missed + unsure, pick, MOST);
                     return screened;
                 }
             }
@@ -258,6 +264,28 @@ impl<'a> Search<'a> {
         };
         self.progress.report(self.done.fetch_add(1, Ordering::Relaxed), self.walls());
         self.gather(threads::map(&all, one).into_iter())
+    }
+
+    /// The model that ranks a muscle, and by how much more by the model that decides one may miss that it is not good for.
+    pub(super) fn ranks(&self, muscle: &Muscle) -> (&Build<'_>, f64) {
+        match self.is_good {
+            Some(is_good) if is_good(muscle) => (self.build, 0.0),
+            Some(_) => (THICK_WALL, FAR),
+            None => (THICK_WALL, 0.0),
+        }
+    }
+
+    /// By how much a muscle that fits by the model that decides may miss by that of the search.
+    fn window(muscle: &Muscle) -> f64 {
+        let short = muscle.length_mm() < SHORT * muscle.outer_diameter_mm();
+        if short || muscle.braid().angle_deg > STEEP_DEG { NEARLY_SHORT } else { NEARLY }
+    }
+
+    /// Whether a muscle may fit by the model that decides.
+    pub(super) fn is_near(&self, pick: Pick, muscle: &Muscle) -> bool {
+        let (build, unsure) = self.ranks(muscle);
+        let sample = self.sample(pick, build, &mut SearchResult::default(), false);
+        sample.violation() <= unsure.max(Self::window(muscle))
     }
 
     /// Tries a muscle, and keeps it among those that fit or miss.
@@ -272,13 +300,11 @@ impl<'a> Search<'a> {
 
     /// Keeps a muscle that does not fit; what is no muscle at all is none.
     fn keep_miss(&self, sample: &Sample, pick: Pick, result: &mut SearchResult) {
-        let short = pick.choice.length_mm < SHORT * pick.d0;
-        if self.settles && sample.violation() <= if short { NEARLY_SHORT } else { NEARLY } {
+        let Ok(muscle) = self.muscle(pick) else { return };
+        if self.is_good.is_some() && sample.violation() <= Self::window(&muscle) {
             SearchResult::keep(&mut result.near, sample.score, pick, MOST);
         }
-        if sample.violation().is_finite() || self.muscle(pick).is_ok() {
-            SearchResult::keep(&mut result.misses, sample.violation(), pick, MOST);
-        }
+        SearchResult::keep(&mut result.misses, sample.violation(), pick, MOST);
     }
 
     /// The best muscle in a range of diameters, or the one that misses by least.

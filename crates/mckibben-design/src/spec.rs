@@ -16,6 +16,9 @@ use thiserror::Error;
 /// Builds the model a design runs on.
 pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
 
+/// Whether a muscle is searched with a model.
+pub type SearchedMuscles = fn(&Muscle) -> bool;
+
 /// The thick-wall model, for rough searches.
 pub(super) const THICK_WALL: &Build<'static> = &|muscle| ModelKind::ThickWall.build(muscle);
 
@@ -244,14 +247,14 @@ pub struct Models<'a> {
     /// Looks at very many muscles; outside of its range as well, where another one decides.
     pub search: &'a Build<'a>,
     /// Decides of those that are printed: their diameters are corrected until the specification holds by it, and all their numbers
-    /// are its. `None`: the model of the search.
-    pub settle: Option<&'a Build<'a>>,
+    /// are its. With it, which muscles the model of the search is good for. `None`: the model of the search.
+    pub settle: Option<(&'a Build<'a>, SearchedMuscles)>,
 }
 
 impl<'a> Models<'a> {
     /// The model that decides.
     pub fn decides(self) -> &'a Build<'a> {
-        self.settle.unwrap_or(self.search)
+        self.settle.map_or(self.search, |settle| settle.0)
     }
 }
 

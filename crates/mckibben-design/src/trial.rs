@@ -2,7 +2,7 @@
 
 use crate::{Build, OperatingPoint, Spec};
 use mckibben::analysis::{
-    AnalysisError, Burst, Evaluation, FailureMode, FailurePressure, NoBurst, burst_below, find_root,
+    AnalysisError, Burst, Evaluation, FailureMode, FailurePressure, NoBurst, bisect, burst_below, find_root,
 };
 use mckibben::cancel;
 use mckibben::load::LiquidStroke;
@@ -119,13 +119,8 @@ impl<'a> Trial<'a> {
             if bears(high)? {
                 continue;
             }
-            let mut low = 0.0;
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                *(if bears(middle)? { &mut low } else { &mut high }) = middle;
-            }
-            high = low;
-            (self.highest_mpa, self.below) = (low, Some(Below::Strained));
+            (high, _) = bisect(0.0, high, HALVINGS, |p| bears(p).unwrap_or(false));
+            (self.highest_mpa, self.below) = (high, Some(Below::Strained));
         }
         Ok(())
     }

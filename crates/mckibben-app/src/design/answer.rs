@@ -310,8 +310,8 @@ impl CandidateAnswer {
             bulged_diameter_mm: c.bulged_diameter_mm(),
             family_stiffness_n_per_mm: c.muscle.family_stiffness_n_per_mm(),
             stiffness_n_per_mm: c.points.first().and_then(|q| q.response.stiffness_n_per_mm),
-            air_normal_litres: c.air_normal_litres(),
-            liquid_volume_mm3: c.liquid_volume_mm3(),
+            air_normal_litres: c.largest(|q| q.air_normal_litres),
+            liquid_volume_mm3: c.largest(|q| q.liquid_volume_mm3),
             // It grows with the volume.
             liquid_mass_g: c.largest(|q| q.liquid_mass_g),
             strand_tension_n: c.largest(|q| q.response.strand_tension_n),

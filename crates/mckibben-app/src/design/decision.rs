@@ -53,8 +53,12 @@ impl Decision<'_> {
         let facts = [
             first.bulged_diameter_mm().map(|mm| format!("{} mm wide", number(mm, 3))),
             first.muscle.mass_g().map(|g| format!("{} g", number(g, 3))),
-            first.air_normal_litres().map(|l| format!("{} normal L of air a stroke", number(l, 3))),
-            first.liquid_volume_mm3().map(|mm3| format!("{} mL of liquid", number(1e-3 * mm3, 3))),
+            first
+                .largest(|q| q.air_normal_litres)
+                .map(|l| format!("{} normal L of air a stroke", number(l, 3))),
+            first
+                .largest(|q| q.liquid_volume_mm3)
+                .map(|mm3| format!("{} mL of liquid", number(1e-3 * mm3, 3))),
         ];
         let facts: Vec<String> = facts.into_iter().flatten().collect();
         let each = if self.spec.count > 1 { "each " } else { "" };

@@ -25,8 +25,8 @@ use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben_design::{
-    Build, Candidate, CandidatePoint, Models, Outcome, Spec, Spread, Tolerances, design_joint, design_with,
-    fits, spread,
+    Build, Candidate, CandidatePoint, Models, Outcome, SearchedMuscles, Spec, Spread, Tolerances,
+    design_joint, design_with, fits, spread,
 };
 use mckibben_report::Figure;
 use remedies::{RelaxationAnswer, of_parts};
@@ -57,17 +57,9 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         Some(unit) if winner.is_some() => Some(draw(&spec, &decide, &outcome, unit)?),
         _ => None,
     };
-    let is_sure = outcome.candidates.iter().any(|c| c.sure_pressure_mpa.is_some());
-    let to_be_sure = match winner {
-        Some(_) if spec.guaranteed.is_none() && !is_sure => {
-            // Of a joint on the same pulley.
-            let guaranteed = Spec { guaranteed: Some(0.95), top: 1, ..spec.clone() };
-            let sure =
-                policy.with_models(|models| design_with(&guaranteed, models, &CancelOnly(progress)))?;
-            sure.candidates.first().map(|c| CandidateAnswer::new(c, &guaranteed))
-        }
-        _ => None,
-    };
+    let sure = policy.with_models(|models| outcome.to_be_sure(&spec, models, &CancelOnly(progress)));
+    progress.check()?;
+    let to_be_sure = sure.as_ref().map(|c| CandidateAnswer::new(c, &spec));
     let decision = Decision {
         spec: &spec,
         length_by: assumed::length_by(request),
@@ -225,9 +217,6 @@ fn draw(spec: &Spec, build: &Build<'_>, outcome: &Outcome, unit: &Units) -> Resu
     Ok(figure::design(&drawn, &points, options, unit))
 }
 
-/// Whether a muscle is searched with a model.
-pub(super) type SearchedMuscles = fn(&Muscle) -> bool;
-
 /// Which model looks at a muscle of the search, and which one decides.
 #[derive(Debug, Clone)]
 pub(super) struct ModelPolicy {
@@ -239,9 +228,10 @@ pub(super) struct ModelPolicy {
 
 /// Muscles that `universal` searches: L0/D0 at least, θ0 in degrees, wall over D0 at most. Its box is narrower; it only ranks what `fe` then decides of and
 /// corrects by up to a quarter of the diameter. On random muscles 95 % of its pulls are within 1.4 % of the blocked force of those of `fe`
-/// where L0/D0 is 3 to 5, 5.4 % where it is 2 to 3, 12.6 % where it is 1.5 to 2, 1.2 % where θ0 is 14° to 18°, 0.04 % where it is 35° to 42°.
+/// where L0/D0 is 3 to 5, 5.4 % where it is 2 to 3, 12.6 % where it is 1.5 to 2, 1.2 % where θ0 is 14° to 18°, 0.04 % where it is 35° to 42°, 1.1 %
+/// where it is 42° to 48°.
 const LEAST_SLENDERNESS: f64 = 1.5;
-const ANGLES: std::ops::RangeInclusive<f64> = 14.0..=42.0;
+const ANGLES: std::ops::RangeInclusive<f64> = 14.0..=48.0;
 /// Largest wall over D0 that `universal` searches. Beyond, of nearly solid rods, its pull rises and falls with the pressure, and each inverse searches
 /// the whole range.
 const THICKEST: f64 = 0.38;
@@ -257,7 +247,8 @@ impl ModelPolicy {
     /// Does something with the models of a search.
     fn with_models<T>(&self, work: impl FnOnce(Models<'_>) -> T) -> T {
         let (look, decide) = (|m: &Muscle| self.look(m), |m: &Muscle| self.model.bound(m));
-        work(Models { search: &look, settle: self.quick.as_ref().map(|_| &decide as &Build<'_>) })
+        let settle = self.quick.as_ref().map(|quick| (&decide as &Build<'_>, quick.1));
+        work(Models { search: &look, settle })
     }
 
     /// Name of the model that searches.

@@ -1,7 +1,7 @@
 //! What is wanted, and what may be varied.
 
 use super::assumed::SUPPLY_MPA;
-use super::{ModelPolicy, SearchedMuscles, near_the_box};
+use super::{ModelPolicy, near_the_box};
 use crate::parts::{sleeve_entries, unread, users_tubes};
 use crate::{
     LiquidFields, LoadFields, MeshFields, Model, ModelFields, MuscleFields, NamedFields, Problem,
@@ -13,7 +13,8 @@ use mckibben::sleeve::SleeveEntry;
 use mckibben::{units::Values, warning::strand_strength_n};
 use mckibben_design::tubes::{self, TubePart};
 use mckibben_design::{
-    BraidChoice, Demand, JointDemand, Lift, Limits, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN,
+    BraidChoice, Demand, JointDemand, Lift, Limits, SAFETY, SearchedMuscles, Spec, Tolerances,
+    VALIDATED_STRAND_STRAIN,
 };
 pub use mckibben_design::{Objective as ObjectiveWord, OperatingPoint, TorqueWanted};
 use schemars::JsonSchema;

@@ -1,11 +1,15 @@
-//! The design search against a brute-force grid: what the grid finds, the search finds, and nothing smaller is missed.
+//! The design search on random specifications: against a brute-force grid, and at a larger supply.
 
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
 use mckibben::muscle::{Braid, Muscle, Tube};
+use mckibben::progress::Silent;
 use mckibben::random::{Random, rounds};
+use mckibben::sleeve::library;
 use mckibben::units::Values;
-use mckibben_design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design, fits};
+use mckibben_design::{
+    BraidChoice, Candidate, Limits, Models, Objective, OperatingPoint, Spec, design, design_with, fits, tubes,
+};
 use rayon::prelude::*;
 
 fn universal(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
@@ -124,6 +128,7 @@ fn random_specifications_against_a_grid() {
             tight.limits.bulged_diameter_mm = tight.limits.bulged_diameter_mm.map(|d| d / 1.01);
             let (grid, surely) = (smallest(case, &case.spec, found), smallest(case, &tight, found));
             let good = match (found, grid) {
+                (Some(_), _) if winner.is_some_and(|c| !fits(&case.spec, &universal, &c.muscle)) => false,
                 (Some(found), Some(grid)) => found <= 1.005 * grid,
                 (None, _) => surely.is_none(),
                 (Some(_), None) => true,
@@ -132,4 +137,49 @@ fn random_specifications_against_a_grid() {
         })
         .collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// Some tubes and sleeves as sold, for 5 N to 50 kN, 3 to 35 % and 0.5 to 10 bar, with and without a second point, a length, a stroke, a largest diameter.
+fn of_parts(seed: u64) -> Spec {
+    let r = &mut Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
+    let (force_n, contraction, supply_mpa) = (r.log(5.0, 50e3), r.between(0.03, 0.35), r.log(0.05, 1.0));
+    let point = |force_n, contraction| OperatingPoint { force_n, contraction };
+    let mut points = vec![point(force_n, contraction)];
+    if r.unit() < 0.3 {
+        points.push(point(1.5 * force_n, 0.5 * contraction));
+    }
+    let (given_mm, stroke_mm) = (r.log(60.0, 1000.0), r.log(5.0, 150.0));
+    let length_mm = r.one_of(&[285.0, given_mm, stroke_mm / contraction]);
+    let mut spec = Spec { top: 1000, extrapolate: true, ..Spec::new(points, supply_mpa) };
+    spec.base = muscle(30.0, 3.0, 28.0, length_mm).unwrap();
+    let ideal_mm = (4.0 * force_n / (std::f64::consts::PI * supply_mpa)).sqrt();
+    spec.limits.bulged_diameter_mm = (r.unit() < 0.4).then(|| ideal_mm * r.log(0.3, 3.0));
+    spec.tubes = tubes::catalogue().unwrap().iter().step_by(4).cloned().collect();
+    let sleeves = library::entries().unwrap().iter().step_by(4).map(|entry| &entry.sleeve);
+    spec.braid = BraidChoice::Sleeves(sleeves.map(|s| s.on(s.diameters().0).unwrap()).collect());
+    spec
+}
+
+/// With models as the program has them: one is good for long muscles, and another decides.
+#[test]
+fn a_larger_supply_removes_no_muscle_and_makes_the_best_one_no_wider() {
+    let thick_wall = |muscle: &Muscle| ModelKind::ThickWall.build(muscle);
+    let is_good = |muscle: &Muscle| muscle.length_mm() > 5.0 * muscle.outer_diameter_mm();
+    let models = Models { search: &thick_wall, settle: Some((&thick_wall, is_good)) };
+    let found = |spec: &Spec| design_with(spec, models, &Silent).unwrap().candidates;
+    let width = |list: &[Candidate]| list.first().map_or(f64::INFINITY, |c| c.bulged_diameter_mm().unwrap());
+    let one = |seed: &u64| {
+        let mut spec = of_parts(*seed);
+        let few = found(&spec);
+        spec.max_pressure_mpa *= 1.0 + 3.0 * Random(*seed).unit();
+        let more = found(&spec);
+        assert!(width(&more) <= width(&few) * (1.0 + 1e-6), "{seed}: {} {}", width(&more), width(&few));
+        for c in &few {
+            assert!(more.iter().any(|other| other.muscle == c.muscle), "{seed}: {:?}", c.tube);
+        }
+        few.len()
+    };
+    let seeds: Vec<u64> = (0..rounds(300) as u64).collect();
+    let counts: Vec<usize> = seeds.par_iter().map(one).collect();
+    assert!(counts.iter().filter(|count| **count > 0).count() >= seeds.len() / 5, "{counts:?}");
 }
