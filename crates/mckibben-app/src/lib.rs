@@ -62,6 +62,8 @@ mod rubber;
 mod rubber_fit;
 mod shape;
 mod simulate;
+#[cfg(feature = "files")]
+mod table_file;
 mod uncertainty;
 pub mod units;
 mod validate;

@@ -211,7 +211,7 @@ mod tests {
     fn the_mean_of_two_parallel_branches_lies_between_them() {
         let text = "pressure_mpa,contraction,force_n,branch\n0.1,0,10,contraction\n0.1,0.2,6,contraction\n\
                     0.1,0.3,2,contraction\n0.1,0,12,elongation\n0.1,0.1,10,elongation\n0.1,0.25,7,elongation\n";
-        let mean = mean_of_branches(&read_measured(text.as_bytes()).unwrap());
+        let mean = mean_of_branches(&read_measured(text).unwrap());
         assert_eq!(mean.len(), 2);
         assert_eq!(mean[0].force_n, 11.0);
         assert!((mean[1].force_n - 7.0).abs() < 1e-12);
