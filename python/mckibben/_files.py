@@ -11,7 +11,7 @@ from ._errors import ExistingFileError, InputError
 from ._table import Table
 
 # Fields of requests whose files are tables, and those whose files are formulas.
-TABLES = ("data", "table", "tables", "load_tables")
+TABLES = ("data", "log", "table", "tables", "load_tables")
 FORMULAS = ("formulas", "file")
 
 

@@ -2,7 +2,7 @@
 
 use crate::{
     DataFields, MeshFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
-    UnderstoodTable, Units, check_count, contractions, figure, finite, list, number, steps,
+    TextFile, UnderstoodTable, Units, check_count, contractions, figure, finite, list, number, steps,
     warnings::largest_stretch,
 };
 use mckibben::analysis::{Evaluation, Options};
@@ -14,9 +14,10 @@ use mckibben_fit::identify::{
 };
 use mckibben_fit::least_squares::Loss;
 use mckibben_fit::measured::{
-    DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
+    DataPoint, MeasuredPoint, PointOptions, PressureLog, Quantity, Section, mean_of_data, read_points,
 };
 use mckibben_io::clean::line;
+use mckibben_io::table::{OverTime, read_over_time};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
@@ -306,7 +307,14 @@ pub(crate) fn measured_points(
     muscle: &Muscle,
 ) -> Result<Vec<(Vec<DataPoint>, UnderstoodTable)>> {
     let rest_length_mm = Some(muscle.tube().length_mm);
-    tables.read(|text, columns| read_points(text, &PointOptions { columns, rest_length_mm }))
+    let log = |file: &TextFile| {
+        let points = read_over_time(&file.text, OverTime::Pressure);
+        let points = points.map_err(|error| Problem::of_table(&file.name, &error))?;
+        Ok::<_, Problem>(PressureLog { name: file.name.clone(), points, offset_s: tables.log_offset_s })
+    };
+    let log = tables.log.as_ref().map(log).transpose()?;
+    tables
+        .read(|text, columns| read_points(text, &PointOptions { columns, rest_length_mm, log: log.clone() }))
 }
 
 impl IdentifyRequest {

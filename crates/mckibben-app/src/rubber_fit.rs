@@ -192,6 +192,7 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     let muscle = request.muscle.as_ref().map_or_else(|| Ok(Muscle::prototype()), muscle_of)?;
     let first =
         request.tables.data.first().ok_or_else(|| Problem::missing("data", "a table of tension tests"))?;
+    Problem::refuse_unused(&[("log", request.tables.log.is_some())], "it has pressures of a muscle")?;
     let positive = |field: &str, value: Option<f64>| {
         value.map(|value| above_zero(ProblemKind::Quantity, field, value)).transpose()
     };

@@ -254,7 +254,7 @@ impl Flag {
         let path = Path::new(name);
         match &*self.field {
             "muscle" => files::muscle(path),
-            "data" | "table" => TextFile::table(path),
+            "data" | "table" | "log" => TextFile::table(path),
             _ => files::text(path),
         }
     }

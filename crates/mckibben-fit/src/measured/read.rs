@@ -1,10 +1,11 @@
 //! Points from people's tables.
 
-use super::{DataPoint, MeasuredPoint, Quantity, Section};
+use super::over_time::branches;
+use super::{DataPoint, MeasuredPoint, PressureLog, Quantity, Section};
 use mckibben::cancel;
 use mckibben::muscle::Direction;
 use mckibben_io::table::{
-    Column, Columns, Meaning, POINTS, Table, TableError, Understood, is_absolute, spoken,
+    Column, Columns, Meaning, POINTS, RECORDED, Table, TableError, Understood, is_absolute, spoken,
 };
 
 type Result<T, E = TableError> = std::result::Result<T, E>;
@@ -16,12 +17,15 @@ pub struct PointOptions {
     pub columns: Columns,
     /// L0 of the muscle, for shortenings and lengths.
     pub rest_length_mm: Option<f64>,
+    /// Pressures of another instrument, joined by time.
+    pub log: Option<PressureLog>,
 }
 
 /// Groups of [`POINTS`].
 const PRESSURE: usize = 0;
 const CONTRACTION: usize = 1;
 const FORCE: usize = 2;
+const TIME: usize = 3;
 
 /// [`read_points`] of a table that states everything.
 pub fn read_data(text: &str) -> Result<Vec<DataPoint>> {
@@ -41,7 +45,10 @@ pub fn read_measured(text: &str) -> Result<Vec<MeasuredPoint>> {
 /// `volume` (read in rows that state it in `measured`, and where there are no pulls), `wall_mm`, `angle_deg`, L0 as `rest_length_mm` or, beside a contraction, `length_mm`; rows whose `status` is not `ok`
 /// (points without answer, as `curve` writes them) are left out.
 pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>, Understood)> {
-    let mut table = Table::read(text, &POINTS, &options.columns)?;
+    let mut columns = options.columns.clone();
+    columns.0.extend(options.log.as_ref().map(|log| ("pressure".to_owned(), format!("={}", log.name))));
+    let vocabulary = if options.log.is_some() { &RECORDED } else { &POINTS };
+    let mut table = Table::read(text, vocabulary, &columns)?;
     table.keep(Meaning::Status, &["", "ok"]);
     let is_volume = |row: usize| table.text(row, Meaning::Measured).is_some_and(|(_, word)| word == "volume");
     if table.column(Meaning::Force).is_some() && !(0..table.lines().len()).any(is_volume) {
@@ -54,11 +61,28 @@ pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>
     if length_is_l0 {
         table.rename(Meaning::Length, Meaning::RestLength);
     }
-    let pressures = pressures(&table)?;
+    let (pressures, joined) = match &options.log {
+        Some(log) => {
+            let (times, pulls) = (table.numbers(table.needed(TIME)?)?, table.numbers(table.needed(FORCE)?)?);
+            let (pressures, joined) = log.at(&times, &pulls);
+            table.retain(|row| pressures[row].is_some());
+            let outside = pressures.len() - table.lines().len();
+            (
+                pressures.into_iter().flatten().collect(),
+                Some(format!("{joined}; {outside} rows outside of it")),
+            )
+        }
+        None => (pressures(&table)?, None),
+    };
     let rest = table.above_zero(Meaning::RestLength, MEASURE)?;
     let (contractions, note) = contractions(&table, &rest, options.rest_length_mm)?;
     if length_is_l0 {
         check_rest(&table, &rest, &contractions)?;
+    }
+    let by_velocity = table.text(0, Meaning::Branch).is_some_and(|(_, word)| word == "velocity");
+    let branches = if by_velocity { branches(&contractions, &pressures) } else { None };
+    if by_velocity {
+        table.forget(Meaning::Branch);
     }
     let mut points = rows(&table)?;
     let forces = forces(&table, &points)?;
@@ -67,11 +91,14 @@ pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>
         point.at.contraction = contractions[i];
         point.at.force_n = forces[i];
         point.section.length_mm = rest[i];
+        point.at.branch = branches.as_ref().map_or(point.at.branch, |branches| Some(branches[i]));
     }
     if points.is_empty() {
         return Err(table.no_points());
     }
-    Ok((points, understood(&table, note)?))
+    let by_velocity = by_velocity.then(|| "branches by the sign of the velocity".to_owned());
+    let note: Vec<String> = note.into_iter().chain(by_velocity).collect();
+    Ok((points, understood(&table, joined, (!note.is_empty()).then(|| note.join("; ")))?))
 }
 
 /// Leaves out the rows of a sheet whose measured quantity is not filled in yet.
@@ -282,9 +309,9 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     table.lines().into_iter().enumerate().map(one).collect()
 }
 
-fn understood(table: &Table, note: Note) -> Result<Understood> {
+fn understood(table: &Table, joined: Note, note: Note) -> Result<Understood> {
     let mut used = vec![
-        (table.needed(PRESSURE)?, None),
+        (table.needed(PRESSURE)?, joined),
         (table.needed(CONTRACTION)?, note),
         (table.needed(FORCE)?, None),
     ];

@@ -9,7 +9,10 @@ fn both(bytes: &[u8]) {
     let Ok((text, _)) = read_text(bytes, None) else { return };
     let columns = Columns::parse("pressure=P:kPa,contraction=#2:%").unwrap_or_default();
     for columns in [Columns::default(), columns] {
-        let _ = read_points(&text, &PointOptions { columns: columns.clone(), rest_length_mm: Some(200.0) });
+        let _ = read_points(
+            &text,
+            &PointOptions { columns: columns.clone(), rest_length_mm: Some(200.0), log: None },
+        );
         let (area_mm2, gauge_length_mm) = (Some(1.0), Some(1.0));
         let _ = read_tests(&text, &ReadOptions { columns, area_mm2, gauge_length_mm, ..Default::default() });
     }

@@ -35,7 +35,7 @@ use delimited::{Separator, TableRow};
 pub use find::Column;
 pub use heading::is_absolute;
 use number::Decimal;
-pub use vocabulary::{HISTORIES, Meaning, POINTS, TESTS, Vocabulary, spoken};
+pub use vocabulary::{HISTORIES, Meaning, POINTS, RECORDED, TESTS, Vocabulary, spoken};
 
 /// The largest table that is read, in bytes: about a million lines.
 pub const MAX_BYTES: usize = 32 << 20;

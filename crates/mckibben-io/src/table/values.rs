@@ -39,8 +39,13 @@ impl Table {
         };
         let blank: Vec<bool> = (0..self.rows.len()).map(blank).collect();
         self.not_filled += blank.iter().filter(|b| **b).count();
-        let mut blank = blank.into_iter();
-        self.rows.retain(|_| blank.next() == Some(false));
+        self.retain(|row| !blank[row]);
+    }
+
+    /// Leaves out the other rows.
+    pub fn retain(&mut self, kept: impl Fn(usize) -> bool) {
+        let mut rows = 0..;
+        self.rows.retain(|_| rows.next().is_some_and(&kept));
     }
 
     /// No points: nothing follows the heading, or nothing was filled in.

@@ -248,6 +248,8 @@ fn meanings(words: &str) -> Vec<Meaning> {
 pub static HISTORIES: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("histories"));
 /// Measured points of a muscle.
 pub static POINTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("points"));
+/// Points of a muscle over time, whose pressures another instrument may have recorded.
+pub static RECORDED: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("recorded"));
 /// Tension tests of a rubber.
 pub static TESTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("tests"));
 /// A load over the shortening of the muscle that meets it.

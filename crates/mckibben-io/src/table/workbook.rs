@@ -81,3 +81,42 @@ fn read_sheet(book: &mut Sheets<Cursor<&[u8]>>, name: &str) -> Result<Sheet, Tab
     }
     Ok(sheet)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Columns, Meaning, TESTS, Table, read_text};
+    use super::*;
+
+    /// The workbook of a testing machine: a sheet of words, then one with a title, headings, units, and numbers from the second column on.
+    #[test]
+    fn the_first_sheet_with_numbers_is_the_table() {
+        for book in
+            [&include_bytes!("workbook/tests/pull.xlsx")[..], include_bytes!("workbook/tests/pull.ods")]
+        {
+            let (text, from) = read_text(book, None).unwrap();
+            assert_eq!(from.as_deref(), Some("sheet Werte Probe 1"));
+            let table = Table::read(&text, &TESTS, &Columns::default()).unwrap();
+            assert_eq!(table.lines(), [6, 7, 8, 9, 10]);
+            assert_eq!(
+                table.numbers(table.column(Meaning::Extension).unwrap()).unwrap(),
+                [0.0, 5.0, 10.0, 20.5, 40.0]
+            );
+            let forces = [0.0, 3.1, 5.2, 8.100000000000001, 12.3];
+            assert_eq!(table.numbers(table.column(Meaning::Force).unwrap()).unwrap(), forces);
+            let refused = |sheet| read_text(book, Some(sheet)).unwrap_err().to_string();
+            assert_eq!(
+                refused("Werte"),
+                "no sheet \"Werte\" with numbers; the sheets are: Parameter, Werte Probe 1"
+            );
+        }
+    }
+
+    #[test]
+    fn a_far_cell_makes_no_large_sheet() {
+        let mut sheet = Sheet::default();
+        for row in 0..3000 {
+            sheet.add((row, 16_000), &Data::Float(1.0));
+        }
+        assert!(sheet.text().unwrap_err().to_string().starts_with("the sheet is larger than"));
+    }
+}
