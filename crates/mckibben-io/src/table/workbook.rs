@@ -41,7 +41,7 @@ impl Sheet {
 }
 
 fn wrong(error: impl std::fmt::Display) -> TableError {
-    TableError::Refused(format!("the spreadsheet cannot be read: {error}"))
+    TableError::Refused(format!("the spreadsheet cannot be read: {error}; save the table as CSV"))
 }
 
 /// The sheet of this name, else the first with numbers, and its name.
