@@ -52,6 +52,7 @@ impl Columns {
         (place, tables): (usize, usize),
         file: &str,
     ) -> Result<Self, TableError> {
+        let refused = |text: &str, why: String| TableError::Refused(format!("`set`: {} {why}", short(text)));
         let mut all: BTreeMap<&str, Vec<String>> = BTreeMap::new();
         for text in set.iter().map(|text| text.trim()) {
             let pattern =
@@ -62,19 +63,19 @@ impl Columns {
                 (None, None) => (text, None),
             };
             let value = value.filter(|value| !value.is_empty()).ok_or_else(|| {
-                let (text, file) = (short(text), short(file));
-                let form = format!("`set`: \"{text}\" gives no value for {file}; write pressure=3bar, or {{pressure}}bar for a file such as pull_3bar.csv");
-                TableError::Refused(form)
+                let file = short(file);
+                let form = "write pressure=3bar, or {pressure}bar for a file such as pull_3bar.csv";
+                refused(&format!("\"{text}\""), format!("gives no value for {file}; {form}"))
             })?;
             all.entry(name.trim()).or_default().push(value);
         }
         for (name, values) in all {
-            let value = values.get(if values.len() == 1 { 0 } else { place });
-            let fits = [1, tables].contains(&values.len()) && !self.0.contains_key(name);
-            let value = value.filter(|_| fits).ok_or_else(|| {
-                let (name, times) = (short(name), values.len());
-                let form = format!("`set`: {name} is given {times} times for {tables} tables; give it once, or once for each of them, and not in `columns` too");
-                TableError::Refused(form)
+            let times = values.len();
+            let value = values.get(if times == 1 { 0 } else { place });
+            let value = value.filter(|_| [1, tables].contains(&times) && !self.0.contains_key(name));
+            let value = value.ok_or_else(|| {
+                let form = "give it once, or once for each of them, and not in `columns` too";
+                refused(name, format!("is given {times} times for {tables} tables; {form}"))
             })?;
             self.0.insert(name.to_owned(), format!("={value}"));
         }

@@ -277,26 +277,24 @@ impl Search {
     }
 
     /// Whether a column that nobody chose holds no number, or the same in all rows where it would take the place of one that varies: of the same quantity,
-    /// or zeros before another way to state it.
+    /// or zeros beside another way to state it.
     fn is_dead(&self, column: &Column, columns: &[Column], data: &[TableRow]) -> bool {
         if column.chosen || !self.vocabulary.is_number(column.meaning) {
             return false;
         }
-        let numbers = |c: &Column| {
-            let index = c.index;
-            data.iter().map(move |row| row.field(index)).filter(|field| is_number(field))
+        let numbers = |index: usize| data.iter().map(move |row| row.field(index)).filter(|f| is_number(f));
+        let varies = |c: &Column| numbers(c.index).zip(numbers(c.index).skip(1)).any(|(a, b)| a != b);
+        let Some(first) = numbers(column.index).next() else { return true };
+        let is_zero = column.meaning != Meaning::Force && !first.contains(|c| ('1'..='9').contains(&c));
+        let in_its_place = |c: &Column| {
+            let mut groups = self.vocabulary.needed.iter().map(|need| &need.any_of);
+            groups.any(|any_of| any_of.contains(&c.meaning) && any_of.contains(&column.meaning))
         };
-        let varies = |c: &Column| numbers(c).zip(numbers(c).skip(1)).any(|(a, b)| a != b);
-        let Some(first) = numbers(column).next() else { return true };
-        let is_zero = !first.contains(|c: char| ('1'..='9').contains(&c)) && column.meaning != Meaning::Force;
-        let place = |need: &Need, c: &Column| need.any_of.iter().position(|m| *m == c.meaning);
-        let precedes = |c: &Column| {
-            let needed = &self.vocabulary.needed;
-            needed.iter().any(|n| place(n, column).zip(place(n, c)).is_some_and(|(a, b)| a < b))
+        let yields = |c: &Column| {
+            if c.meaning == column.meaning { c.rank == column.rank } else { is_zero && in_its_place(c) }
         };
-        let yields =
-            |c: &Column| (c.meaning == column.meaning && c.rank == column.rank) || (is_zero && precedes(c));
-        data.len() > 2 && !varies(column) && columns.iter().any(|c| yields(c) && varies(c))
+        let mut rivals = columns.iter().filter(|c| c.index != column.index && yields(c));
+        data.len() > 2 && rivals.any(varies) && !varies(column)
     }
 
     /// What a line would mean as heading, without the columns at some places.
