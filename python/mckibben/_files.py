@@ -11,7 +11,7 @@ from ._errors import ExistingFileError, InputError
 from ._table import Table
 
 # Fields of requests whose files are tables, and those whose files are formulas.
-TABLES = ("data", "table", "tables", "load_tables")
+TABLES = ("data", "log", "table", "tables", "load_tables")
 FORMULAS = ("formulas", "file")
 
 
@@ -64,8 +64,8 @@ def formula(value: Any) -> dict[str, str]:
 def table(value: Any) -> dict[str, str]:
     """A table: a path, a text, a data frame, an answer, or columns by name."""
     if isinstance(value, (str, os.PathLike)):
-        path = os.fspath(value)
-        return {"name": path, "text": _native.read_table(path)}
+        name, text = _native.read_table(os.fspath(value))
+        return {"name": name, "text": text}
     if isinstance(value, Mapping) and set(value) == {"name", "text"}:
         return {"name": str(value["name"]), "text": str(value["text"])}
     # Numbers with as many digits as it takes to read back the same.
@@ -81,7 +81,7 @@ def measured(value: Any) -> dict[str, str]:
     path = os.fspath(value)
     files = {name: os.path.join(path, f"{name}.toml") for name in ("case", "muscle", "identified")}
     texts = {name: _native.read_text(file) for name, file in files.items() if name == "case" or os.path.exists(file)}
-    points = _native.read_table(os.path.join(path, "points.csv"))
+    _, points = _native.read_table(os.path.join(path, "points.csv"))
     return {"name": os.path.basename(os.path.abspath(path)), "muscle": "", **texts, "points": points}
 
 

@@ -167,7 +167,7 @@ def read_formula(path: str | PathLike[str]) -> str:
     The file of a formula.
     """
 
-def read_table(path: str | PathLike[str]) -> str:
+def read_table(path: str | PathLike[str]) -> tuple[str, str]:
     """
     A table, whatever program wrote it. Such files may be long.
     """

@@ -1,8 +1,9 @@
 //! `compare`: several models, and measured points, with the errors of each.
 
 use crate::{
-    AskFields, Columns, Direction, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind,
-    Result, TextFile, UnderstoodTable, Units, contractions, figure, list, number, steps, warnings,
+    AskFields, DataFields, Direction, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind,
+    Result, TextFile, UnderstoodTable, Units, contractions, figure, list, measured_points, number, steps,
+    warnings,
 };
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::{analysis::Evaluation, answer::Options};
@@ -11,7 +12,7 @@ use mckibben_fit::compare::{Comparison, MeasuredPoint, compare as errors_of, mea
 use mckibben_fit::identify::{
     DataPoint, IdentifyError, Parameter, Request, Target, doubts, identify, matters,
 };
-use mckibben_fit::measured::{PointOptions, Quantity, read_points};
+use mckibben_fit::measured::Quantity;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -27,10 +28,9 @@ pub struct CompareRequest {
     /// The mesh of finite elements.
     #[serde(flatten)]
     pub mesh: MeshFields,
-    /// Measured points: a table of pressures, contractions (or shortenings, or lengths) and pulls, with their units.
-    pub data: Option<TextFile>,
-    /// Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
-    pub columns: Columns,
+    /// Measured points.
+    #[serde(flatten)]
+    pub tables: DataFields,
     /// Which branch of measured hysteresis; models of a muscle that states its friction answer on the same one.
     pub branch: Direction,
     /// Constants to fit to the points, for each model that knows them.
@@ -130,9 +130,6 @@ impl ComparedModel {
     }
 }
 
-/// Pulls and volumes of a table, and what is odd of them.
-type Read = (Vec<MeasuredPoint>, (Vec<DataPoint>, Vec<String>));
-
 /// A model that was compared, with its row.
 struct Compared {
     model: Box<dyn ForceModel>,
@@ -150,19 +147,23 @@ impl Compared {
 pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<CompareAnswer> {
     let muscle = request.muscle.resolve()?;
     let mut asking = request.asking;
-    if asking.direction.is_mean() && (muscle.friction().is_some() || request.data.is_none()) {
+    if asking.direction.is_mean() && (muscle.friction().is_some() || request.tables.data.is_empty()) {
         asking.direction = request.branch;
     }
     let options = asking.options(&muscle)?;
-    if request.data.is_none() {
-        let why = "it belongs to measured points, and no `data` are given";
-        Problem::refuse_unused(&[("columns", request.columns != Columns::default())], why)?;
-    }
     let models = request.chosen()?;
-    let read = request.data.as_ref().map(|file| request.on_branch(file, &muscle)).transpose()?;
-    let (measured, understood) = read.unzip();
-    let (measured, others) = measured.unzip();
-    let (volumes, doubts) = others.unwrap_or_default();
+    let (read, understood): (Vec<_>, Vec<_>) = measured_points(&request.tables, &muscle)?.into_iter().unzip();
+    let is_measured = !read.is_empty();
+    let (volumes, read): (Vec<DataPoint>, Vec<DataPoint>) =
+        read.into_iter().flatten().partition(|p| p.measured == Quantity::Volume);
+    let doubts = doubts(&muscle, &read)?;
+    let measured = request.on_branch(&read);
+    if is_measured && measured.is_empty() && volumes.is_empty() {
+        let message = format!("{}: there are no points of that branch", request.tables.names());
+        let hint = "its column `branch` must say contraction or elongation";
+        return Err(Problem::new(ProblemKind::Data, message, hint));
+    }
+    let measured = is_measured.then_some(measured);
     if measured.is_none() && !request.fit.is_empty() {
         return Err(Problem::missing("data", "measured points to fit to"));
     }
@@ -230,7 +231,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         points: points.len(),
         largest_force_n: points.iter().map(|p| p.force_n).fold(0.0, f64::max),
         muscle: (&muscle).into(),
-        understood: understood.into_iter().collect(),
+        understood,
         models: compared.into_iter().map(|c| c.row).chain(skipped).collect(),
         warnings: Warning::gravest(&warned),
         figure,
@@ -258,28 +259,13 @@ impl CompareRequest {
         Ok(models)
     }
 
-    /// The measured points of a file, on the requested branch.
-    fn on_branch(&self, file: &TextFile, muscle: &Muscle) -> Result<(Read, UnderstoodTable)> {
-        let options =
-            PointOptions { columns: self.columns.clone(), rest_length_mm: Some(muscle.tube().length_mm) };
-        let (points, table) = read_points(file.text.as_bytes(), &options)
-            .map_err(|error| Problem::of_table(&file.name, &error))?;
-        let understood = UnderstoodTable { data: file.name.clone(), table };
-        let (volumes, points): (Vec<DataPoint>, Vec<DataPoint>) =
-            points.into_iter().partition(|p| p.measured == Quantity::Volume);
-        let others = (volumes, doubts(muscle, &points)?);
-        let points: Vec<MeasuredPoint> = points.into_iter().map(|p| p.at).collect();
+    /// The points on the requested branch.
+    fn on_branch(&self, points: &[DataPoint]) -> Vec<MeasuredPoint> {
+        let points = points.iter().map(|p| p.at);
         if self.branch.is_mean() {
-            return Ok(((mean_of_branches(&points), others), understood));
+            return mean_of_branches(&points.collect::<Vec<_>>());
         }
-        let points: Vec<MeasuredPoint> =
-            points.into_iter().filter(|p| p.branch == Some(self.branch)).collect();
-        if points.is_empty() && others.0.is_empty() {
-            let message = format!("{}: there are no points of that branch", file.name);
-            let hint = "its column `branch` must say contraction or elongation";
-            return Err(Problem::new(ProblemKind::Data, message, hint));
-        }
-        Ok(((points, others), understood))
+        points.filter(|p| p.branch == Some(self.branch)).collect()
     }
 }
 

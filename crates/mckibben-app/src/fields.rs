@@ -1,9 +1,11 @@
 //! Fields that requests share.
 
+use crate::Problem;
 pub use crate::muscle_fields::{MuscleFields, NamedFields};
 pub use mckibben::muscle::measures::MeasureValues;
 pub use mckibben::muscle::{BraidStiffness as Stiffness, Direction};
 use mckibben_fem::three_dimensional::{Match, Plug};
+use mckibben_io::table::TableError;
 pub use mckibben_io::table::{Columns, Understood, UnderstoodColumn};
 use schemars::{JsonSchema, Schema, transform::Transform};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -33,6 +35,54 @@ pub(crate) fn name_or_file<'de, D: Deserializer<'de>>(from: D) -> Result<Option<
         Given::File(file) => file,
         Given::Name(name) => TextFile { name, text: String::new() },
     }))
+}
+
+/// Measured tables, and what they do not state.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct DataFields {
+    /// Tables of measured points: pressures, contractions (or shortenings, or lengths) and pulls; of tests of a rubber: stretches, strains or
+    /// extensions and stresses or forces. With their units, and more.
+    pub data: Vec<TextFile>,
+    /// Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
+    pub columns: Columns,
+    /// Constants of a whole table, such as pressure=3bar; a quantity that is given once for each of `data` has one value in each. {pressure}bar takes
+    /// the number from the name of the file; branch=velocity cuts rows in time order into branches by the sign of their velocity.
+    pub set: Vec<String>,
+    /// Pressures over time of another instrument, where `data` have times, contractions and pulls: joined by time.
+    pub log: Option<TextFile>,
+    /// What the times of `log` lack to those of `data`, s; default: found where the pull follows the pressure.
+    pub log_offset_s: Option<f64>,
+}
+
+impl DataFields {
+    /// Reads each table.
+    pub(crate) fn read<T>(
+        &self,
+        read: impl Fn(&str, Columns) -> Result<(T, Understood), TableError>,
+    ) -> Result<Vec<(T, UnderstoodTable)>, Problem> {
+        let used = [
+            ("columns", self.columns != Columns::default()),
+            ("set", !self.set.is_empty()),
+            ("log", self.log.is_some()),
+        ];
+        if self.data.is_empty() {
+            Problem::refuse_unused(&used, "it belongs to tables, and no `data` are given")?;
+        }
+        let one = |(place, file): (usize, &TextFile)| {
+            let columns = self.columns.clone().with(&self.set, (place, self.data.len()), &file.name);
+            let (data, table) = columns
+                .and_then(|columns| read(&file.text, columns))
+                .map_err(|error| Problem::of_table(&file.name, &error))?;
+            Ok((data, UnderstoodTable { data: file.name.clone(), table }))
+        };
+        self.data.iter().enumerate().map(one).collect()
+    }
+
+    /// The tables by their names.
+    pub fn names(&self) -> String {
+        self.data.iter().map(|file| file.name.as_str()).collect::<Vec<_>>().join(", ")
+    }
 }
 
 /// What was understood of a table.

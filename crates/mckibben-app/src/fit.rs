@@ -349,8 +349,8 @@ fn of_campaign(path: &Path) -> Result<Points> {
 
 /// The points of a table, in any form that people write them; each row says all of its muscle.
 fn of_csv(file: &TextFile) -> Result<Points> {
-    let (read, understood) = read_points(file.text.as_bytes(), &PointOptions::default())
-        .map_err(|e| Problem::of_table(&file.name, &e))?;
+    let (read, understood) =
+        read_points(&file.text, &PointOptions::default()).map_err(|e| Problem::of_table(&file.name, &e))?;
     let point = |p: DataPoint| {
         let there = |name: &str, value: Option<f64>| {
             let message = format!("{}: line {}: {name} is missing", file.name, p.line);

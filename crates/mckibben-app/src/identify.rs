@@ -1,7 +1,7 @@
 //! `identify`: constants of rubber, braid and friction from measured or published points.
 
 use crate::{
-    Columns, MeshFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
+    DataFields, MeshFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
     TextFile, UnderstoodTable, Units, check_count, contractions, figure, finite, list, number, steps,
     warnings::largest_stretch,
 };
@@ -14,9 +14,10 @@ use mckibben_fit::identify::{
 };
 use mckibben_fit::least_squares::Loss;
 use mckibben_fit::measured::{
-    DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
+    DataPoint, MeasuredPoint, PointOptions, PressureLog, Quantity, Section, mean_of_data, read_points,
 };
 use mckibben_io::clean::line;
+use mckibben_io::table::{OverTime, read_over_time};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
@@ -31,10 +32,9 @@ pub struct IdentifyRequest {
     /// The model.
     #[serde(flatten)]
     pub model: ModelFields,
-    /// Tables of pressures, contractions (or shortenings, or lengths) and pulls, with their units, and more.
-    pub data: Vec<TextFile>,
-    /// Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
-    pub columns: Columns,
+    /// The points.
+    #[serde(flatten)]
+    pub tables: DataFields,
     /// A published formula as data: the name of a model, or of one of `formulas`.
     pub formula: Option<String>,
     /// Pressures P of `formula` in MPa; default 0.05 to 0.25 by 0.05.
@@ -301,21 +301,31 @@ struct Data {
     understood: Vec<UnderstoodTable>,
 }
 
+/// The points of each table.
+pub(crate) fn measured_points(
+    tables: &DataFields,
+    muscle: &Muscle,
+) -> Result<Vec<(Vec<DataPoint>, UnderstoodTable)>> {
+    let rest_length_mm = Some(muscle.tube().length_mm);
+    let log = |file: &TextFile| {
+        let points = read_over_time(&file.text, OverTime::Pressure);
+        let points = points.map_err(|error| Problem::of_table(&file.name, &error))?;
+        Ok::<_, Problem>(PressureLog { name: file.name.clone(), points, offset_s: tables.log_offset_s })
+    };
+    let log = tables.log.as_ref().map(log).transpose()?;
+    tables
+        .read(|text, columns| read_points(text, &PointOptions { columns, rest_length_mm, log: log.clone() }))
+}
+
 impl IdentifyRequest {
     /// All points, and where they come from.
     fn points(&self, muscle: &Muscle) -> Result<Data> {
-        let mut sets: Vec<(Vec<DataPoint>, String)> = vec![];
-        let mut understood = vec![];
-        let options =
-            PointOptions { columns: self.columns.clone(), rest_length_mm: Some(muscle.tube().length_mm) };
-        for file in &self.data {
-            let (read, table) = read_points(file.text.as_bytes(), &options)
-                .map_err(|error| Problem::of_table(&file.name, &error))?;
-            understood.push(UnderstoodTable { data: file.name.clone(), table });
-            sets.push((read, file.name.clone()));
-        }
+        let (mut sets, understood): (Vec<Vec<DataPoint>>, _) =
+            measured_points(&self.tables, muscle)?.into_iter().unzip();
+        let mut origin: Vec<String> = self.tables.data.iter().map(|file| file.name.clone()).collect();
         if let Some(name) = &self.formula {
-            sets.push((self.formula_points(name, muscle)?, format!("the formula {name}")));
+            sets.push(self.formula_points(name, muscle)?);
+            origin.push(format!("the formula {name}"));
         }
         if sets.is_empty() {
             let hint = "give `data` with pressures, contractions and forces, or `formula` paper";
@@ -323,14 +333,13 @@ impl IdentifyRequest {
         }
         self.check_weights(sets.len())?;
         let mut points = vec![];
-        for (set, (list, _)) in sets.iter().enumerate() {
+        for (set, list) in sets.iter().enumerate() {
             let factor = self.weights.get(set).copied().unwrap_or(1.0);
             points.extend(list.iter().map(|p| DataPoint { set, weight: p.weight * factor, ..*p }));
         }
         if self.branches == Branches::Mean {
             points = mean_of_data(&points);
         }
-        let origin: Vec<String> = sets.into_iter().map(|set| set.1).collect();
         Ok(Data { points, origin: origin.join(", "), understood })
     }
 

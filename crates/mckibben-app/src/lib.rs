@@ -64,6 +64,8 @@ mod rubber_fit;
 mod schemas;
 mod shape;
 mod simulate;
+#[cfg(feature = "files")]
+mod table_file;
 mod uncertainty;
 pub mod units;
 mod validate;

@@ -33,7 +33,7 @@ impl LoadFields {
             if !cfg!(feature = "whole") {
                 return Err(bad(&"tables need the full engine; this is a reduced one"));
             }
-            let points = read_load(file.text.as_bytes(), rest_length_mm).map_err(|e| bad(&e))?;
+            let points = read_load(&file.text, rest_length_mm).map_err(|e| bad(&e))?;
             Ok((file.name.clone(), LoadTable::new(points).map_err(|e| bad(&e))?))
         };
         let tables = self.load_tables.iter().map(read).collect::<Result<BTreeMap<_, _>, _>>()?;

@@ -1,7 +1,8 @@
 //! `rubber`: laws from tension tests.
 
 use crate::{
-    Columns, Problem, ProblemKind, Result, TextFile, UnderstoodTable, above_zero, figure, muscle_of, readable,
+    Columns, DataFields, Problem, ProblemKind, Result, TextFile, UnderstoodTable, above_zero, figure,
+    muscle_of, readable,
 };
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::{muscle::file::to_toml, progress::Progress, rubber::over_time::OgdenRoxburgh, size};
@@ -19,11 +20,9 @@ use std::{collections::BTreeMap, path::Path};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct RubberFitRequest {
-    /// Tension tests: a table of stretches, strains or extensions, and of stresses or forces, with their units; where it has
-    /// one, of modes.
-    pub data: Option<TextFile>,
-    /// Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
-    pub columns: Columns,
+    /// The tests: one table or several, each with its mode and dimensions in `set`, where its columns do not state them.
+    #[serde(flatten)]
+    pub tables: DataFields,
     /// Laws by name, or `all`; all that the points determine if none is named.
     pub laws: Vec<String>,
     /// Terms of `ogden`; default 1, 2 and 3.
@@ -53,7 +52,7 @@ pub struct RubberFitRequest {
     pub relaxation: Option<usize>,
     /// Softening by Ogden and Roxburgh is fitted as well, from a column of times that begins with the first loading. Of the same law.
     pub softening: bool,
-    /// Name of the rubber in the muscle file; default that of the table.
+    /// Name of the rubber in the muscle file; default that of the first table.
     pub name: Option<String>,
     /// Muscle that receives the rubber; default: the prototype.
     pub muscle: Option<TextFile>,
@@ -64,9 +63,9 @@ pub struct RubberFitRequest {
 /// The laws of the tests.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct RubberFitAnswer {
-    /// The table.
+    /// The tables.
     pub data: String,
-    /// What was understood of it.
+    /// What was understood of them.
     pub understood: Vec<UnderstoodTable>,
     /// Points that were fitted.
     pub points: usize,
@@ -157,7 +156,8 @@ impl RubberFitAnswer {
     fn with_law(&self, law: &FittedLaw, muscle: &Muscle, rubber: Option<String>) -> Result<String> {
         let (relaxation, softening) = (self.relaxation.as_ref(), self.softening.as_ref());
         let over_time = softening.map(|s| &s.first_loading).or(relaxation.map(|r| &r.instantaneous));
-        let stem = || Path::new(&self.data).file_stem().map(|s| s.to_string_lossy().into_owned());
+        let first = || self.understood.first().map_or("", |table| &table.data);
+        let stem = || Path::new(first()).file_stem().map(|s| s.to_string_lossy().into_owned());
         let mut tube = muscle.tube().clone();
         tube.rubber = Rubber {
             name: rubber.or_else(stem),
@@ -178,19 +178,24 @@ const APART: &str = "softening and relaxation were fitted separately, each witho
 pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result<RubberFitAnswer> {
     let settings = request.settings()?;
     let muscle = request.muscle.as_ref().map_or_else(|| Ok(Muscle::prototype()), muscle_of)?;
-    let file = request.data.as_ref().ok_or_else(|| Problem::missing("data", "a table of tension tests"))?;
+    let first =
+        request.tables.data.first().ok_or_else(|| Problem::missing("data", "a table of tension tests"))?;
+    Problem::refuse_unused(&[("log", request.tables.log.is_some())], "it has pressures of a muscle")?;
     let positive = |field: &str, value: Option<f64>| {
         value.map(|value| above_zero(ProblemKind::Quantity, field, value)).transpose()
     };
     let options = ReadOptions {
-        columns: request.columns.clone(),
+        columns: Columns::default(),
         mode: request.mode,
         area_mm2: positive("area_mm2", request.area_mm2)?,
         gauge_length_mm: positive("gauge_length_mm", request.gauge_length_mm)?,
     };
-    let (points, table) =
-        read_tests(file.text.as_bytes(), &options).map_err(|error| Problem::of_table(&file.name, &error))?;
-    let has = |quantities: &[&str]| table.columns.iter().any(|c| quantities.contains(&c.quantity.as_str()));
+    let read = |text: &str, columns| read_tests(text, &ReadOptions { columns, ..options.clone() });
+    let (points, understood): (Vec<_>, Vec<_>) = request.tables.read(read)?.into_iter().unzip();
+    let points = points.concat();
+    let has = |quantities: &[&str]| {
+        understood.iter().flat_map(|t| &t.table.columns).any(|c| quantities.contains(&c.quantity.as_str()))
+    };
     let area = request.area_mm2.is_some() && !has(&["force"]);
     Problem::refuse_unused(&[("area_mm2", area)], "the table has stresses, and no `columns` of forces")?;
     let gauge = request.gauge_length_mm.is_some() && !has(&["extension", "length"]);
@@ -209,8 +214,10 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         }
     };
     let history = || {
-        let points = read_history(file.text.as_bytes(), &request.columns);
-        points.map_err(|error| Problem::of_table(&file.name, &error))
+        let several = [("data", request.tables.data.len() > 1)];
+        Problem::refuse_unused(&several, "`relaxation` and `softening` are of one specimen: give one table")?;
+        let points = read_history(&first.text, &request.tables.columns);
+        points.map_err(|error| Problem::of_table(&first.name, &error))
     };
     let relaxes = |branches| form().and_then(|form| Ok(fit_prony(&history()?, form, branches)?));
     let relaxation = request.relaxation.map(relaxes).transpose()?;
@@ -221,8 +228,8 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         warnings.push(APART.into());
     }
     let mut answer = RubberFitAnswer {
-        data: file.name.clone(),
-        understood: vec![UnderstoodTable { data: file.name.clone(), table }],
+        data: request.tables.names(),
+        understood,
         points: fit.points.len(),
         left_out: fit.left_out,
         held_out: fit.held_out.len(),
@@ -237,7 +244,7 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         softening,
         muscle_file: None,
         hoop_stretch: settings.hoop_stretch,
-        figure: request.figure.then(|| figure::tension(&fit, &file.name)),
+        figure: request.figure.then(|| figure::tension(&fit, &request.tables.names())),
         laws: fit.laws,
     };
     answer.muscle_file =

@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Returns the shear modulus and the half-width of its 95 % interval, in MPa.
 fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
     let muscle = parse_muscle(MUSCLE)?;
-    let points = read_data(POINTS.as_bytes())?;
+    let points = read_data(POINTS)?;
     // Nothing is named as free: then it is the modulus of the rubber and the stiffness of the braid.
     let build = |m: &Muscle| match Axisymmetric::new(m) {
         Ok(fe) => Ok(Box::new(fe) as Box<dyn ForceModel>),

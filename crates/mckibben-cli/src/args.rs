@@ -175,7 +175,7 @@ impl Args {
 /// The tables of a load.
 pub fn load_tables(load: &str) -> Result<Value, Problem> {
     let read = |name: &str| -> Result<Value, Problem> {
-        Ok(json!(TextFile { name: name.into(), ..files::table(Path::new(name))? }))
+        Ok(json!(TextFile { name: name.into(), ..TextFile::table(Path::new(name))? }))
     };
     Load::tables(load).map(read).collect()
 }
@@ -254,7 +254,7 @@ impl Flag {
         let path = Path::new(name);
         match &*self.field {
             "muscle" => files::muscle(path),
-            "data" | "table" => files::table(path),
+            "data" | "table" | "log" => TextFile::table(path),
             _ => files::text(path),
         }
     }

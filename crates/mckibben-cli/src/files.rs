@@ -1,10 +1,8 @@
 //! Files that users name, read for the application layer.
 
-use crate::unread;
 use mckibben::muscle::file;
 use mckibben_app::{Model, PAPER, Problem, TextFile};
 use mckibben_fit::validation::library;
-use mckibben_io::table::{MAX_BYTES, read_text};
 use std::path::Path;
 
 /// A file written by hand: a joint, a plan.
@@ -25,14 +23,6 @@ pub fn muscle(path: &Path) -> Result<TextFile, Problem> {
 /// A muscle file that another file names: relative to that file, or of the library.
 pub fn muscle_beside(folder: &Path, name: &str) -> Result<TextFile, Problem> {
     if library::named(name).is_some() { muscle(Path::new(name)) } else { muscle(&folder.join(name)) }
-}
-
-/// A table, whatever program wrote it. Such files may be long.
-pub fn table(path: &Path) -> Result<TextFile, Problem> {
-    let name = path.display().to_string();
-    let bytes = mckibben_io::files::read(path, MAX_BYTES as u64).map_err(|e| unread(path, &e))?;
-    let text = read_text(bytes.as_slice()).map_err(|error| Problem::of_table(&name, &error))?;
-    Ok(TextFile { name, text })
 }
 
 /// The formula behind a model's word, where that is the path of one and not the name of a model.

@@ -30,7 +30,7 @@ use output::text::{Units, columns, half_width, number, pairs, percent, percents,
 use output::{
     FLAT, burst_first, check_ending, emit, ending, overwrite, save, save_all, save_inside, streamed, warn,
 };
-use problem::{NO_ANSWER, NOT_CONVERGED, bad_flag, exit_code, in_flags, unprinted, unread};
+use problem::{NO_ANSWER, NOT_CONVERGED, bad_flag, exit_code, in_flags, unprinted};
 use progress::Bar;
 use quantities::{quantity, values};
 use spec::Flag;

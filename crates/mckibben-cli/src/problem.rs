@@ -2,8 +2,7 @@
 
 use crate::{Flag, clean, quantities::unit_hint, shown, spec};
 use mckibben_app::{Ending, Problem, ProblemKind};
-use mckibben_io::files::ReadError;
-use std::{io::ErrorKind, path::Path, sync::OnceLock};
+use std::{io::ErrorKind, sync::OnceLock};
 
 /// The flags of the command that runs.
 static FLAGS: OnceLock<Vec<Flag>> = OnceLock::new();
@@ -30,17 +29,6 @@ pub fn unparsed(error: &clap::Error) -> Problem {
     let lines: Vec<&str> = text.lines().take_while(|l| !l.trim().is_empty()).map(str::trim).collect();
     let message = lines.join(" ");
     Problem::new(ProblemKind::Usage, message.trim_start_matches("error: "), "see `mckibben --help`")
-}
-
-/// A file that is not read, whatever it holds.
-pub fn unread(path: &Path, error: &ReadError) -> Problem {
-    let hint = match error {
-        ReadError::System(e) if e.kind() != ErrorKind::NotFound => {
-            "the operating system refused to read it; it is not necessarily damaged"
-        }
-        _ => "",
-    };
-    Problem::new(ProblemKind::File, format!("{} {error}", path.display()), hint)
 }
 
 /// Standard output that cannot be written. Where only its reader went away (`| head`) there is nothing to say.

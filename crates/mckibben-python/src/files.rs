@@ -3,7 +3,6 @@
 use crate::{error::Wrong, value};
 use mckibben::{formula, muscle};
 use mckibben_app::{JointFields, MotionRequest, Problem, ProblemKind, Subject, TextFile};
-use mckibben_io::table;
 use pyo3::prelude::*;
 use serde_json::{Map, Value};
 use std::path::PathBuf;
@@ -15,16 +14,11 @@ pub fn read_text(path: PathBuf) -> PyResult<String> {
     Ok(muscle::file::read_text(&path).map_err(|e| Wrong::from(Problem::from(e.in_file(&path))))?)
 }
 
-/// A table, whatever program wrote it. Such files may be long.
+/// The name and the text of a table, whatever program wrote it. Such files may be long.
 #[pyfunction]
-pub fn read_table(path: PathBuf) -> PyResult<String> {
-    let name = path.display().to_string();
-    let unread =
-        |e: mckibben_io::files::ReadError| Problem::new(ProblemKind::File, format!("{name} {e}"), "");
-    let bytes =
-        mckibben_io::files::read(&path, table::MAX_BYTES as u64).map_err(|e| Wrong::from(unread(e)))?;
-    let text = table::read_text(bytes.as_slice());
-    Ok(text.map_err(|e| Wrong::from(Problem::of_table(&name, &e)))?)
+pub fn read_table(path: PathBuf) -> PyResult<(String, String)> {
+    let file = TextFile::table(&path).map_err(Wrong::from)?;
+    Ok((file.name, file.text))
 }
 
 #[pyfunction]

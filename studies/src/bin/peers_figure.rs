@@ -8,7 +8,6 @@ use mckibben_fem::three_dimensional::{BrickSpec, Match, ThreeDimensional};
 use mckibben_fit::compare::read_measured;
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 use std::error::Error;
-use std::fs::File;
 
 const PROGRAMS: [(&str, &str); 3] =
     [("FElupe", "felupe"), ("CalculiX, K 30", "calculix_k_30"), ("CalculiX, K 300", "calculix_k_300")];
@@ -58,7 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
         }
         for (number, (name, file)) in PROGRAMS.iter().enumerate() {
-            let points = read_measured(File::open(format!("data/peers/{file}.csv"))?)?;
+            let points = read_measured(&std::fs::read_to_string(format!("data/peers/{file}.csv"))?)?;
             let here =
                 points.iter().filter(|p| (p.contraction - contraction).abs() < 1e-9 && p.force_n >= 0.0);
             let list: Vec<(f64, f64)> =

@@ -82,7 +82,7 @@ export async function takeFiles(files) {
     if (other)
       throw new Error(
         `${other.name} is no file of this program: muscles, joints, drives and plans end in .toml, measured points `
-          + `in .csv, projects in .json.`,
+          + `in .csv (save a sheet of a workbook as CSV in UTF-8), projects in .json.`,
       );
     if (read.length) await take(read);
   } catch (problem) {

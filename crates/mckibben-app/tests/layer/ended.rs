@@ -107,8 +107,8 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         }
         "compare" => vec![
             json!({ "models": ["fe", "thick-wall"], "pressures_mpa": pressures, "contractions": contractions }),
-            json!({ "models": ["fe"], "data": bench, "fit": ["modulus", "stiffness"] }),
-            json!({ "models": ["thick-wall"], "data": long(), "muscle": text_file("bench.toml") }),
+            json!({ "models": ["fe"], "data": [bench], "fit": ["modulus", "stiffness"] }),
+            json!({ "models": ["thick-wall"], "data": [long()], "muscle": text_file("bench.toml") }),
         ],
         "identify" => [("fe", bench), ("thick-wall", long())]
             .map(|(model, data)| {
@@ -152,10 +152,10 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
             let long =
                 table(LONG, "stretch,stress_mpa", 200_000, |t| format!("{},   {:.12}", 1.0 + 4.0 * t, t));
             vec![
-                json!({ "data": data }),
-                json!({ "data": long }),
-                json!({ "data": history, "laws": ["yeoh"], "relaxation": 6 }),
-                json!({ "data": history, "laws": ["yeoh"], "softening": true }),
+                json!({ "data": [data] }),
+                json!({ "data": [long] }),
+                json!({ "data": [history], "laws": ["yeoh"], "relaxation": 6 }),
+                json!({ "data": [history], "laws": ["yeoh"], "softening": true }),
             ]
         }
         "export" => vec![json!({ "length_mm": 30000, "target": "c", "model": "fe", "mesh": "8x400" })],

@@ -48,7 +48,7 @@ fn figures() -> Vec<(String, Figure)> {
             "compare",
             json!({ "models": ["ideal", "paper", "universal"], "pressures_mpa": [0.1, 0.2], "contractions": [0.0, 0.1, 0.2] }),
         ),
-        ("compare", json!({ "models": ["universal", "thick-wall"], "muscle": bench, "data": points })),
+        ("compare", json!({ "models": ["universal", "thick-wall"], "muscle": bench, "data": [points] })),
         ("identify", json!({ "muscle": bench, "data": [points], "model": "thick-wall" })),
         (
             "identify",
@@ -76,8 +76,11 @@ fn figures() -> Vec<(String, Figure)> {
             json!({ "force_n": 500, "contraction": 0.05, "max_pressure_mpa": 0.25, "outer_diameter_mm": 30, "wall_mm": 2, "model": "paper" }),
         ),
         ("measured", json!({ "model": "thick-wall", "cases": [] })),
-        ("rubber", json!({ "data": text_file("data/treloar/tension.csv"), "laws": ["yeoh", "neo-hookean"] })),
-        ("rubber", json!({ "data": text_file("data/treloar/tension.csv") })),
+        (
+            "rubber",
+            json!({ "data": [text_file("data/treloar/tension.csv")], "laws": ["yeoh", "neo-hookean"] }),
+        ),
+        ("rubber", json!({ "data": [text_file("data/treloar/tension.csv")] })),
     ];
     requests
         .into_iter()

@@ -94,7 +94,7 @@ fn whatever_rubber_was_fitted_is_a_muscle() {
         let text = std::fs::read_to_string(folder.join(name).join("points.csv")).unwrap();
         let muscle = json!({ "name": "p.toml", "text": mckibben::muscle::file::to_toml(&mckibben::muscle::Muscle::prototype()) });
         for law in ["neo-hookean", "gent", "arruda-boyce", "yeoh", "ogden", "extended-tube"] {
-            let request = json!({ "data": { "name": "t.csv", "text": text }, "laws": [law], "stable": true, "muscle": muscle });
+            let request = json!({ "data": [{ "name": "t.csv", "text": text }], "laws": [law], "stable": true, "muscle": muscle });
             let Ok(answer) = ask("rubber", &request.to_string(), &Silent) else { continue };
             let answer: Value = serde_json::from_str(&answer).unwrap();
             if let Some(file) = answer["muscle_file"].as_str() {

@@ -1,6 +1,6 @@
 //! `compare`: models, and measured points.
 
-use crate::{Args, Bar, Problem, Units, headed, place, tabled, understood, value, warn};
+use crate::{Args, Bar, Problem, Units, headed, tabled, understood, value, warn};
 use mckibben_app::{CompareAnswer, CompareRequest, ComparedModel, Direction};
 use serde_json::Value;
 
@@ -8,22 +8,21 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
     let request: CompareRequest = args.request()?;
     let mut answer = mckibben_app::compare(&request, &Bar::new("models"))?;
     args.draw(&mut answer.figure)?;
-    args.show(&answer, "models", |answer, u| as_text(args, &request, answer, u))
+    args.show(&answer, "models", |answer, u| as_text(&request, answer, u))
 }
 
 const ERRORS: &str = "model rms_n:3 share=of_the_largest_pull:3% max_n=largest:3 mean_n:3 points fitted";
 const VOLUMES: &str = "model rms_volume_mm3=rms:3 mean_volume_mm3=mean:3 volume_points=points";
 
-fn as_text(args: &Args, request: &CompareRequest, answer: &CompareAnswer, u: &Units) -> String {
+fn as_text(request: &CompareRequest, answer: &CompareAnswer, u: &Units) -> String {
     answer.warnings.iter().for_each(warn);
-    let against = match args.path("data") {
-        Some(path) => {
-            let mean = request.branch == Direction::Mean;
-            let which = if mean { " (mean of the branches where both are given)" } else { "" };
-            let (points, largest) = (answer.points, u.force.show(answer.largest_force_n));
-            format!("{points} points of {}{which}, largest {largest}", place(&path))
-        }
-        None => format!("the model {}", answer.reference),
+    let against = if answer.understood.is_empty() {
+        format!("the model {}", answer.reference)
+    } else {
+        let mean = request.branch == Direction::Mean;
+        let which = if mean { " (mean of the branches where both are given)" } else { "" };
+        let (points, largest) = (answer.points, u.force.show(answer.largest_force_n));
+        format!("{points} points of {}{which}, largest {largest}", request.tables.names())
     };
     let about = understood(&answer.understood) + &answer.muscle.line(u);
     let row = |m: &ComparedModel| {

@@ -1,11 +1,11 @@
 //! `fit`: from a table of points to a formula.
 
 use crate::{
-    Args, Bar, NO_ANSWER, Problem, Units, check_ending, files, listed, number, overwrite, pairs, place, save,
+    Args, Bar, NO_ANSWER, Problem, Units, check_ending, listed, number, overwrite, pairs, place, save,
     save_inside, tabled, value,
 };
 use mckibben::formula::Document;
-use mckibben_app::{FitAnswer, FitReportRequest, FitRequest, NamedFigure, fit_report};
+use mckibben_app::{FitAnswer, FitReportRequest, FitRequest, NamedFigure, TextFile, fit_report};
 use mckibben_campaign::fit::results::Results;
 use mckibben_campaign::fit::{FittedFormula, PaperMethod};
 use mckibben_campaign::{fit::constants::Constants, fit::signs::signs};
@@ -22,7 +22,7 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
     if path.is_dir() || path.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet")) {
         request.campaign = Some(path);
     } else {
-        request.table = Some(files::table(&path)?);
+        request.table = Some(TextFile::table(&path)?);
     }
     (request.tables, request.figures) = (tables.is_some(), plots.is_some());
     let mut answer = mckibben_app::fit(&request, &Bar::new("steps"))?;

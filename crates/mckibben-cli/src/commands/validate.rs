@@ -7,7 +7,7 @@ use crate::{
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 use mckibben_app::{
     MeasuredAnswer, MeasuredBranch, MeasuredCase, MeasuredFolder, MeasuredRequest, MeasuredResult,
-    MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, SweepAnswer, SweepRequest,
+    MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, SweepAnswer, SweepRequest, TextFile,
     ValidateAnswer, in_one_line,
 };
 use mckibben_fit::validation::case::built_in;
@@ -132,7 +132,7 @@ fn one(folder: &Path) -> Result<MeasuredFolder, Problem> {
         name: name.map(|n| n.to_string_lossy().into_owned()).unwrap_or_default(),
         case: files::text(&folder.join("case.toml"))?.text,
         muscle: if_there("muscle.toml")?,
-        points: files::table(&folder.join("points.csv"))?.text,
+        points: TextFile::table(&folder.join("points.csv"))?.text,
         identified: if_there("identified.toml")?,
     })
 }

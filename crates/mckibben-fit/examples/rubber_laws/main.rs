@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let file = File::open(folder.join(data))?;
         let points = match data.as_str() {
             TABLE_OF_FITS => curve_of_fits(file, &entry.name)?,
-            _ => read_tension(file, ReadOptions::default())?,
+            _ => read_tension(&std::io::read_to_string(file)?, ReadOptions::default())?,
         };
         let mut windows = vec![];
         for mut window in windows_of(&points)? {

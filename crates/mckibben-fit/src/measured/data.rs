@@ -180,7 +180,7 @@ pub(super) fn means(points: &[MeasuredPoint]) -> Vec<(usize, MeasuredPoint)> {
             out.extend(lower.into_iter().chain(upper));
             continue;
         }
-        let upper: Vec<MeasuredPoint> = upper.into_iter().map(|(_, p)| p).collect();
+        let upper: Vec<(f64, f64)> = upper.into_iter().map(|(_, p)| (p.contraction, p.force_n)).collect();
         out.extend(lower.iter().filter_map(|(index, p)| {
             let above = interpolate(&upper, p.contraction)?;
             let force_n = 0.5 * (p.force_n + above);
@@ -190,16 +190,15 @@ pub(super) fn means(points: &[MeasuredPoint]) -> Vec<(usize, MeasuredPoint)> {
     out
 }
 
-/// Linear interpolation of the force at a contraction; `None` outside of the measured contractions.
-fn interpolate(sorted: &[MeasuredPoint], contraction: f64) -> Option<f64> {
-    let i = sorted.partition_point(|p| p.contraction < contraction);
+/// Linear interpolation in a rising table; `None` beyond its ends.
+pub(super) fn interpolate(sorted: &[(f64, f64)], x: f64) -> Option<f64> {
+    let i = sorted.partition_point(|p| p.0 < x);
     let right = sorted.get(i)?;
-    if right.contraction == contraction {
-        return Some(right.force_n);
+    if right.0 == x {
+        return Some(right.1);
     }
     let left = sorted.get(i.checked_sub(1)?)?;
-    let t = (contraction - left.contraction) / (right.contraction - left.contraction);
-    Some(left.force_n + t * (right.force_n - left.force_n))
+    Some(left.1 + (x - left.0) / (right.0 - left.0) * (right.1 - left.1))
 }
 
 #[cfg(test)]
@@ -211,7 +210,7 @@ mod tests {
     fn the_mean_of_two_parallel_branches_lies_between_them() {
         let text = "pressure_mpa,contraction,force_n,branch\n0.1,0,10,contraction\n0.1,0.2,6,contraction\n\
                     0.1,0.3,2,contraction\n0.1,0,12,elongation\n0.1,0.1,10,elongation\n0.1,0.25,7,elongation\n";
-        let mean = mean_of_branches(&read_measured(text.as_bytes()).unwrap());
+        let mean = mean_of_branches(&read_measured(text).unwrap());
         assert_eq!(mean.len(), 2);
         assert_eq!(mean[0].force_n, 11.0);
         assert!((mean[1].force_n - 7.0).abs() < 1e-12);

@@ -1,12 +1,12 @@
 //! Points from people's tables.
 
-use super::{DataPoint, MeasuredPoint, Quantity, Section};
+use super::over_time::branches;
+use super::{DataPoint, MeasuredPoint, PressureLog, Quantity, Section};
 use mckibben::cancel;
 use mckibben::muscle::Direction;
 use mckibben_io::table::{
-    Column, Columns, Meaning, POINTS, Table, TableError, Understood, is_absolute, read_text, spoken,
+    Column, Columns, Meaning, POINTS, RECORDED, Table, TableError, Understood, is_absolute, spoken,
 };
-use std::io::Read;
 
 type Result<T, E = TableError> = std::result::Result<T, E>;
 
@@ -17,21 +17,24 @@ pub struct PointOptions {
     pub columns: Columns,
     /// L0 of the muscle, for shortenings and lengths.
     pub rest_length_mm: Option<f64>,
+    /// Pressures of another instrument, joined by time.
+    pub log: Option<PressureLog>,
 }
 
 /// Groups of [`POINTS`].
 const PRESSURE: usize = 0;
 const CONTRACTION: usize = 1;
 const FORCE: usize = 2;
+const TIME: usize = 3;
 
 /// [`read_points`] of a table that states everything.
-pub fn read_data(input: impl Read) -> Result<Vec<DataPoint>> {
-    Ok(read_points(input, &PointOptions::default())?.0)
+pub fn read_data(text: &str) -> Result<Vec<DataPoint>> {
+    Ok(read_points(text, &PointOptions::default())?.0)
 }
 
 /// Pressure, contraction, pull and branch of [`read_data`].
-pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>> {
-    Ok(read_data(input)?.into_iter().map(|p| p.at).collect())
+pub fn read_measured(text: &str) -> Result<Vec<MeasuredPoint>> {
+    Ok(read_data(text)?.into_iter().map(|p| p.at).collect())
 }
 
 /// Reads points from a table in any common form ([`table`](mckibben_io::table)), with what was understood of it.
@@ -41,8 +44,11 @@ pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>> {
 /// contraction, pressure, volume), `force_error_n`, `contraction_error`, `pressure_error_mpa`, `weight`, `outer_diameter_mm`,
 /// `volume` (read in rows that state it in `measured`, and where there are no pulls), `wall_mm`, `angle_deg`, L0 as `rest_length_mm` or, beside a contraction, `length_mm`; rows whose `status` is not `ok`
 /// (points without answer, as `curve` writes them) are left out.
-pub fn read_points(input: impl Read, options: &PointOptions) -> Result<(Vec<DataPoint>, Understood)> {
-    let mut table = Table::read(&read_text(input)?, &POINTS, &options.columns)?;
+pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>, Understood)> {
+    let mut columns = options.columns.clone();
+    columns.0.extend(options.log.as_ref().map(|log| ("pressure".to_owned(), format!("={}", log.name))));
+    let vocabulary = if options.log.is_some() { &RECORDED } else { &POINTS };
+    let mut table = Table::read(text, vocabulary, &columns)?;
     table.keep(Meaning::Status, &["", "ok"]);
     let is_volume = |row: usize| table.text(row, Meaning::Measured).is_some_and(|(_, word)| word == "volume");
     if table.column(Meaning::Force).is_some() && !(0..table.lines().len()).any(is_volume) {
@@ -55,11 +61,28 @@ pub fn read_points(input: impl Read, options: &PointOptions) -> Result<(Vec<Data
     if length_is_l0 {
         table.rename(Meaning::Length, Meaning::RestLength);
     }
-    let pressures = pressures(&table)?;
-    let rest = above_zero(&table, Meaning::RestLength, MEASURE)?;
+    let (pressures, joined) = match &options.log {
+        Some(log) => {
+            let (times, pulls) = (table.numbers(table.needed(TIME)?)?, table.numbers(table.needed(FORCE)?)?);
+            let (pressures, joined) = log.at(&times, &pulls);
+            table.retain(|row| pressures[row].is_some());
+            let outside = pressures.len() - table.lines().len();
+            (
+                pressures.into_iter().flatten().collect(),
+                Some(format!("{joined}; {outside} rows outside of it")),
+            )
+        }
+        None => (pressures(&table)?, None),
+    };
+    let rest = table.above_zero(Meaning::RestLength, MEASURE)?;
     let (contractions, note) = contractions(&table, &rest, options.rest_length_mm)?;
     if length_is_l0 {
         check_rest(&table, &rest, &contractions)?;
+    }
+    let by_velocity = table.text(0, Meaning::Branch).is_some_and(|(_, word)| word == "velocity");
+    let branches = if by_velocity { branches(&contractions, &pressures) } else { None };
+    if by_velocity {
+        table.forget(Meaning::Branch);
     }
     let mut points = rows(&table)?;
     let forces = forces(&table, &points)?;
@@ -68,11 +91,14 @@ pub fn read_points(input: impl Read, options: &PointOptions) -> Result<(Vec<Data
         point.at.contraction = contractions[i];
         point.at.force_n = forces[i];
         point.section.length_mm = rest[i];
+        point.at.branch = branches.as_ref().map_or(point.at.branch, |branches| Some(branches[i]));
     }
     if points.is_empty() {
         return Err(table.no_points());
     }
-    Ok((points, understood(&table, note)?))
+    let by_velocity = by_velocity.then(|| "branches by the sign of the velocity".to_owned());
+    let note: Vec<String> = note.into_iter().chain(by_velocity).collect();
+    Ok((points, understood(&table, joined, (!note.is_empty()).then(|| note.join("; ")))?))
 }
 
 /// Leaves out the rows of a sheet whose measured quantity is not filled in yet.
@@ -88,15 +114,6 @@ fn leave_blank_out(table: &mut Table) -> Result<()> {
 }
 
 const MEASURE: &str = "is not a measure of a muscle; it must be above zero";
-
-/// Numbers above zero, where the fields are not empty.
-fn above_zero(table: &Table, meaning: Meaning, expected: &'static str) -> Result<Vec<Option<f64>>> {
-    let values = table.some_numbers(meaning)?;
-    match (values.iter().position(|v| v.is_some_and(|v| v <= 0.0)), table.column(meaning)) {
-        (Some(row), Some(column)) => Err(table.impossible(row, column, expected)),
-        _ => Ok(values),
-    }
-}
 
 /// Pulls; 0 in rows of volumes that state none.
 fn forces(table: &Table, points: &[DataPoint]) -> Result<Vec<f64>> {
@@ -141,6 +158,17 @@ fn contractions(table: &Table, rest: &[Option<f64>], muscle: Option<f64>) -> Res
     let raw = table.numbers(column)?;
     let (values, note) = match column.meaning {
         Meaning::Contraction => (raw, None),
+        Meaning::Extension => {
+            let free = table.above_zero(Meaning::FreeLength, MEASURE)?;
+            let one = |(at, free): (usize, Option<f64>)| {
+                let (free, rest) = (free?, rest[at].or(muscle)?);
+                Some(rounded(1.0 - (free + raw[at]) / rest))
+            };
+            let ratios: Option<Vec<f64>> = free.into_iter().enumerate().map(one).collect();
+            let needs = "the length of the muscle at that pressure without load, from which it counts, and L0: free_length=250mm in `set`, or a column free_length_mm";
+            let ratios = ratios.ok_or_else(|| TableError::needs(column, needs))?;
+            (ratios, Some("from the free length at its pressure".into()))
+        }
         meaning => {
             let in_rows = rest.iter().any(Option::is_some);
             let rest: Vec<f64> = rest.iter().filter_map(|l| l.or(muscle)).collect();
@@ -230,13 +258,13 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     let errors =
         [Meaning::ForceError, Meaning::ContractionError, Meaning::PressureError, Meaning::VolumeError];
     let stated = errors.map(|meaning| table.some_numbers(meaning)).into_iter().collect::<Result<Vec<_>>>()?;
-    let volumes = above_zero(table, Meaning::Volume, "is not a volume of a muscle; it must be above zero")?;
+    let volumes = table.above_zero(Meaning::Volume, "is not a volume of a muscle; it must be above zero")?;
     // Without pulls the volumes were measured.
     let alone = table.column(Meaning::Force).is_none() && table.column(Meaning::Volume).is_some();
     let otherwise = if alone { Quantity::Volume } else { Quantity::Force };
-    let diameters = above_zero(table, Meaning::OuterDiameter, MEASURE)?;
-    let walls = above_zero(table, Meaning::Wall, MEASURE)?;
-    let angles = above_zero(table, Meaning::Angle, MEASURE)?;
+    let diameters = table.above_zero(Meaning::OuterDiameter, MEASURE)?;
+    let walls = table.above_zero(Meaning::Wall, MEASURE)?;
+    let angles = table.above_zero(Meaning::Angle, MEASURE)?;
     let branches = Direction::ALL.into_iter();
     let branches = branches.flat_map(|d| spoken(&format!("branch_{}", d.name())).map(move |word| (word, d)));
     let branches: Vec<(&str, Direction)> = branches.collect();
@@ -281,14 +309,15 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     table.lines().into_iter().enumerate().map(one).collect()
 }
 
-fn understood(table: &Table, note: Note) -> Result<Understood> {
+fn understood(table: &Table, joined: Note, note: Note) -> Result<Understood> {
     let mut used = vec![
-        (table.needed(PRESSURE)?, None),
+        (table.needed(PRESSURE)?, joined),
         (table.needed(CONTRACTION)?, note),
         (table.needed(FORCE)?, None),
     ];
     let others = [
         Meaning::RestLength,
+        Meaning::FreeLength,
         Meaning::Branch,
         Meaning::Measured,
         Meaning::Status,

@@ -4,9 +4,9 @@ mod cell;
 mod sheet;
 
 use super::{Mode, TensionPoint};
+use crate::measured::distinct;
 use cell::{LARGEST_STRETCH, STRESS, STRETCH, Tests};
-use mckibben_io::table::{Column, Columns, Meaning, TESTS, Table, TableError, Understood, read_text};
-use std::io::Read;
+use mckibben_io::table::{Column, Columns, Meaning, TESTS, Table, TableError, Understood};
 
 type Result<T, E = TableError> = std::result::Result<T, E>;
 
@@ -17,36 +17,38 @@ pub struct ReadOptions {
     pub columns: Columns,
     /// The mode, where there is no column of it.
     pub mode: Mode,
-    /// Cross-section of the specimen at rest, for a column of forces.
+    /// Cross-section of the specimen at rest, for a column of forces in a table that does not state it.
     pub area_mm2: Option<f64>,
-    /// Length at rest, for a column of extensions or lengths.
+    /// Length at rest, for a column of extensions or lengths, likewise.
     pub gauge_length_mm: Option<f64>,
 }
 
 /// [`read_tests`] of a table that states everything.
-pub fn read_tension(input: impl Read, options: ReadOptions) -> Result<Vec<TensionPoint>> {
-    Ok(read_tests(input, &options)?.0)
+pub fn read_tension(text: &str, options: ReadOptions) -> Result<Vec<TensionPoint>> {
+    Ok(read_tests(text, &options)?.0)
 }
 
 /// Reads points in the order of a table in any common form ([`table`](mckibben_io::table)), with what was understood of it.
-pub fn read_tests(input: impl Read, options: &ReadOptions) -> Result<(Vec<TensionPoint>, Understood)> {
-    let table = Table::read(&read_text(input)?, &TESTS, &options.columns)?;
+pub fn read_tests(text: &str, options: &ReadOptions) -> Result<(Vec<TensionPoint>, Understood)> {
+    let table = Table::read(text, &TESTS, &options.columns)?;
     let (stretch, stress) = (table.needed(STRETCH)?, table.needed(STRESS)?);
-    let gauge = match stretch.meaning {
-        Meaning::Extension | Meaning::Length => options.gauge_length_mm.ok_or_else(|| {
-            TableError::needs(stretch, "the length at rest: `gauge_length_mm`, such as 25 mm")
-        })?,
-        _ => 1.0,
+    let gauges = match stretch.meaning {
+        Meaning::Extension | Meaning::Length => {
+            let needs = "the length at rest: `gauge_length_mm`, such as 25 mm";
+            of_specimen(&table, Meaning::RestLength, options.gauge_length_mm, stretch, needs)?
+        }
+        _ => vec![1.0; table.lines().len()],
     };
-    let area = match stress.meaning {
-        Meaning::Force => options.area_mm2.ok_or_else(|| {
-            TableError::needs(stress, "the cross-section of the specimen at rest: `area_mm2`, such as 8 mm²")
-        })?,
-        _ => 1.0,
+    let areas = match stress.meaning {
+        Meaning::Force => {
+            let needs = "the cross-section of the specimen at rest: `area_mm2`, such as 8 mm²";
+            of_specimen(&table, Meaning::Area, options.area_mm2, stress, needs)?
+        }
+        _ => vec![],
     };
-    let lengths = stretches(&table, stretch, gauge)?;
+    let lengths = stretches(&table, stretch, &gauges)?;
     let mut points = vec![];
-    let tests = Tests { table: &table, area_mm2: area, default_mode: options.mode };
+    let tests = Tests { table: &table, areas_mm2: &areas, default_mode: options.mode };
     let has_sheets = table.column(Meaning::Stretch2).is_some();
     if has_sheets {
         points = tests.sheet_points(&lengths)?;
@@ -68,13 +70,14 @@ pub fn read_tests(input: impl Read, options: &ReadOptions) -> Result<(Vec<Tensio
         return Err(TableError::empty());
     }
     let over = match stretch.meaning {
-        Meaning::Extension => Some(format!("over {gauge} mm")),
-        Meaning::Length => Some(format!("L/L0, L0 {gauge} mm")),
+        Meaning::Extension => Some(format!("over {} mm", listed(&gauges))),
+        Meaning::Length => Some(format!("L/L0, L0 {} mm", listed(&gauges))),
         _ => None,
     };
-    let under = (stress.meaning == Meaning::Force).then(|| format!("over {area} mm²"));
+    let under = (stress.meaning == Meaning::Force).then(|| format!("over {} mm²", listed(&areas)));
     let mut used = vec![(stretch, over), (stress, under)];
-    used.extend(table.column(Meaning::Mode).map(|c| (c, None)));
+    let of_specimen = [Meaning::Mode, Meaning::RestLength, Meaning::Area];
+    used.extend(of_specimen.into_iter().filter_map(|m| Some((table.column(m)?, None))));
     if has_sheets {
         let others = sheet::MEANINGS.into_iter().filter_map(|m| table.column(m));
         used.extend(others.filter(|c| c.index != stress.index).map(|c| (c, None)));
@@ -83,34 +86,52 @@ pub fn read_tests(input: impl Read, options: &ReadOptions) -> Result<(Vec<Tensio
     Ok((points, understood))
 }
 
+/// A dimension of the specimen of each row, as the table states it, else as it is `given`.
+fn of_specimen(
+    table: &Table,
+    meaning: Meaning,
+    given: Option<f64>,
+    of: &Column,
+    needs: &str,
+) -> Result<Vec<f64>> {
+    let rows = table.above_zero(meaning, "is not a dimension of a specimen; it must be above zero")?;
+    rows.into_iter().map(|row| row.or(given).ok_or_else(|| TableError::needs(of, needs))).collect()
+}
+
+/// The different values, for people.
+fn listed(values: &[f64]) -> String {
+    distinct(values.iter().copied()).iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
+}
+
 /// L/L0, row by row.
-fn stretches(table: &Table, column: &Column, gauge: f64) -> Result<Vec<f64>> {
-    let (stretch, too_far, too_short): (&dyn Fn(f64) -> f64, _, _) = match column.meaning {
+fn stretches(table: &Table, column: &Column, gauges: &[f64]) -> Result<Vec<f64>> {
+    let (stretch, too_far, too_short): (&dyn Fn(f64, f64) -> f64, _, _) = match column.meaning {
         Meaning::Stretch => (
-            &|v| v,
+            &|v, _| v,
             "is not a valid stretch L/L0; if it is a strain in percent, name the column strain_percent",
             "is not a valid stretch L/L0, which is 1 at rest and above 0; if it is a strain, name the column engineering_strain",
         ),
         Meaning::Strain => (
-            &|v| 1.0 + v,
+            &|v, _| 1.0 + v,
             "is not a valid strain ΔL/L0; if it is in percent, name the column strain_percent",
             "is not a valid strain: the specimen would have no length left",
         ),
         Meaning::TrueStrain => {
-            (&f64::exp, "is not a valid true strain ln(L/L0)", "is not a valid true strain ln(L/L0)")
+            (&|v, _| v.exp(), "is not a valid true strain ln(L/L0)", "is not a valid true strain ln(L/L0)")
         }
         Meaning::Length => (
-            &|v| v / gauge,
+            &|v, gauge| v / gauge,
             "is too long for this gauge length",
             "is not a valid length of a specimen in tension; check the gauge length",
         ),
         _ => (
-            &|v| 1.0 + v / gauge,
+            &|v, gauge| 1.0 + v / gauge,
             "is too much for this gauge length",
             "is not an extension: the specimen would have no length left",
         ),
     };
-    let stretches: Vec<f64> = table.numbers(column)?.into_iter().map(stretch).collect();
+    let values = table.numbers(column)?.into_iter().zip(gauges);
+    let stretches: Vec<f64> = values.map(|(value, gauge)| stretch(value, *gauge)).collect();
     let sound = |s: &f64| s.is_finite() && (0.02..=LARGEST_STRETCH).contains(s);
     match stretches.iter().position(|s| !sound(s)) {
         Some(row) if stretches[row] < 0.02 => Err(table.impossible(row, column, too_short)),

@@ -9,8 +9,7 @@ use super::{OverTimeFitError, Result};
 use crate::rubber::{Mode, TensionPoint};
 use mckibben::rubber::RubberLaw;
 use mckibben::rubber::over_time::{OgdenRoxburgh, Prony, Softened};
-use mckibben_io::table::{Columns, HISTORIES, Table, TableError, read_text};
-use std::io::Read;
+use mckibben_io::table::{Columns, HISTORIES, Table, TableError};
 
 /// A point of a history.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,8 +30,8 @@ impl TimePoint {
 }
 
 /// Reads times, stretches and nominal stresses of one specimen from a table in any common form.
-pub fn read_history(input: impl Read, columns: &Columns) -> Result<Vec<TimePoint>, TableError> {
-    let table = Table::read(&read_text(input)?, &HISTORIES, columns)?;
+pub fn read_history(text: &str, columns: &Columns) -> Result<Vec<TimePoint>, TableError> {
+    let table = Table::read(text, &HISTORIES, columns)?;
     let column = |group| table.numbers(table.needed(group)?);
     let (times, stretches, stresses) = (column(0)?, column(1)?, column(2)?);
     let rows = times.into_iter().zip(stretches).zip(stresses);

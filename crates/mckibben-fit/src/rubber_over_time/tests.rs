@@ -226,7 +226,7 @@ fn a_known_series_comes_back_from_cycles_and_a_hold() {
 #[test]
 fn branches_that_follow_hnbr50_leave_what_they_left() {
     let path = format!("{}/../../data/hnbr50/stepwise_relaxation.csv", env!("CARGO_MANIFEST_DIR"));
-    let history = read_history(std::fs::File::open(path).unwrap(), &Columns::default()).unwrap();
+    let history = read_history(&std::fs::read_to_string(path).unwrap(), &Columns::default()).unwrap();
     assert_eq!(history.len(), 434);
     for (branches, left) in [(1, 72.1), (2, 29.1), (3, 25.1)] {
         let fit = fit_prony(&history, Form::parse("yeoh")[0], branches).unwrap();

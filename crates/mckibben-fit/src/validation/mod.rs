@@ -73,7 +73,7 @@ fn hand_made(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<Verifi
 
 fn points() -> Vec<MeasuredPoint> {
     let text = case::text_of(FOLDER, "points.csv").unwrap_or_default();
-    read_measured(text.as_bytes()).map(|p| mean_of_branches(&p)).unwrap_or_default()
+    read_measured(&text).map(|p| mean_of_branches(&p)).unwrap_or_default()
 }
 
 /// The 20° muscle with what is fitted of it.

@@ -103,7 +103,7 @@ impl Measurement {
             return RubberCase::new(facts, &files.points, case.fit).map(Self::Rubber);
         }
         let (facts, case) = parse::<FitText>(files)?;
-        let points = read_data(files.points.as_bytes());
+        let points = read_data(&files.points);
         let points = points.map_err(|error| CaseError::Points(files.name.clone(), error))?;
         let fits = case.fit.into_iter().enumerate();
         let fits: Vec<CaseFit> = fits.map(|(i, text)| fit(files, i, text)).collect::<Result<_, _>>()?;

@@ -27,11 +27,10 @@ enum Points {
 impl RubberCase {
     /// Reads the points: those of a test over time where a fit wants its relaxation.
     pub(super) fn new(facts: Facts, points: &str, fits: Vec<RubberCaseFit>) -> Result<Self, CaseError> {
-        let bytes = points.as_bytes();
         let points = if fits.iter().any(|f| f.relaxation.is_some()) {
-            read_history(bytes, &Columns::default()).map(Points::History)
+            read_history(points, &Columns::default()).map(Points::History)
         } else {
-            read_tests(bytes, &ReadOptions::default()).map(|read| Points::Tests(read.0))
+            read_tests(points, &ReadOptions::default()).map(|read| Points::Tests(read.0))
         };
         let points = points.map_err(|error| CaseError::Points(facts.name.clone(), error))?;
         Ok(Self { facts, fits, points })

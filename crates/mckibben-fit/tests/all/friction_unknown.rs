@@ -30,7 +30,7 @@ const PULLS: [(f64, f64, f64); 8] = [
 fn at_2_bar(word: impl Fn(usize) -> &'static str) -> (UncertaintyParts, bool) {
     let rows = PULLS.iter().enumerate().map(|(i, (p, e, f))| format!("{p},{e},{f},{}\n", word(i)));
     let table = format!("pressure_bar,contraction,force_n,branch\n{}", rows.collect::<String>());
-    let points: Vec<DataPoint> = read_data(table.as_bytes()).unwrap();
+    let points: Vec<DataPoint> = read_data(&table).unwrap();
     let muscle = parse_muscle(MUSCLE).unwrap();
     let free = ["mu", "braid.stiffness"].map(|name| Parameter::parse(name, &muscle).unwrap());
     let request = Request::new(&muscle, &free, &points, &elements);

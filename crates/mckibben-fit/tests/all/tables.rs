@@ -2,15 +2,19 @@
 
 use mckibben_fit::measured::{PointOptions, read_points};
 use mckibben_fit::rubber::{ReadOptions, read_tests};
-use mckibben_io::table::Columns;
+use mckibben_io::table::{Columns, read_text};
 use proptest::prelude::*;
 
 fn both(bytes: &[u8]) {
+    let Ok((text, _)) = read_text(bytes, None) else { return };
     let columns = Columns::parse("pressure=P:kPa,contraction=#2:%").unwrap_or_default();
     for columns in [Columns::default(), columns] {
-        let _ = read_points(bytes, &PointOptions { columns: columns.clone(), rest_length_mm: Some(200.0) });
+        let _ = read_points(
+            &text,
+            &PointOptions { columns: columns.clone(), rest_length_mm: Some(200.0), log: None },
+        );
         let (area_mm2, gauge_length_mm) = (Some(1.0), Some(1.0));
-        let _ = read_tests(bytes, &ReadOptions { columns, area_mm2, gauge_length_mm, ..Default::default() });
+        let _ = read_tests(&text, &ReadOptions { columns, area_mm2, gauge_length_mm, ..Default::default() });
     }
 }
 
@@ -86,7 +90,8 @@ proptest! {
             _ => text.chars().map(|c| u8::try_from(u32::from(c)).unwrap_or(b'?')).collect(),
         };
         let options = PointOptions { rest_length_mm: Some(200.0), ..PointOptions::default() };
-        let (read, understood) = read_points(&bytes[..], &options).map_err(|e| TestCaseError::fail(e.to_string()))?;
+        let (text, _) = read_text(&bytes, None).map_err(|e| TestCaseError::fail(e.to_string()))?;
+        let (read, understood) = read_points(&text, &options).map_err(|e| TestCaseError::fail(e.to_string()))?;
         prop_assert_eq!(read.len(), points.len());
         prop_assert_eq!(understood.heading_line, Some(if preamble { 4 } else { 1 }));
         for (read, (p, x, f)) in read.iter().zip(&points) {

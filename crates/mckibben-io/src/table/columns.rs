@@ -1,4 +1,4 @@
-//! Which column is what, where its heading does not say so: `pressure="P1:kPa",contraction="x:mm"`.
+//! Which column is what, where its heading does not say so: `pressure="P1:kPa",contraction="x:mm"`; and what is the same in all rows of a table.
 
 use super::error::{TableError, short};
 use super::find::Column;
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// Columns by quantity: `"P1:kPa"` is the column with the heading P1, in kPa. The unit may be left out where the table
-/// says it; `#2` is the second column, whatever its heading.
+/// says it; `#2` is the second column, whatever its heading; `"=3bar"` is 3 bar in all rows.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(transparent)]
 pub struct Columns(pub BTreeMap<String, String>);
@@ -43,6 +43,61 @@ impl Columns {
         }
         Ok(Self(out))
     }
+
+    /// With the constants of one of several tables: `pressure=3bar`, once for all of them or once for each; `{pressure}bar` is the number before `bar` in
+    /// the name of its file.
+    pub fn with(
+        mut self,
+        set: &[String],
+        (place, tables): (usize, usize),
+        file: &str,
+    ) -> Result<Self, TableError> {
+        let refused = |text: &str, why: String| TableError::Refused(format!("`set`: {} {why}", short(text)));
+        let mut all: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+        for text in set.iter().map(|text| text.trim()) {
+            let pattern =
+                text.split_once('{').and_then(|(before, rest)| Some((before, rest.split_once('}')?)));
+            let (name, value) = match (pattern, text.split_once('=')) {
+                (Some((before, (name, after))), _) => (name, in_name(file, before, after)),
+                (None, Some((name, value))) => (name, Some(value.trim().to_owned())),
+                (None, None) => (text, None),
+            };
+            let value = value.filter(|value| !value.is_empty()).ok_or_else(|| {
+                let file = short(file);
+                let form = "write pressure=3bar, or {pressure}bar for a file such as pull_3bar.csv";
+                refused(&format!("\"{text}\""), format!("gives no value for {file}; {form}"))
+            })?;
+            all.entry(name.trim()).or_default().push(value);
+        }
+        for (name, values) in all {
+            let times = values.len();
+            let value = values.get(if times == 1 { 0 } else { place });
+            let value = value.filter(|_| [1, tables].contains(&times) && !self.0.contains_key(name));
+            let value = value.ok_or_else(|| {
+                let form = "give it once, or once for each of them, and not in `columns` too";
+                refused(name, format!("is given {times} times for {tables} tables; {form}"))
+            })?;
+            self.0.insert(name.to_owned(), format!("={value}"));
+        }
+        Ok(self)
+    }
+}
+
+/// The number in a file's name between two texts, with the unit behind it: 3bar in `pull_at_3_bar.csv`, before `bar`.
+fn in_name(file: &str, before: &str, after: &str) -> Option<String> {
+    let name = file.rsplit(['/', '\\']).next()?;
+    let is_digit = |c: char| c.is_ascii_digit();
+    let joint = ['_', ' ', '-'];
+    let after = after.trim_start_matches(joint);
+    name.match_indices(before).find_map(|(at, _)| {
+        let behind = &name[at + before.len()..];
+        let number = behind.split(|c: char| !is_digit(c) && !".,".contains(c)).next()?;
+        let rest = behind[number.len()..].trim_start_matches(joint).strip_prefix(after)?;
+        let is_cut = after.ends_with(char::is_alphabetic) && rest.starts_with(char::is_alphabetic);
+        let whole = number.starts_with(is_digit) && !name[..at + before.len()].ends_with(is_digit);
+        let unit = after.split(|c: char| !c.is_alphabetic() && c != '%').next()?;
+        (whole && !is_cut).then(|| format!("{}{unit}", number.replace(',', ".")))
+    })
 }
 
 /// A column that was chosen.
@@ -64,7 +119,8 @@ impl Vocabulary {
                 let names: Vec<&str> = self.entries().map(|e| e.name.as_str()).collect();
                 let meant = meant(nearest(name, names.iter().copied()));
                 TableError::Refused(format!(
-                    "`columns`: {what} have no quantity \"{name}\"{meant}; they have {known}",
+                    "`{field}`: {what} have no quantity \"{name}\"{meant}; they have {known}",
+                    field = if text.starts_with('=') { "set" } else { "columns" },
                     what = self.what,
                     name = short(name),
                     known = names.join(", ")
@@ -87,6 +143,11 @@ impl Choice {
         heading.trim_start_matches(MINUS).trim().strip_prefix('#')?.parse::<usize>().ok()?.checked_sub(1)
     }
 
+    /// What it is in all rows, where it is no column of the file.
+    pub(crate) fn constant(&self) -> Option<&str> {
+        self.text.strip_prefix('=')
+    }
+
     /// Heading and unit as if a unit stood behind the last colon.
     fn split(&self) -> (&str, Option<&str>) {
         match self.text.rsplit_once(':') {
@@ -95,23 +156,28 @@ impl Choice {
         }
     }
 
-    /// Its place among headings; `None` where it is not there.
-    pub(crate) fn find(&self, headings: &[&str]) -> Result<Option<Column>, TableError> {
+    /// Its place among headings, or among the constants behind them; `None` where it is not there.
+    pub(crate) fn find(&self, headings: &[&str], place: usize) -> Result<Option<Column>, TableError> {
         let vocabulary = self.vocabulary;
+        if self.constant().is_some() {
+            let heading = format!("{}{}", self.entry.name, self.text);
+            let known = Heading::of(self.entry.meaning, None);
+            return Ok(Some(Column::new(usize::MAX - place, &heading, known, true)));
+        }
         let exact = || headings.iter().any(|h| [self.text.trim(), self.split().0].contains(h));
         if let Some(rest) = self.text.trim().strip_prefix(MINUS).filter(|_| !exact()) {
             let plus = Self { text: rest.trim().to_owned(), ..self.clone() };
-            let column = plus.find(headings)?;
+            let column = plus.find(headings, place)?;
             return Ok(column.map(|c| Column { negated: !c.negated, ..c }));
         }
         let whole = self.place(headings, &self.text)?;
         let (heading, unit) = if whole.is_some() { (self.text.as_str(), None) } else { self.split() };
-        let place = match (whole, self.by_number()) {
-            (Some(place), _) => Some(place),
+        let index = match (whole, self.by_number()) {
+            (Some(index), _) => Some(index),
             (None, Some(n)) => Some(n).filter(|n| *n < headings.len()),
             (None, None) => self.place(headings, heading)?,
         };
-        let Some(index) = place else { return Ok(None) };
+        let Some(index) = index else { return Ok(None) };
         let stated = vocabulary.unit_in(self.entry, headings[index]);
         let given = match unit.filter(|u| !u.is_empty()) {
             Some(unit) => {
@@ -138,8 +204,7 @@ impl Choice {
         };
         let (meaning, unit) =
             given.map_or((self.entry.meaning, None), |(meaning, unit)| (meaning, Some(unit)));
-        let known = Heading { meaning, unit, unknown_unit: false, label: String::new(), rank: 0 };
-        Ok(Some(Column::new(index, headings[index], known, true)))
+        Ok(Some(Column::new(index, headings[index], Heading::of(meaning, unit), true)))
     }
 
     /// The heading that is meant: letter by letter, then without regard to case and marks, then without its unit.
@@ -214,7 +279,9 @@ mod tests {
         let headings = ["Time: s", "P1", "p1 ", "x [mm]", "F", "f", "y", "-H [N]", "U (V)"];
         let find = |text: &str| {
             let choice = POINTS.choices(&Columns::parse(text).unwrap())?.remove(0);
-            Ok::<_, TableError>(choice.find(&headings)?.map(|c| (c.meaning, c.index, c.unit.map(|u| u.name))))
+            Ok::<_, TableError>(
+                choice.find(&headings, 0)?.map(|c| (c.meaning, c.index, c.unit.map(|u| u.name))),
+            )
         };
         assert_eq!(find("pressure=P1:kPa").unwrap(), Some((Meaning::Pressure, 1, Some("kPa"))));
         assert_eq!(find("pressure=#3:kPa").unwrap(), Some((Meaning::Pressure, 2, Some("kPa"))));
@@ -233,7 +300,7 @@ mod tests {
         assert!(refused("pressure=U (V):bar").contains("the heading \"U (V)\" says V"));
         let sign = |text: &str| {
             let choice = POINTS.choices(&Columns::parse(text).unwrap()).unwrap().remove(0);
-            choice.find(&headings).unwrap().unwrap().negated
+            choice.find(&headings, 0).unwrap().unwrap().negated
         };
         for (text, negated) in [
             ("force=F:N", false),

@@ -31,12 +31,18 @@ pub(crate) struct TableRow {
     /// Its number from 1.
     pub(crate) line: u64,
     fields: StringRecord,
+    /// What no field of the line holds, counted from the largest number down.
+    pub(crate) added: Vec<String>,
 }
 
 impl TableRow {
+    fn new(line: u64, fields: StringRecord) -> Self {
+        Self { line, fields, added: vec![] }
+    }
+
     /// A field; empty where the line is too short.
     pub(crate) fn field(&self, i: usize) -> &str {
-        self.fields.get(i).unwrap_or("")
+        self.fields.get(i).or_else(|| Some(self.added.get(usize::MAX - i)?)).unwrap_or("")
     }
 
     /// The fields, without empty ones at the end.
@@ -70,7 +76,8 @@ const MOST_LINES: usize = 10;
 impl Sheet {
     /// Splits a text into rows. The first line may be Excel's `sep=;`. Lines that start with `#` are comments.
     pub(crate) fn split(text: &str) -> Result<Self, TableError> {
-        let text = &text.replace("\r\n", "\n").replace('\r', "\n");
+        let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n").replace('\r', "\n");
+        let text = &text.chars().map(narrow).collect::<String>();
         let said = said(text);
         let separator = said.unwrap_or_else(|| separator(text));
         let skip = usize::from(said.is_some());
@@ -80,7 +87,7 @@ impl Sheet {
                 let rows = (1..).zip(text.lines()).skip(skip).filter(|(_, l)| !is_comment(l));
                 let row = |(line, l)| {
                     cancel::check()?;
-                    Ok(TableRow { line, fields: spaced(l, count).into_iter().collect() })
+                    Ok(TableRow::new(line, spaced(l, count).into_iter().collect()))
                 };
                 rows.map(row).collect::<Result<_, TableError>>()?
             }
@@ -92,9 +99,17 @@ impl Sheet {
         let before = (1..).zip(text.lines()).take_while(|(line, _)| *line < first);
         let comments = before.filter(|(_, l)| is_comment(l)).filter_map(|(line, l)| {
             let text = l.trim_start().trim_start_matches(['#', '/']);
-            Some(TableRow { line, fields: fields(text, separator)? })
+            Some(TableRow::new(line, fields(text, separator)?))
         });
         Ok(Self { comments: comments.collect(), rows, separator })
+    }
+}
+
+/// The letters, digits and brackets that Chinese and Japanese texts have in full width, as they are elsewhere.
+fn narrow(c: char) -> char {
+    match c {
+        '\u{ff01}'..='\u{ff5e}' => char::from_u32(u32::from(c) - 0xfee0).unwrap_or(c),
+        c => c,
     }
 }
 
@@ -199,7 +214,7 @@ fn marked(text: &str, mark: char, skip: usize) -> Result<Vec<TableRow>, TableErr
         if lines > MOST_LINES || (lines > 1 && written.matches('"').count() % 2 == 1) {
             return Err(TableError::Refused(format!("line {line}: a quote (\") is opened and not closed")));
         }
-        out.push(TableRow { line, fields: fields.clone() });
+        out.push(TableRow::new(line, fields.clone()));
     }
     Ok(out.into_iter().skip(skip).collect())
 }
@@ -255,6 +270,11 @@ mod tests {
         }
         assert_eq!(rows("Load cell   Way\n1 2\n3 4\n")[0], row(1, &["Load cell", "Way"]));
         assert_eq!(rows("a b c\n1 2\n3 4\n")[0], row(1, &["a", "b", "c"]));
+    }
+
+    #[test]
+    fn letters_of_full_width_are_those_of_half_width() {
+        assert_eq!(rows("\u{feff}压力（ｋＰａ）；１２，５％")[0], row(1, &["压力(kPa)", "12,5%"]));
     }
 
     #[test]

@@ -13,9 +13,6 @@ pub enum TableError {
     /// Refused: field, value, what it must be.
     #[error("{0}")]
     Refused(String),
-    /// It cannot be read at all.
-    #[error("{0}")]
-    Io(#[from] std::io::Error),
     /// The caller wanted it to end.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
@@ -43,23 +40,10 @@ impl TableError {
             "" => String::new(),
             empty => format!("; without a number in any line: {empty}"),
         };
-        let encoding = if in_two_bytes(columns) {
-            "; the headings look like GBK or Shift-JIS: save the table as CSV in UTF-8"
-        } else {
-            ""
-        };
         Self::Refused(format!(
-            "no column of {wanted} (the columns are: {columns}{empty}); name it {names}, or assign it with `columns` {example}{encoding}"
+            "no column of {wanted} (the columns are: {columns}{empty}); name it {names}, or assign it with `columns` {example}"
         ))
     }
-}
-
-/// Whether a text that was read as Windows-1252 has letters of two bytes: most of those beyond ASCII are neighbours.
-fn in_two_bytes(text: &str) -> bool {
-    let beyond: Vec<bool> = text.chars().map(|c| !c.is_ascii()).collect();
-    let beside = beyond.windows(2).filter(|pair| pair[0] && pair[1]).count();
-    text.chars().any(|c| ('\u{80}'..='\u{ff}').contains(&c))
-        && 2 * beside >= beyond.iter().filter(|b| **b).count().max(4)
 }
 
 /// Somebody else's text, cut where it gets long.

@@ -37,6 +37,11 @@ impl Column {
         Self { meaning, index, heading, unit, unknown_unit, negated, chosen, label, rank }
     }
 
+    /// Whether it is no column of the file.
+    pub(super) fn is_constant(&self) -> bool {
+        self.index > usize::MAX / 2
+    }
+
     /// What is wrong with its value in a line.
     pub(super) fn refused(&self, line: u64, what: String) -> TableError {
         TableError::Refused(format!("line {line}, column {}: {what}", self.heading))
@@ -58,17 +63,18 @@ struct Guess {
     lacking: Vec<usize>,
 }
 
+impl Guess {
+    fn is_complete(&self) -> bool {
+        self.missing.is_empty() && self.lacking.is_empty()
+    }
+}
+
 impl Table {
     /// Reads a table of one kind.
     pub fn read(text: &str, vocabulary: &'static Vocabulary, columns: &Columns) -> Result<Self, TableError> {
         let Sheet { mut rows, comments, separator } = Sheet::split(text)?;
-        let mut search = Search { vocabulary, choices: vocabulary.choices(columns)?, dead: vec![] };
-        let mut head = search.find(&rows, &comments)?;
-        search.dead = head.dead(&rows, vocabulary);
-        if !search.dead.is_empty() {
-            head = search.find(&rows, &comments)?;
-        }
-        let Head { line, headings, columns, first } = head;
+        let search = Search { vocabulary, choices: vocabulary.choices(columns)? };
+        let Head { line, headings, columns, first } = search.find(&rows, &comments)?;
         let mut table = Self {
             rows: rows.split_off(first.min(rows.len())),
             left_out: 0,
@@ -90,6 +96,9 @@ impl Table {
             table.columns.iter().filter(|c| vocabulary.is_number(c.meaning)).map(|c| c.index).collect();
         let cells = table.rows.iter().flat_map(|r| numeric.iter().map(|&i| r.field(i)));
         table.decimal = number::decimal(cells, separator);
+        let constants = search.choices.iter().map(|c| c.constant().unwrap_or_default().to_owned());
+        let constants: Vec<String> = constants.collect();
+        table.rows.iter_mut().for_each(|row| row.added.clone_from(&constants));
         Ok(table)
     }
 
@@ -182,24 +191,10 @@ struct Head {
     first: usize,
 }
 
-impl Head {
-    /// Columns that somebody's words call numbers and that hold none in any row, by their place.
-    fn dead(&self, rows: &[TableRow], vocabulary: &Vocabulary) -> Vec<usize> {
-        let data = rows.get(self.first..).unwrap_or_default();
-        let dead = |c: &&Column| {
-            let guessed = !c.chosen && vocabulary.is_number(c.meaning);
-            guessed && data.len() > 1 && !data.iter().any(|row| is_number(row.field(c.index)))
-        };
-        self.columns.iter().filter(dead).map(|c| c.index).collect()
-    }
-}
-
 /// Search for the heading of a table.
 struct Search {
     vocabulary: &'static Vocabulary,
     choices: Vec<Choice>,
-    /// Places of columns without a number in any row.
-    dead: Vec<usize>,
 }
 
 impl Search {
@@ -212,10 +207,18 @@ impl Search {
         let lines = rows.iter().take(MOST_LINES_ABOVE).enumerate().map(|(i, row)| (row, i + 1));
         let lines = lines.chain(comments.iter().rev().take(MOST_LINES_ABOVE).map(|row| (row, 0)));
         let mut best: Option<(usize, Guess, &TableRow)> = None;
+        let mut empty = vec![];
         for (row, first) in lines {
             let headings: Vec<&str> = row.fields().collect();
-            let guess = self.guess(&headings)?;
-            if guess.missing.is_empty() && guess.lacking.is_empty() {
+            let mut guess = self.guess(&headings, &[])?;
+            let data = rows.get(first..).unwrap_or_default();
+            if guess.is_complete() && data.len() > 1 {
+                let dead = guess.columns.iter().filter(|c| self.is_dead(c, &guess.columns, data));
+                let dead: Vec<usize> = dead.map(|c| c.index).collect();
+                guess = self.guess(&headings, &dead)?;
+                empty = dead;
+            }
+            if guess.is_complete() {
                 let columns = unambiguous(&guess.columns, vocabulary)?;
                 let headings = headings.into_iter().map(str::to_owned).collect();
                 return Ok(Head { line: Some(row.line), headings, columns, first });
@@ -227,7 +230,7 @@ impl Search {
         }
         let (guess, headings) = match &best {
             Some((_, guess, row)) => (guess, row.fields().collect()),
-            None => (&self.guess(&[])?, vec![]),
+            None => (&self.guess(&[], &[])?, vec![]),
         };
         if let Some(&choice) = guess.missing.first() {
             return Err(self.choices[choice].missing(&headings));
@@ -248,7 +251,7 @@ impl Search {
             )));
         }
         let need = guess.lacking.first().map_or(&vocabulary.needed[0], |&i| &vocabulary.needed[i]);
-        let empty = listed(self.dead.iter().filter_map(|&i| headings.get(i).copied()));
+        let empty = listed(empty.iter().filter_map(|&i| headings.get(i).copied()));
         Err(TableError::missing_column(
             need,
             &listed(headings.iter().copied()),
@@ -259,24 +262,48 @@ impl Search {
 
     /// A table without a heading, whose columns are chosen by number.
     fn by_numbers(&self, rows: &[TableRow]) -> Result<Option<Head>, TableError> {
-        let Some(row) = rows.first().filter(|_| !self.choices.is_empty()) else { return Ok(None) };
-        let numbered = self.choices.iter().all(|c| c.by_number().is_some_and(|i| is_number(row.field(i))));
+        let Some(row) = rows.first().filter(|_| self.choices.iter().any(|c| c.constant().is_none())) else {
+            return Ok(None);
+        };
+        let is_numbered = |c: &Choice| c.by_number().is_some_and(|i| is_number(row.field(i)));
+        let numbered = self.choices.iter().all(|c| c.constant().is_some() || is_numbered(c));
         if !numbered {
             return Ok(None);
         }
         let headings: Vec<String> = (1..=row.len()).map(|i| format!("#{i}")).collect();
         let names: Vec<&str> = headings.iter().map(String::as_str).collect();
-        let guess = self.guess(&names)?;
-        let complete = guess.missing.is_empty() && guess.lacking.is_empty();
-        Ok(complete.then_some(Head { line: None, columns: guess.columns, headings, first: 0 }))
+        let guess = self.guess(&names, &[])?;
+        Ok(guess.is_complete().then_some(Head { line: None, columns: guess.columns, headings, first: 0 }))
     }
 
-    fn guess(&self, headings: &[&str]) -> Result<Guess, TableError> {
+    /// Whether a column that nobody chose holds no number, or the same in all rows where it would take the place of one that varies: of the same quantity,
+    /// or zeros beside another way to state it.
+    fn is_dead(&self, column: &Column, columns: &[Column], data: &[TableRow]) -> bool {
+        if column.chosen || !self.vocabulary.is_number(column.meaning) {
+            return false;
+        }
+        let numbers = |index: usize| data.iter().map(move |row| row.field(index)).filter(|f| is_number(f));
+        let varies = |c: &Column| numbers(c.index).zip(numbers(c.index).skip(1)).any(|(a, b)| a != b);
+        let Some(first) = numbers(column.index).next() else { return true };
+        let is_zero = column.meaning != Meaning::Force && !first.contains(|c| ('1'..='9').contains(&c));
+        let in_its_place = |c: &Column| {
+            let mut groups = self.vocabulary.needed.iter().map(|need| &need.any_of);
+            groups.any(|any_of| any_of.contains(&c.meaning) && any_of.contains(&column.meaning))
+        };
+        let yields = |c: &Column| {
+            if c.meaning == column.meaning { c.rank == column.rank } else { is_zero && in_its_place(c) }
+        };
+        let mut rivals = columns.iter().filter(|c| c.index != column.index && yields(c));
+        data.len() > 2 && rivals.any(varies) && !varies(column)
+    }
+
+    /// What a line would mean as heading, without the columns at some places.
+    fn guess(&self, headings: &[&str], dead: &[usize]) -> Result<Guess, TableError> {
         let vocabulary = self.vocabulary;
         let mut columns: Vec<Column> = vec![];
         let mut missing = vec![];
         for (i, choice) in self.choices.iter().enumerate() {
-            match choice.find(headings)? {
+            match choice.find(headings, i)? {
                 Some(column) if columns.iter().any(|c| c.index == column.index) => {
                     return Err(TableError::Refused(format!(
                         "`columns`: the column \"{}\" is chosen for two quantities",
@@ -290,7 +317,7 @@ impl Search {
         let decided: Vec<Meaning> =
             columns.iter().map(|c| c.meaning).chain(self.choices.iter().map(Choice::meaning)).collect();
         for (index, text) in headings.iter().enumerate().take(MOST_COLUMNS) {
-            if self.dead.contains(&index) || columns.iter().any(|c| c.index == index && c.chosen) {
+            if dead.contains(&index) || columns.iter().any(|c| c.index == index && c.chosen) {
                 continue;
             }
             let Some(known) = vocabulary.understand(text) else { continue };

@@ -16,30 +16,46 @@ pub(crate) struct Heading {
     pub(crate) rank: usize,
 }
 
+impl Heading {
+    /// Of a column that somebody chose.
+    pub(crate) fn of(meaning: Meaning, unit: Option<Unit>) -> Self {
+        Self { meaning, unit, unknown_unit: false, label: String::new(), rank: 0 }
+    }
+}
+
 /// Ranks of the words of people.
 const WORD: usize = 100;
 const WITH_FILLERS: usize = 200;
 const LAST: usize = 300;
 
+/// Letters with their plain form first. The increment and the Greek letter are two characters.
+const PLAIN: [&str; 16] = [
+    "aäáàâãąå",
+    "cçćč",
+    "eéèêëę",
+    "gğ",
+    "iíîïìı",
+    "lł",
+    "nñń",
+    "oöóôõòő",
+    "sśşš",
+    "uüúûùű",
+    "yý",
+    "zźżž",
+    "0₀",
+    "2²",
+    "δ∆",
+    "εϵ",
+];
+
 /// A heading in plain form: lower case, no accents, everything that is no letter or digit as an underscore, `%` as
 /// `percent`.
 pub(crate) fn plain(heading: &str) -> String {
     let mut out = String::new();
-    for c in heading.trim().to_lowercase().replace('%', " percent ").chars() {
-        match c {
-            'ä' | 'á' | 'à' | 'â' | 'ã' => out.push('a'),
-            'é' | 'è' | 'ê' | 'ë' => out.push('e'),
-            'í' | 'î' | 'ï' | 'ì' => out.push('i'),
-            'ö' | 'ó' | 'ô' | 'õ' | 'ò' => out.push('o'),
-            'ü' | 'ú' | 'û' | 'ù' => out.push('u'),
-            'ñ' => out.push('n'),
-            'ç' => out.push('c'),
-            'ß' => out.push_str("ss"),
-            '₀' => out.push('0'),
-            // The increment and the Greek letter are two characters.
-            '∆' => out.push('δ'),
-            'ϵ' => out.push('ε'),
-            '²' => out.push('2'),
+    for c in heading.trim().to_lowercase().replace('%', " percent ").replace('ß', "ss").chars() {
+        let letter =
+            PLAIN.iter().find(|letters| letters.contains(c)).and_then(|letters| letters.chars().next());
+        match letter.unwrap_or(c) {
             // Combining accents.
             '\u{300}'..='\u{36f}' => {}
             c if c.is_alphanumeric() => out.push(c),

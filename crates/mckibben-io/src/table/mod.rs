@@ -15,23 +15,30 @@ mod heading;
 mod load;
 mod number;
 mod over_time;
+#[cfg(feature = "import")]
 mod text;
 mod understood;
 mod values;
 mod vocabulary;
+#[cfg(feature = "import")]
+mod workbook;
 
 pub use columns::Columns;
 pub use error::TableError;
 pub use load::read_load;
 pub use over_time::{OverTime, read_over_time};
-pub use text::{MAX_BYTES, read_text};
+#[cfg(feature = "import")]
+pub use text::read_text;
 pub use understood::{Understood, UnderstoodColumn};
 
 use delimited::{Separator, TableRow};
 pub use find::Column;
 pub use heading::is_absolute;
 use number::Decimal;
-pub use vocabulary::{HISTORIES, Meaning, POINTS, TESTS, Vocabulary, spoken};
+pub use vocabulary::{HISTORIES, Meaning, POINTS, RECORDED, TESTS, Vocabulary, spoken};
+
+/// The largest table that is read, in bytes: about a million lines.
+pub const MAX_BYTES: usize = 32 << 20;
 
 /// A table whose columns are known.
 #[derive(Debug)]

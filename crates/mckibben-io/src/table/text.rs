@@ -1,98 +1,83 @@
-//! From bytes to text: whatever program wrote the table.
+//! From the bytes of a file to the text of a table: whatever program wrote it.
 
-use super::TableError;
-use std::io::Read;
+use super::heading::plain;
+use super::vocabulary::is_known;
+use super::{TableError, workbook};
+use crate::units::Dimension;
+use chardetng::{EncodingDetector, Iso2022JpDetection, Utf8Detection};
+use encoding_rs::{EUC_JP, Encoding, GBK, SHIFT_JIS, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 
-/// The largest table that is read, in bytes: about a million lines.
-pub const MAX_BYTES: usize = 32 << 20;
-
-/// Reads a table as text: UTF-8 or UTF-16 with or without a byte order mark, else Windows-1252 (of which Latin-1's printable
-/// characters are a part).
+/// The text of a table, and what it was read from where that is not UTF-8: `GBK`, `sheet Data`. Of a workbook it is the sheet of this name, else the
+/// first with numbers.
 ///
 /// # Errors
-/// [`TableError::Refused`] above [`MAX_BYTES`], and for a spreadsheet or another file that is no text;
-/// [`TableError::Io`].
-pub fn read_text(input: impl Read) -> Result<String, TableError> {
-    let mut bytes = Vec::new();
-    input.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes)?;
-    if bytes.len() > MAX_BYTES {
-        return Err(TableError::Refused(format!(
-            "the table is larger than {} MB; take fewer lines",
-            MAX_BYTES >> 20
-        )));
+/// [`TableError::Refused`] for a file that is no table.
+pub fn read_text(bytes: &[u8], sheet: Option<&str>) -> Result<(String, Option<String>), TableError> {
+    if WORKBOOKS.iter().any(|beginning| bytes.starts_with(beginning)) {
+        let (text, name) = workbook::read(bytes, sheet)?;
+        return Ok((text, Some(format!("sheet {name}"))));
     }
-    decode(bytes)
+    if let Some((_, what)) = NO_TEXT.iter().find(|n| bytes.starts_with(n.0)) {
+        return Err(TableError::Refused(format!("this is not text but {what}; save the table as CSV")));
+    }
+    let (encoding, text) = match Encoding::for_bom(bytes) {
+        Some((encoding, mark)) => (encoding, &bytes[mark..]),
+        None => (encoding(bytes)?, bytes),
+    };
+    let (text, _) = encoding.decode_without_bom_handling(text);
+    Ok((text.into_owned(), (encoding != UTF_8).then(|| encoding.name().to_owned())))
 }
 
+/// Beginnings of workbooks: packed ones (.xlsx, .ods), and the old kind (.xls).
+const WORKBOOKS: [&[u8]; 2] = [b"PK\x03\x04", b"\xd0\xcf\x11\xe0"];
+
 /// Beginnings of files that are no text, and what they are.
-const NO_TEXT: [(&[u8], &str); 6] = [
-    (b"PK\x03\x04", "a spreadsheet or another packed file"),
-    (b"\xd0\xcf\x11\xe0", "a spreadsheet of an old kind"),
+const NO_TEXT: [(&[u8], &str); 4] = [
     (b"%PDF", "a PDF"),
     (b"PAR1", "a Parquet file"),
     (b"\x89PNG", "a picture"),
     (b"\x1f\x8b", "a packed file"),
 ];
 
-fn decode(bytes: Vec<u8>) -> Result<String, TableError> {
-    if let Some((_, what)) = NO_TEXT.iter().find(|n| bytes.starts_with(n.0)) {
-        return Err(TableError::Refused(format!("this is not text but {what}; save the table as CSV")));
-    }
-    if let Some(rest) = bytes.strip_prefix(b"\xff\xfe") {
-        return Ok(utf16(rest, u16::from_le_bytes));
-    }
-    if let Some(rest) = bytes.strip_prefix(b"\xfe\xff") {
-        return Ok(utf16(rest, u16::from_be_bytes));
-    }
+/// The encoding of a text without a byte order mark.
+fn encoding(bytes: &[u8]) -> Result<&'static Encoding, TableError> {
     // Letters of headings and digits are one byte and a zero.
     let zeros = |from: usize| bytes.iter().skip(from).step_by(2).filter(|b| **b == 0).count();
     let half = bytes.len() / 2;
     match (zeros(0), zeros(1)) {
-        (0, odd) if odd > 0 && 10 * odd >= 8 * half => return Ok(utf16(&bytes, u16::from_le_bytes)),
-        (even, 0) if even > 0 && 10 * even >= 8 * half => return Ok(utf16(&bytes, u16::from_be_bytes)),
-        (even, odd) if even + odd > 0 => {
-            return Err(TableError::Refused(
-                "this is not text but binary data; save the table as CSV".into(),
-            ));
-        }
-        _ => {}
-    }
-    let text = String::from_utf8(bytes)
-        .unwrap_or_else(|e| e.as_bytes().iter().map(|&b| windows_1252(b)).collect::<String>());
-    Ok(text.strip_prefix('\u{feff}').unwrap_or(&text).chars().map(narrow).collect())
-}
-
-/// The letters, digits and brackets that Chinese and Japanese texts have in full width, as they are elsewhere.
-fn narrow(c: char) -> char {
-    match c {
-        '\u{ff01}'..='\u{ff5e}' => char::from_u32(u32::from(c) - 0xfee0).unwrap_or(c),
-        c => c,
+        (0, odd) if odd > 0 && 10 * odd >= 8 * half => Ok(UTF_16LE),
+        (even, 0) if even > 0 && 10 * even >= 8 * half => Ok(UTF_16BE),
+        (0, 0) if std::str::from_utf8(bytes).is_ok() => Ok(UTF_8),
+        (0, 0) => Ok(of_words(bytes)),
+        _ => Err(TableError::Refused("this is not text but binary data; save the table as CSV".into())),
     }
 }
 
-fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> String {
-    let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
-    char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
-}
-
-/// What is at 0x80 to 0x9f in Windows-1252, where Latin-1 has control characters; a dot where there is nothing.
-const MIDDLE: &str = "€·‚ƒ„…†‡ˆ‰Š‹Œ·Ž··‘’“”•–—˜™š›œ·žŸ";
-
-fn windows_1252(byte: u8) -> char {
-    match byte {
-        0x80..=0x9f => MIDDLE.chars().nth(usize::from(byte - 0x80)).unwrap_or('·'),
-        other => char::from(other),
-    }
+/// The encoding in which most words are known ones, else the likeliest: a few letters alone decide little.
+fn of_words(bytes: &[u8]) -> &'static Encoding {
+    const HEAD: usize = 4096;
+    let mut detector = EncodingDetector::new(Iso2022JpDetection::Deny);
+    detector.feed(bytes, true);
+    let likely = detector.guess(None, Utf8Detection::Deny);
+    let is_unit = |word: &str| Dimension::all().any(|d| d.unit(word).is_some());
+    let known = |encoding: &&'static Encoding| {
+        let (text, _) = encoding.decode_without_bom_handling(&bytes[..bytes.len().min(HEAD)]);
+        let words = text.split(|c: char| c.is_whitespace() || "[](){}<>;,|/\"".contains(c));
+        words.filter(|w| !w.is_ascii() && (is_known(&plain(w)) || is_unit(w))).count()
+    };
+    let others = [WINDOWS_1252, GBK, SHIFT_JIS, EUC_JP];
+    others.into_iter().chain([likely]).max_by_key(known).unwrap_or(likely)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use encoding_rs::{BIG5, WINDOWS_1250, WINDOWS_1254};
 
     const TEXT: &str = "Druck [bar];Verkürzung;Winkel [°]\r\n1,5;2 µm;20\r\n";
 
-    fn read(bytes: &[u8]) -> String {
-        read_text(bytes).unwrap_or_else(|e| panic!("{e}"))
+    fn read(bytes: &[u8]) -> (String, Option<String>) {
+        read_text(bytes, None).unwrap_or_else(|e| panic!("{e}"))
     }
 
     fn sixteen(order: fn(u16) -> [u8; 2]) -> Vec<u8> {
@@ -100,36 +85,46 @@ mod tests {
     }
 
     #[test]
-    fn all_encodings_of_a_text_are_that_text() {
-        assert_eq!(read(TEXT.as_bytes()), TEXT);
-        assert_eq!(read(&[b"\xef\xbb\xbf", TEXT.as_bytes()].concat()), TEXT);
+    fn text_of_unicode_is_that_text() {
+        let named = |name: Option<&str>| (TEXT.to_owned(), name.map(str::to_owned));
+        assert_eq!(read(TEXT.as_bytes()), named(None));
+        assert_eq!(read(&[b"\xef\xbb\xbf", TEXT.as_bytes()].concat()), named(None));
         let (little, big) = (sixteen(u16::to_le_bytes), sixteen(u16::to_be_bytes));
-        assert_eq!(read(&[&b"\xff\xfe"[..], &little].concat()), TEXT);
-        assert_eq!(read(&[&b"\xfe\xff"[..], &big].concat()), TEXT);
-        assert_eq!(read(&little), TEXT);
-        assert_eq!(read(&big), TEXT);
-        let latin: Vec<u8> = TEXT.chars().map(|c| u8::try_from(c as u32).unwrap()).collect();
-        assert_eq!(read(&latin), TEXT);
+        assert_eq!(read(&[&b"\xff\xfe"[..], &little].concat()), named(Some("UTF-16LE")));
+        assert_eq!(read(&[&b"\xfe\xff"[..], &big].concat()), named(Some("UTF-16BE")));
+        assert_eq!(read(&little), named(Some("UTF-16LE")));
+        assert_eq!(read(&big), named(Some("UTF-16BE")));
+    }
+
+    /// What spreadsheets and benches write in China, Japan, Western and Central Europe and Turkey, down to a heading of one letter.
+    #[test]
+    fn encodings_are_recognised() {
+        for (encoding, text) in [
+            (GBK, "压力(kPa),收缩率(%),拉力(N)\n100,5,20\n200,10,30\n"),
+            (GBK, "时间;压力 [bar];位移 [mm];力 [N]\r\n0,5;1,0;2,0;3\r\n"),
+            (GBK, "力,e\n1,2\n"),
+            (BIG5, "壓力(kPa),力(N)\n1,2\n"),
+            (SHIFT_JIS, "圧力[kPa],収縮量[mm],張力[N]\n100,5,20\n"),
+            (SHIFT_JIS, "力,ひずみ\n1,2\n"),
+            (EUC_JP, "圧力[kPa],収縮量[mm],張力[N]\n100,5,20\n"),
+            (WINDOWS_1252, TEXT),
+            (WINDOWS_1252, "p [N/mm²];x [mm]\r\n1,5;2\r\n"),
+            (WINDOWS_1252, "x [µm];Kraft [N]\n1;2\n"),
+            (WINDOWS_1252, "Pressão [bar];Contração [%];Força [N]\n1;2;3\n"),
+            (WINDOWS_1252, "pression [bar] – déplacement [mm]\n1;2;3\n"),
+            (WINDOWS_1250, "Ciśnienie [bar];Skrócenie [mm];Siła [N]\n1;2;3\n"),
+            (WINDOWS_1254, "Basınç [bar];Kısalma [mm];Kuvvet [N]\n1;2;3\n"),
+        ] {
+            let (bytes, ..) = encoding.encode(text);
+            assert_eq!(read(&bytes), (text.to_owned(), Some(encoding.name().to_owned())));
+        }
     }
 
     #[test]
-    fn letters_of_full_width_are_those_of_half_width() {
-        assert_eq!(read("压力（ｋＰａ）；１２，５％".as_bytes()), "压力(kPa);12,5%");
-    }
-
-    /// Unicode's table CP1252.TXT.
-    #[test]
-    fn the_middle_of_windows_1252_is_that_of_unicodes_table() {
-        assert_eq!(MIDDLE.chars().count(), 32);
-        assert_eq!(read(b"\x80 \x96 \x93a\x94 \x99 \x9f \xb2"), "€ – “a” ™ Ÿ ²");
-    }
-
-    #[test]
-    fn what_is_no_text_or_too_long_is_named() {
-        let refused = |bytes: &[u8]| read_text(bytes).unwrap_err().to_string();
-        assert!(refused(b"PK\x03\x04....").contains("spreadsheet"));
+    fn what_is_no_text_is_named() {
+        let refused = |bytes: &[u8]| read_text(bytes, None).unwrap_err().to_string();
+        assert!(refused(b"PK\x03\x04....").contains("the spreadsheet cannot be read"));
+        assert!(refused(b"%PDF-1.7").contains("not text but a PDF"));
         assert!(refused(b"a\0\0\0b\x01").contains("binary"));
-        let long = std::io::repeat(b'1');
-        assert!(read_text(long).unwrap_err().to_string().starts_with("the table is larger than"));
     }
 }

@@ -4,7 +4,7 @@ use super::Table;
 use super::error::{TableError, short};
 use super::find::Column;
 use super::heading::{self, plain};
-use super::number::{self, NoNumber};
+use super::number::{self, Decimal, NoNumber};
 use super::vocabulary::{Entry, Meaning, Need};
 use crate::cancel;
 use crate::units::Dimension;
@@ -39,8 +39,13 @@ impl Table {
         };
         let blank: Vec<bool> = (0..self.rows.len()).map(blank).collect();
         self.not_filled += blank.iter().filter(|b| **b).count();
-        let mut blank = blank.into_iter();
-        self.rows.retain(|_| blank.next() == Some(false));
+        self.retain(|row| !blank[row]);
+    }
+
+    /// Leaves out the other rows.
+    pub fn retain(&mut self, kept: impl Fn(usize) -> bool) {
+        let mut rows = 0..;
+        self.rows.retain(|_| rows.next().is_some_and(&kept));
     }
 
     /// No points: nothing follows the heading, or nothing was filled in.
@@ -83,6 +88,15 @@ impl Table {
         (0..self.rows.len()).map(one).collect()
     }
 
+    /// The same where numbers are above zero.
+    pub fn above_zero(&self, meaning: Meaning, expected: &str) -> Result<Vec<Option<f64>>, TableError> {
+        let values = self.some_numbers(meaning)?;
+        match (values.iter().position(|v| v.is_some_and(|v| v <= 0.0)), self.column(meaning)) {
+            (Some(row), Some(column)) => Err(self.impossible(row, column, expected)),
+            _ => Ok(values),
+        }
+    }
+
     fn entry(&self, column: &Column) -> Option<&'static Entry> {
         self.vocabulary.entry(column.meaning)
     }
@@ -99,7 +113,8 @@ impl Table {
         }
         let not_a_number =
             |hint| column.refused(row.line, format!("\"{}\" is not a finite number{hint}", short(text)));
-        let (value, unit) = number::number(text, self.decimal).map_err(|why| match why {
+        let decimal = if column.is_constant() { Decimal::Point } else { self.decimal };
+        let (value, unit) = number::number(text, decimal).map_err(|why| match why {
             NoNumber::Text if text.is_empty() => {
                 not_a_number("; the field is empty: leave the whole line out")
             }
@@ -189,6 +204,12 @@ impl Table {
         let stated = if column.unknown_unit { " (that in its brackets is not known)" } else { "" };
         let unit = entry.and_then(|e| e.dimension).map_or("", example);
         let (name, units) = self.units_of(column);
+        if column.is_constant() {
+            let text = &column.heading;
+            return TableError::Refused(format!(
+                "`set`: {text} has no unit; write {text}{unit} (units: {units})"
+            ));
+        }
         if let Some(other) = heading::other_unit(&column.heading) {
             return TableError::Refused(format!(
                 "column {column}: {other} is no unit of {name}; convert the values, or choose another column with `columns` {name}=\"HEADING:{unit}\" (units: {units})",

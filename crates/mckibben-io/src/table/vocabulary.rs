@@ -62,8 +62,12 @@ pub enum Meaning {
     Strain,
     /// ln λ.
     TrueStrain,
-    /// Change of the gauge length.
+    /// Change of the gauge length; of a muscle that of the free length.
     Extension,
+    /// Length of a muscle under pressure without load.
+    FreeLength,
+    /// Cross-section of a specimen at rest.
+    Area,
     /// Force over the area at rest.
     NominalStress,
     #[serde(rename = "nominal_stress_2")]
@@ -182,6 +186,12 @@ pub(crate) fn is_spoken(value: &str, word: &str) -> bool {
     spoken(value).any(|known| known == word)
 }
 
+/// Whether a plain text is a word for any quantity or value.
+#[cfg(feature = "import")]
+pub(super) fn is_known(plain: &str) -> bool {
+    WORDS.values().any(|words| words.knows(plain))
+}
+
 impl Words {
     /// The preferred headings and the words of people.
     pub(crate) fn all(&self) -> impl Iterator<Item = &str> {
@@ -238,6 +248,8 @@ fn meanings(words: &str) -> Vec<Meaning> {
 pub static HISTORIES: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("histories"));
 /// Measured points of a muscle.
 pub static POINTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("points"));
+/// Points of a muscle over time, whose pressures another instrument may have recorded.
+pub static RECORDED: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("recorded"));
 /// Tension tests of a rubber.
 pub static TESTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("tests"));
 /// A load over the shortening of the muscle that meets it.
@@ -260,7 +272,12 @@ mod tests {
                 for word in entry.all() {
                     assert_eq!(plain(word), word, "{word}");
                     // `deformation` is a mode in this program's tables, a strain with a unit in French ones.
-                    assert!(!seen.contains(&word) || word == "deformation", "{word} is there twice");
+                    // What both a shortening and an extension are called is the first of a kind's list.
+                    let is_way = entry.meaning == Meaning::Extension;
+                    assert!(
+                        !seen.contains(&word) || word == "deformation" || is_way,
+                        "{word} is there twice"
+                    );
                     seen.push(word);
                 }
             }

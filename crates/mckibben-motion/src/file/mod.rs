@@ -205,7 +205,7 @@ fn line(section: &Section<'_>, tables: &Tables) -> Result<Option<Load>, FileErro
     let mut read = BTreeMap::new();
     for name in Load::tables(text) {
         let Some(table) = tables.texts.get(name) else { continue };
-        let points = read_load(table.as_bytes(), tables.rest_length_mm);
+        let points = read_load(table, tables.rest_length_mm);
         let points = points.map_err(|error| wrong(format!("{name}: {error}")))?;
         let table = LoadTable::new(points).map_err(|error| wrong(format!("{name}: {error}")))?;
         read.insert(name, table);

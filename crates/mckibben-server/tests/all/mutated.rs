@@ -69,7 +69,7 @@ async fn mutated_requests_give_an_answer_or_a_reason() {
             example("drive.toml"),
             &|f| json!({ "drive": f, "muscle": file("prototype.toml", example("prototype.toml")), "model": "ideal" }),
         ),
-        ("compare", example("bench.csv"), &|f| json!({ "models": ["ideal", "thick-wall"], "data": f })),
+        ("compare", example("bench.csv"), &|f| json!({ "models": ["ideal", "thick-wall"], "data": [f] })),
         (
             "identify",
             example("bench.csv"),

@@ -52,7 +52,7 @@ export class Points {
   ask() {
     const data = measured.file;
     if (!data) return;
-    const request = { ...muscle.fields(), data, columns: measured.columns, models: ["fe"], extrapolate: true };
+    const request = { ...muscle.fields(), data: [data], columns: measured.columns, models: ["fe"], extrapolate: true };
     const next = JSON.stringify(request);
     if (next === this.key) return;
     this.key = next;

@@ -170,7 +170,7 @@ class DataPage {
     this.#looking.abort();
     const { signal } = (this.#looking = new AbortController()), columns = this.columns.value();
     measured.set(data, columns);
-    const request = { ...this.#fields(), data, columns, models: read.models, extrapolate: true,
+    const request = { ...this.#fields(), data: [data], columns, models: read.models, extrapolate: true,
       figure: unitName("pressure") };
     try {
       this.#compared = await engine().ask("compare", request, { signal });

@@ -56,7 +56,7 @@ export function mount(main) {
       return undefined;
     }
     const { mode, stable, ...rest } = read, file = { name: "muscle.toml", text: await muscle.file() };
-    return { ...rest, ...(mode ? { mode } : {}), stable: stable === "yes", data, muscle: file, figure: true };
+    return { ...rest, ...(mode ? { mode } : {}), stable: stable === "yes", data: [data], muscle: file, figure: true };
   }, (answer) => {
     found = answer;
     stale(false);

@@ -250,7 +250,7 @@ fn stated_errors_weigh_the_points() {
 fn tables_with_all_columns_are_read() {
     let text = "pressure_bar,contraction_percent,force_n,branch,measured,contraction_error,weight,outer_diameter_mm\n\
                 2,10,150,elongation,contraction,0.002,2,14\n3,5,250,,,,,\n";
-    let points = read_data(text.as_bytes()).unwrap();
+    let points = read_data(text).unwrap();
     let first = &points[0];
     assert_eq!((first.at.pressure_mpa, first.at.contraction, first.at.force_n), (0.2, 0.1, 150.0));
     assert_eq!((first.measured, first.error, first.weight), (Quantity::Contraction, Some(0.002), 2.0));

@@ -4,7 +4,7 @@ const L0: f64 = 200.0;
 
 fn read_with(text: &str, columns: &str) -> Result<(Vec<DataPoint>, Understood), TableError> {
     let columns = Columns::parse(columns).unwrap();
-    read_points(text.as_bytes(), &PointOptions { columns, rest_length_mm: Some(L0) })
+    read_points(text, &PointOptions { columns, rest_length_mm: Some(L0), log: None })
 }
 
 fn read(text: &str) -> Result<(Vec<DataPoint>, Understood), TableError> {
@@ -65,7 +65,7 @@ fn what_is_not_understood_is_named_with_the_way_out() {
         assert!(message.contains(fragment), "{text}: {message}");
     }
     // Without a muscle there is no L0.
-    let error = read_data(&b"p_bar,hub_mm,F_N\n1,2,3\n"[..]).unwrap_err().to_string();
+    let error = read_data("p_bar,hub_mm,F_N\n1,2,3\n").unwrap_err().to_string();
     assert!(error.contains("`length_mm`"), "{error}");
 }
 
@@ -106,6 +106,115 @@ fn rows_that_are_not_filled_in_are_left_out() {
     assert_eq!(points.len(), 1);
 }
 
+/// The pull of a testing machine at a constant pressure, from the length at which the muscle bears nothing there: L0 200, 160 at 3 bar, so that
+/// 1 − (160 + x)/200.
+#[test]
+fn a_pull_at_constant_pressure_is_points() {
+    let text = "\"Time\",\"Extension\",\"Load\"\n\"(s)\",\"(mm)\",\"(N)\"\n\"0.98\",\"0.5\",\"0.678\"\n\"39.01\",\"20\",\"8.637\"\n";
+    let read = |set: &[&str], file: &str| {
+        let set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
+        let columns = Columns::default().with(&set, (1, 2), file)?;
+        read_points(text, &PointOptions { columns, rest_length_mm: Some(L0), log: None })
+    };
+    let refused = |set: &[&str], file: &str| read(set, file).unwrap_err().to_string();
+    let (points, understood) = read(
+        &["{pressure}bar", "free_length=170mm", "free_length=16cm", "branch=elongation"],
+        "a/pull_at_3_bar.csv",
+    )
+    .unwrap();
+    let at = MeasuredPoint {
+        pressure_mpa: 0.3,
+        contraction: 0.1,
+        force_n: 8.637,
+        branch: Some(Direction::Elongation),
+    };
+    assert!((points[1].at.contraction - 0.1).abs() < 1e-12);
+    assert_eq!(MeasuredPoint { contraction: 0.1, ..points[1].at }, at);
+    let line = understood.line();
+    for part in [
+        "Extension → extension (mm, from the free length at its pressure)",
+        "pressure=3bar → pressure",
+        "branch=elongation → branch",
+    ] {
+        assert!(line.contains(part), "{line}");
+    }
+    assert!(refused(&["pressure=3bar"], "a").contains("free_length=250mm in `set`"));
+    assert!(
+        refused(&["{pressure}bar"], "pull.csv").contains("\"{pressure}bar\" gives no value for pull.csv")
+    );
+    assert!(refused(&["pressure=3"], "a").contains("`set`: pressure=3 has no unit; write pressure=3kPa"));
+    assert!(
+        refused(&["pressure=3bar", "pressure=4bar", "pressure=5bar"], "a")
+            .contains("given 3 times for 2 tables")
+    );
+    assert!(refused(&["colour=3bar"], "a").contains("`set`: measured points have no quantity \"colour\""));
+    for (pattern, file, value) in [
+        ("{pressure}bar", "run2 2.5bar.csv", 0.25),
+        ("p{pressure}kPa", "p250kPa_L300.csv", 0.25),
+        ("_{pressure}_bar_", "x_13 bar_up.csv", 1.3),
+        ("{pressure}bar", "12bars_4-bar.csv", 0.4),
+    ] {
+        let (points, _) = read(&[pattern, "free_length=160mm"], file).unwrap();
+        assert!((points[0].at.pressure_mpa - value).abs() < 1e-12, "{file}");
+    }
+}
+
+fn constants(set: &[&str]) -> Columns {
+    let set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
+    Columns::default().with(&set, (0, 1), "log.csv").unwrap()
+}
+
+/// An isometric test: the load cell's log, and that of a pressure sensor whose clock is 1.37 s late and which is read less often. The pressure rises to
+/// 0.3 MPa in 5 s and falls again; the pull is 1000 N/MPa above 0.03 MPa.
+#[test]
+fn a_log_of_pressures_is_joined_by_time() {
+    let pressure = |t: f64| 0.3 * (1.0 - (t - 5.0).abs() / 5.0);
+    let rows = (0..=100)
+        .map(|i| 0.1 * f64::from(i))
+        .map(|t| format!("{t:.2};{:.3}\n", (1e3 * pressure(t) - 30.0).max(0.0)));
+    let text = format!("Zeit [s];Kraft [N]\n{}", rows.collect::<String>().replace('.', ","));
+    let points: Vec<(f64, f64)> =
+        (0..=50).map(|i| 0.19 * f64::from(i) + 0.15).map(|t| (t - 1.37, pressure(t))).collect();
+    let columns = constants(&["contraction=0", "branch=velocity"]);
+    let read = |offset_s| {
+        let log = PressureLog { name: "p.csv".into(), points: points.clone(), offset_s };
+        read_points(&text, &PointOptions { columns: columns.clone(), rest_length_mm: None, log: Some(log) })
+            .unwrap()
+    };
+    let (joined, understood) = read(None);
+    for p in &joined {
+        let t = 0.1 * (p.line as f64 - 2.0);
+        assert!((p.at.pressure_mpa - pressure(t)).abs() < 0.006, "{p:?}");
+        let branch = if t < 4.99 { Direction::Contraction } else { Direction::Elongation };
+        assert!(p.at.branch == Some(branch) || (t - 5.0).abs() < 0.2, "{p:?}");
+    }
+    let line = understood.line();
+    for part in [
+        "from p.csv at its times + 1.3",
+        "found: the pull follows",
+        "; 6 rows outside of it",
+        "branches by the sign of the velocity",
+    ] {
+        assert!(line.contains(part), "{line}");
+    }
+    assert!(read(Some(1.0)).1.line().contains("+ 1.0000 s, given"));
+}
+
+/// A loop over the contraction with noise, and a dwell at its end.
+#[test]
+fn a_log_is_cut_into_branches_by_the_sign_of_its_velocity() {
+    let values = [0.0, 0.02, 0.019, 0.05, 0.1, 0.0995, 0.1, 0.06, 0.0605, 0.03, 0.05, 0.08];
+    let rows = values.map(|e| format!("3,{e},100\n")).concat();
+    let columns = constants(&["branch=velocity"]);
+    let options = PointOptions { columns, ..PointOptions::default() };
+    let (points, _) = read_points(&format!("pressure_bar,contraction,force_n\n{rows}"), &options).unwrap();
+    let rising = points.iter().map(|p| p.at.branch == Some(Direction::Contraction));
+    assert_eq!(
+        rising.collect::<Vec<_>>(),
+        [true, true, true, true, true, true, true, false, false, false, true, true]
+    );
+}
+
 #[test]
 fn a_minus_before_a_heading_turns_the_sign() {
     let text = "p_bar,hub_mm,F\n1,20,-300\n2,20,-500\n";
@@ -125,14 +234,6 @@ fn percents_that_are_likely_ratios_are_named() {
     };
     assert!(note("0.15").contains("if they are ratios"));
     assert_eq!(note("15"), "");
-}
-
-/// 压力 and 力 in GBK, read as Windows-1252.
-#[test]
-fn headings_of_two_bytes_ask_for_another_encoding() {
-    let message = |bytes: &[u8]| read_data(bytes).unwrap_err().to_string();
-    assert!(message(b"\xd1\xb9\xc1\xa6,e,\xc1\xa6\n1,0,2\n").contains("save the table as CSV in UTF-8"));
-    assert!(!message(b"Dr\xfccke,e,F_N\n1,0,2\n").contains("UTF-8"));
 }
 
 #[test]

@@ -17,8 +17,8 @@ pub(super) const LARGEST_STRESS_MPA: f64 = 100.0;
 /// A table of tests, with what it does not state.
 pub(super) struct Tests<'a> {
     pub table: &'a Table,
-    /// Cross-section of the specimen at rest.
-    pub area_mm2: f64,
+    /// Cross-section of the specimen of each row at rest, where there are forces.
+    pub areas_mm2: &'a [f64],
     /// The mode of a table without a column of it.
     pub default_mode: Mode,
 }
@@ -28,7 +28,7 @@ impl Tests<'_> {
     pub fn nominal_mpa(&self, row: usize, stress: &Column, measured: f64, stretch: f64) -> Result<f64> {
         let nominal_stress_mpa = match stress.meaning {
             Meaning::TrueStress | Meaning::TrueStress2 => measured / stretch,
-            Meaning::Force => measured / self.area_mm2,
+            Meaning::Force => measured / self.areas_mm2[row],
             _ => measured,
         };
         if nominal_stress_mpa.is_nan() || nominal_stress_mpa.abs() > LARGEST_STRESS_MPA {

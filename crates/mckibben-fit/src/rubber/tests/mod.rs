@@ -1,7 +1,6 @@
 use super::*;
 use mckibben::cancel::{Cancel, Cancelled};
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, RubberLaw, Yeoh};
-use std::fs::File;
 
 mod literature;
 mod reading;
@@ -36,7 +35,7 @@ fn only(form: Form) -> FitSettings {
 
 fn shipped(name: &str) -> Vec<TensionPoint> {
     let path = format!("{}/../../data/{name}", env!("CARGO_MANIFEST_DIR"));
-    read_tension(File::open(path).unwrap(), ReadOptions::default()).unwrap()
+    read_tension(&std::fs::read_to_string(path).unwrap(), ReadOptions::default()).unwrap()
 }
 
 /// Normal numbers (Box & Muller) from a linear congruential generator (Knuth's MMIX).

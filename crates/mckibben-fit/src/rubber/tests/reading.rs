@@ -2,7 +2,7 @@ use super::*;
 use mckibben_io::table::{Columns, TableError};
 
 pub(super) fn read(text: &str) -> Result<Vec<TensionPoint>, TableError> {
-    read_tension(text.as_bytes(), ReadOptions::default())
+    read_tension(text, ReadOptions::default())
 }
 
 /// λ = 1.5 and P = 0.3 MPa, said in many ways.
@@ -14,14 +14,32 @@ fn headings_and_units_are_understood() {
         let text = text.replace("\\n", "\n").replace("\\t", "\t").replace("\\u{feff}", "\u{feff}");
         let columns = Columns::parse(columns).unwrap();
         let options = ReadOptions { columns, mode: Mode::Planar, area_mm2, gauge_length_mm };
-        let (points, understood) =
-            read_tests(text.as_bytes(), &options).unwrap_or_else(|e| panic!("{text}: {e}"));
+        let (points, understood) = read_tests(&text, &options).unwrap_or_else(|e| panic!("{text}: {e}"));
         assert_eq!((understood.rows, understood.columns.len()), (1, 2), "{text}");
         assert_eq!(points.len(), 1, "{text}");
         assert_eq!(points[0].mode, Mode::Planar);
         assert!((points[0].stretch - 1.5).abs() < 1e-12, "{text}: {points:?}");
         assert!((points[0].nominal_stress_mpa - 0.3).abs() < 1e-12, "{text}: {points:?}");
     }
+}
+
+/// Three workbooks of a testing machine for three modes: each states its mode and dimensions, as constants of its table or in columns.
+#[test]
+fn a_table_states_its_mode_and_its_specimen() {
+    let read = |text: &str, set: &[&str]| {
+        let set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
+        let columns = Columns::default().with(&set, (0, 1), "test.csv")?;
+        Ok::<_, TableError>(read_tests(text, &ReadOptions { columns, ..ReadOptions::default() })?.0[0])
+    };
+    let text = "Traversenweg [mm];Standardkraft [N]\n20;3\n";
+    let point = read(text, &["mode=planar", "area=10mm2", "gauge_length=40mm"]).unwrap();
+    assert_eq!((point.mode, point.stretch), (Mode::Planar, 1.5));
+    assert!((point.nominal_stress_mpa - 0.3).abs() < 1e-12);
+    let text = "Extension (mm),Load (N),Gauge length (mm),Cross-section (mm²)\n20,3,40,10\n";
+    let point = read(text, &["mode=biaxial"]).unwrap();
+    assert_eq!((point.mode, point.stretch), (Mode::Equibiaxial, 1.5));
+    assert!((point.nominal_stress_mpa - 0.3).abs() < 1e-12);
+    assert!(read(text, &["mode=bent"]).unwrap_err().to_string().contains("the mode \"bent\""));
 }
 
 #[test]
