@@ -162,8 +162,8 @@ fn an_existing_file_is_overwritten_only_on_request() {
 }
 
 /// Flags with a file or folder that is read.
-const READ: [&str; 14] = [
-    "data", "columns", "muscle", "parts", "model", "models", "formula", "rubber", "rubbers", "load",
+const READ: [&str; 15] = [
+    "log", "data", "columns", "muscle", "parts", "model", "models", "formula", "rubber", "rubbers", "load",
     "measured", "braid", "tube", "tubes",
 ];
 

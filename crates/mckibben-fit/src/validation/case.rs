@@ -41,8 +41,7 @@ pub enum Measurement {
 pub struct MuscleCase {
     /// What is known of it.
     pub facts: Facts,
-    /// The rms error over the blocked force that passes in the first fit: that of finite elements, rounded up. A regression. `None` where one muscle
-    /// does not hold all points: the ± is not calibrated on them.
+    /// The rms error over the blocked force that passes in the first fit: that of finite elements, rounded up. A regression.
     pub rms_of_blocked: Option<f64>,
     /// The points that pull.
     pub points: Vec<DataPoint>,

@@ -48,9 +48,6 @@ pub struct Bench {
 const MARGIN: f64 = 0.25;
 /// The margin of contraction, and that of pressure over the highest one, at least.
 const LEAST_MARGIN: f64 = 0.02;
-/// A muscle whose length differs by this share from those that were identified is another specimen.
-const OTHER_LENGTH: f64 = 0.1;
-
 impl Bench {
     /// How far a point lies outside of the range: 0 inside and at its edge, 1 at the end of the margin and beyond.
     pub fn outside(&self, pressure_mpa: f64, contraction: f64) -> f64 {
@@ -161,12 +158,13 @@ impl Muscle {
         self.bench.is_some() && self.bench_of_lengths().is_none()
     }
 
-    /// How much of another specimen a muscle is that differs from the identified one by its length alone: 0 at the lengths at which that was identified, 1
-    /// where it differs from each by a tenth. `None` of every other muscle, and at one of these lengths.
+    /// |D0/L0 − mean of D0/L| of a muscle that differs from the identified one by its length alone, L the lengths at which it was identified. `None` of
+    /// every other muscle, and at one of these lengths.
     pub fn off_identified_lengths(&self) -> Option<f64> {
         let bench = self.bench_of_lengths().filter(|_| self.bench().is_none())?;
-        let off = bench.lengths_mm.iter().map(|l| (self.length_mm() / l - 1.0).abs() / OTHER_LENGTH);
-        off.reduce(f64::min).map(|off| off.min(1.0))
+        let d0 = self.tube().outer_diameter_mm;
+        let inverse: f64 = bench.lengths_mm.iter().map(|l| l.recip()).sum();
+        Some(d0 * (self.length_mm().recip() - inverse / bench.lengths_mm.len() as f64).abs())
     }
 
     /// A digest of everything that the pull depends on, to nine digits.

@@ -172,7 +172,7 @@ fn another_specimen_of_a_product_is_a_part() {
     assert_eq!(parts(&own.with_section(31.0, 3.0).unwrap()), found);
 }
 
-/// 0.24 of the blocked force by hand at 200 mm, and (300/285 − 1)/0.1 of that at 300 mm, beside the parts of a muscle without a bench.
+/// 8.3 · 30 mm · |1/200 − (1/285 + 1/400)/2| mm⁻¹ of the blocked force by hand, beside the parts of a muscle without a bench.
 #[test]
 fn another_length_of_an_identified_muscle_is_a_part() {
     let m = Muscle::prototype();
@@ -180,14 +180,14 @@ fn another_length_of_an_identified_muscle_is_a_part() {
     let bench = with_bench(&m, "thick-wall", vec![Direction::Mean]).bench().unwrap().clone();
     let own = Bench { lengths_mm: vec![m.length_mm(), 400.0], ..bench };
     let own = m.clone().with_bench(own.sealed(&m));
-    let parts = |m: &Muscle| parts_of(m, 0.2, 0.1, Direction::Mean);
     let short = of(200.0).with_bench_of(&own);
-    for (length_mm, share) in [(200.0, 1.0), (300.0, (300.0 / 285.0 - 1.0) / 0.1)] {
-        let (found, without) = (parts(&of(length_mm).with_bench_of(&own)), parts(&of(length_mm)));
-        let blocked = ThickWall::new(&of(length_mm)).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap();
-        assert!((found.length_transfer.unwrap() / (0.24 * share * blocked) - 1.0).abs() < 1e-12);
-        assert_eq!(UncertaintyParts { length_transfer: None, ..found }, without);
-    }
+    let parts = |m: &Muscle| parts_of(m, 0.2, 0.1, Direction::Mean);
+    let (found, without) = (parts(&short), parts(&of(200.0)));
+    let inverse = 0.5 * (1.0 / m.length_mm() + 1.0 / 400.0);
+    let off = m.tube().outer_diameter_mm * (1.0 / 200.0 - inverse);
+    let blocked = ThickWall::new(&of(200.0)).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap();
+    assert!((found.length_transfer.unwrap() / (8.3 * off * blocked) - 1.0).abs() < 1e-12);
+    assert_eq!(UncertaintyParts { length_transfer: None, ..found }, without);
     assert!(short.warnings().iter().any(|s| s.contains("another one")) && own.warnings().is_empty());
     // At each length that was measured the fit counts, and nothing is warned of; a wall of another thickness is another muscle.
     for measured in [own.clone(), of(400.0).with_bench_of(&own)] {
