@@ -322,7 +322,7 @@ inBrowser(({ name, url, open, blank }) => {
     await drop(page, { "elbow.toml": example("elbow.toml"), "biceps.toml": example("biceps.toml") });
     await there(page, "joint");
     const said =
-      ask("joint", "examples/elbow.toml", "--angle", "20deg", "--stiffness", "5", "--max-pressure", "5bar").points[0];
+      ask("joint", "examples/elbow.toml", "--angle", "20deg", "--stiffness", "8", "--max-pressure", "5bar").points[0];
     await reads(page, ".numbers", "by fe;", 90_000);
     await reads(page, ".numbers", `pressure of muscle 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`);
     await page.reload();
