@@ -60,12 +60,8 @@ fn a_panic_is_a_problem_that_asks_for_a_report() {
     }
     let problem = ask("sweep", r#"{"muscles": 4}"#, &Faulty).unwrap_err();
     assert_eq!(serde_json::to_value(problem.kind).unwrap(), "internal");
-    assert!(
-        problem.message.starts_with("internal error of mckibben")
-            && problem.message.contains(": two are too many"),
-        "{}",
-        problem.message
-    );
+    let said = &problem.message;
+    assert!(said.starts_with("internal error of mckibben") && said.contains(": two are too many"), "{said}");
     assert!(problem.hint.contains("report"), "{}", problem.hint);
     // The next request is answered.
     assert!(ask("sweep", r#"{"muscles": 4}"#, &Silent).is_ok());
@@ -124,21 +120,16 @@ fn a_named_sleeve_gives_angle_and_stiffness_of_the_tube_that_it_is_on() {
     );
     assert!((wider["angle_deg"].as_f64().unwrap() - 41.04).abs() < 0.01, "{wider}");
     let problem = |request: Value| refusal("check", request);
-    let refused = problem(json!({ "muscle": { "name": "m.toml", "text": file } }));
-    assert!(
-        refused.message.contains("m.toml:5:8: braid.name") && refused.message.contains("from 15 to 35 mm")
-    );
+    let said = problem(json!({ "muscle": { "name": "m.toml", "text": file } })).message;
+    assert!(said.contains("m.toml:5:8: braid.name") && said.contains("from 15 to 35 mm"), "{said}");
     // What its seller does not state is an estimate, and marked as one.
     let estimated = reply("check", json!({ "only_data": true, "outer_diameter_mm": 20, "braid": "nfl-19" }));
     assert_eq!(estimated["stiffness_factor"], 3.0);
     let refused =
         problem(json!({ "outer_diameter_mm": 20, "braid": "nfl-19", "stiffness": 300, "angle_deg": 28 }));
     assert!(refused.message.contains("31.68 deg"), "{}", refused.message);
-    assert!(
-        problem(json!({ "strand_diameter_mm": 0.2 }))
-            .message
-            .contains("a braid described by its strands needs")
-    );
+    let refused = problem(json!({ "strand_diameter_mm": 0.2 }));
+    assert!(refused.message.contains("a braid described by its strands needs"), "{}", refused.message);
 }
 
 /// An identity: fields say what a muscle file says, and what stands over a file completes it.
@@ -202,11 +193,8 @@ fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
 fn the_papers_braid_on_a_small_tube_is_a_warning_everywhere() {
     let small = json!({ "outer_diameter_mm": 20, "wall_mm": 1.5, "pressure_mpa": 0.2, "contraction": 0.1, "model": "thick-wall" });
     let said = |answer: &Value| {
-        let warnings = answer["warnings"].as_array().unwrap();
-        warnings
-            .iter()
-            .filter(|w| w.as_str().unwrap().contains("the braid `paper` is known for D0 30 to 50 mm"))
-            .count()
+        let warnings = answer["warnings"].as_array().unwrap().iter().map(|w| w.as_str().unwrap());
+        warnings.filter(|w| w.contains("the braid `paper` is known for D0 30 to 50 mm")).count()
     };
     assert_eq!(said(&reply("force", small.clone())), 1);
     let mut named = small.clone();

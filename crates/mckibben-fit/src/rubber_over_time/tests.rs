@@ -3,7 +3,7 @@
 use super::*;
 use crate::rubber::Form;
 use mckibben::rubber::over_time::{Branch, Held, OgdenRoxburgh, Prony, Softened, erf};
-use mckibben::rubber::{Gent, Law, NeoHookean, Ogden, Principal, RubberLaw, Yeoh};
+use mckibben::rubber::{Gent, Law, NeoHookean, Ogden, RubberLaw, Yeoh};
 use mckibben_io::table::Columns;
 
 const SOFTENING: OgdenRoxburgh = OgdenRoxburgh { r: 1.6, m_mpa: 0.05, beta: 0.15 };
@@ -20,53 +20,6 @@ fn energy(law: &Law, stretch: f64) -> f64 {
 fn series() -> Prony {
     let branch = |share, time_constant_s| Branch { share, time_constant_s };
     Prony { branches: vec![branch(0.2, 2.0), branch(0.15, 60.0)] }
-}
-
-/// A softened law is a law: derivatives by finite differences and symmetry, below and beyond the largest energy, for every law.
-#[test]
-fn derivatives_of_a_softened_law_are_those_of_finite_differences() {
-    for law in Law::examples() {
-        for w_max in [0.3, 0.9, 1e-3] {
-            let soft = Softened { law: &law, softening: SOFTENING, w_max_mpa: w_max };
-            for state in [[0.8, 1.6, 0.7], [0.45, 2.3, 0.9], [1.9, 0.8, 0.66], [1.0, 1.0, 1.0]] {
-                let p = soft.principal(state);
-                for i in 0..3 {
-                    let h = 1e-5;
-                    let moved = |sign: f64| -> Principal {
-                        let mut l = state;
-                        l[i] += sign * h;
-                        soft.principal(l)
-                    };
-                    let (a, b) = (moved(1.0), moved(-1.0));
-                    assert!(((a.w - b.w) / (2.0 * h) - p.d[i]).abs() < 1e-7, "{} d{i}", law.name());
-                    for j in 0..3 {
-                        let fd = (a.d[j] - b.d[j]) / (2.0 * h);
-                        assert!(
-                            (fd - p.dd[j][i]).abs() < 1e-5 * (1.0 + fd.abs()),
-                            "{} {state:?}",
-                            law.name()
-                        );
-                        assert!((p.dd[i][j] - p.dd[j][i]).abs() < 1e-13);
-                    }
-                }
-            }
-            for (u, v) in [(2.5, 0.8), (4.0, 0.6), (0.7, 1.8)] {
-                struct Plain<'a, L>(&'a Softened<'a, L>);
-                impl<L: RubberLaw> RubberLaw for Plain<'_, L> {
-                    fn shear_modulus_mpa(&self) -> f64 {
-                        self.0.shear_modulus_mpa()
-                    }
-                    fn principal(&self, l: [f64; 3]) -> Principal {
-                        self.0.principal(l)
-                    }
-                }
-                let (a, b) = (soft.biaxial(u, v), Plain(&soft).biaxial(u, v));
-                for (x, y) in [(a.w, b.w), (a.u, b.u), (a.v, b.v), (a.uu, b.uu), (a.uv, b.uv), (a.vv, b.vv)] {
-                    assert!((x - y).abs() < 1e-11 * (1.0 + x.abs()), "{}", law.name());
-                }
-            }
-        }
-    }
 }
 
 /// R. W. Ogden, D. G. Roxburgh (1999): a bar bears η times the stress of its first loading, η as defined there (β = 0), to rounding; at W_m itself and
@@ -136,11 +89,11 @@ fn a_held_bar_relaxes_as_the_series_says() {
 fn small_oscillations_lose_the_work_of_the_loss_modulus_with_second_order() {
     let (law, prony) = (Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), series());
     let (omega, strain) = (0.4_f64, 1e-5);
-    let loss: f64 = prony
-        .branches
-        .iter()
-        .map(|b| b.share * omega * b.time_constant_s / (1.0 + (omega * b.time_constant_s).powi(2)))
-        .sum();
+    let of_branch = |b: &Branch| {
+        let x = omega * b.time_constant_s;
+        b.share * x / (1.0 + x * x)
+    };
+    let loss: f64 = prony.branches.iter().map(of_branch).sum();
     let exact = std::f64::consts::PI * 0.9 * strain * strain * loss;
     let error = |steps: usize| {
         let mut bar = Bar::new(&law, None, &prony);
@@ -190,10 +143,8 @@ fn known_softening_comes_back_from_its_cycles() {
     assert!((r - 1.6).abs() < 1e-3 && (m_mpa - 0.05).abs() < 1e-3 && (beta - 0.15).abs() < 3e-3, "{fit:?}");
     assert!(fit.first_loading_rms_mpa < 1e-9 && fit.later_rms_mpa < 1e-6);
     // A first loading alone has no softening to be seen.
-    assert!(matches!(
-        fit_softening(&history[..30], Form::parse("yeoh")[0]),
-        Err(OverTimeFitError::Refused(_))
-    ));
+    let first = fit_softening(&history[..30], Form::parse("yeoh")[0]);
+    assert!(matches!(first, Err(OverTimeFitError::Refused(_))));
 }
 
 #[test]
@@ -230,10 +181,8 @@ fn branches_that_follow_hnbr50_leave_what_they_left() {
     assert_eq!(history.len(), 434);
     for (branches, left) in [(1, 72.1), (2, 29.1), (3, 25.1)] {
         let fit = fit_prony(&history, Form::parse("yeoh")[0], branches).unwrap();
-        assert!(
-            (1e3 * fit.rms_mpa - left).abs() < 0.1 && (1e3 * fit.elastic_rms_mpa - 155.5).abs() < 0.1,
-            "{fit:?}"
-        );
+        let off = [1e3 * fit.rms_mpa - left, 1e3 * fit.elastic_rms_mpa - 155.5];
+        assert!(off.iter().all(|off| off.abs() < 0.1), "{fit:?}");
     }
 }
 
@@ -249,14 +198,11 @@ fn constants_and_histories_that_make_no_sense_are_refused() {
     let point = |time_s, stretch| TimePoint { time_s, stretch, nominal_stress_mpa: 0.0 };
     let law = Law::Ogden(Ogden { terms: vec![(0.2, 2.0)] });
     let over = |history: &[TimePoint]| Bar::new(&law, None, &Prony::default()).over(history);
-    assert!(
-        over(&[point(1.0, 1.0), point(0.5, 1.1)]).unwrap_err().to_string().contains("times must increase")
-    );
+    let back = over(&[point(1.0, 1.0), point(0.5, 1.1)]).unwrap_err().to_string();
+    assert!(back.contains("times must increase"), "{back}");
     assert!(over(&[point(1.0, -1.0)]).unwrap_err().to_string().contains("above 0"));
-    assert!(matches!(
-        fit_prony(&[point(0.0, 1.0); 4], Form::parse("yeoh")[0], 1),
-        Err(OverTimeFitError::Refused(_))
-    ));
+    let rest = fit_prony(&[point(0.0, 1.0); 4], Form::parse("yeoh")[0], 1);
+    assert!(matches!(rest, Err(OverTimeFitError::Refused(_))));
 }
 
 /// What is left of the moduli is left of every stress: energies of all laws are linear in their moduli.

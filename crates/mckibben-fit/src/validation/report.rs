@@ -257,9 +257,8 @@ mod tests {
             assert_eq!((r.groups[0].blind, r.groups[1].blind), (false, true));
             assert_eq!(r.groups[1].of, "0.4, 0.5 MPa");
             let all: usize = r.groups.iter().map(|g| g.means.points).sum();
-            let binned: usize =
-                r.groups.iter().flat_map(|g| &g.by_contraction).map(|b| b.errors.points).sum();
-            assert_eq!((all, binned), (189, 189));
+            let bins = r.groups.iter().flat_map(|g| &g.by_contraction);
+            assert_eq!((all, bins.map(|b| b.errors.points).sum()), (189, 189));
         }
         let blind = |r: &MeasuredFit| r.groups[1].means.rms_n;
         assert!(blind(gent) < blind(plain), "{} {}", blind(gent), blind(plain));

@@ -6,8 +6,8 @@ use mckibben::rubber::library::{
     COVERING, RubberEntry, Standing, TABLE_OF_FITS, Window, WindowLaw, entries, entry, find, find_for,
     find_up_to, of_equal_standing, warnings,
 };
-use mckibben::rubber::{ExtendedTube, Law};
-use mckibben_fit::rubber::{DECIDED_AICC, FitSettings, ReadOptions, TensionFit, fit_tension, read_tension};
+use mckibben::rubber::{ExtendedTube, Form, Law};
+use mckibben_fit::rubber::{DECIDED_AICC, FitSettings, TensionFit, fit_tension, read_tension};
 
 #[path = "../../examples/rubber_laws/table_of_fits.rs"]
 mod table_of_fits;
@@ -20,9 +20,12 @@ fn curves() -> impl Iterator<Item = &'static RubberEntry> {
     fitted().filter(|e| e.data.as_deref() != Some(TABLE_OF_FITS))
 }
 
+fn shipped(name: &str) -> String {
+    std::fs::read_to_string(format!("{}/../../data/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
 fn refitted(entry: &RubberEntry, window: &Window) -> TensionFit {
-    let path = format!("{}/../../data/{}", env!("CARGO_MANIFEST_DIR"), entry.data.as_deref().unwrap());
-    let points = read_tension(&std::fs::read_to_string(path).unwrap(), Default::default()).unwrap();
+    let points = read_tension(&shipped(entry.data.as_deref().unwrap()), Default::default()).unwrap();
     let settings = FitSettings { up_to_stretch: window.up_to_stretch, ..FitSettings::default() };
     fit_tension(&points, &settings).unwrap()
 }
@@ -58,11 +61,8 @@ fn a_named_rubber_is_what_rubber_fit_recommends_on_its_data() {
         let equal: Vec<String> = fit.of_equal_standing().iter().map(|&i| fit.laws[i].form.name()).collect();
         for l in &window.laws {
             assert_eq!(l.standing == Standing::Equal, equal.contains(&l.name), "{name} {}", l.name);
-            let alone = FitSettings {
-                forms: mckibben::rubber::Form::parse(&l.name),
-                up_to_stretch: window.up_to_stretch,
-                ..FitSettings::default()
-            };
+            let (forms, up_to_stretch) = (Form::parse(&l.name), window.up_to_stretch);
+            let alone = FitSettings { forms, up_to_stretch, ..FitSettings::default() };
             let alone = fit_tension(&fit.points, &alone).unwrap();
             assert!(same(&l.law, &alone.laws[alone.recommended.unwrap()].law), "{name} {}", l.name);
         }
@@ -126,10 +126,8 @@ fn the_law_follows_the_muscle() {
     assert_ne!(steep.tube().rubber.law, flat.tube().rubber.law);
     let turned = steep.with_braid(flat.braid().clone()).unwrap().with_section(40.0, 1.0).unwrap();
     assert_eq!(turned, flat);
-    assert_eq!(
-        turned.with_tube(steep.tube().clone()).unwrap().with_braid(steep.braid().clone()).unwrap(),
-        steep
-    );
+    let back = turned.with_tube(steep.tube().clone()).unwrap().with_braid(steep.braid().clone()).unwrap();
+    assert_eq!(back, steep);
 }
 
 /// The law is that of the name only while constants and name belong together.
@@ -182,15 +180,10 @@ fn laws_of_equal_standing_are_those_of_the_window() {
     };
     assert!(equal(&Muscle::prototype()).is_empty());
     assert!(names("ecoflex-00-30", 3.0, 28.0).is_empty() && names("dragon-skin-30", 3.0, 28.0).is_empty());
-    assert_eq!(
-        names("soloplast-150318", 3.0, 28.0),
-        ["gent", "arruda-boyce"].map(|l| format!("soloplast-150318:{l}"))
-    );
-    // With a law by name: those that the data prefer, and those of equal standing with these.
-    assert_eq!(
-        names("soloplast-150318:yeoh", 3.0, 28.0),
-        ["gent", "arruda-boyce"].map(|l| format!("soloplast-150318:{l}"))
-    );
+    // With a law by name too: those that the data prefer, and those of equal standing with these.
+    for name in ["soloplast-150318", "soloplast-150318:yeoh"] {
+        assert_eq!(names(name, 3.0, 28.0), ["soloplast-150318:gent", "soloplast-150318:arruda-boyce"]);
+    }
     assert_eq!(names("rtv615:neo-hookean", 3.0, 28.0), ["rtv615:yeoh"]);
     for other in equal(&muscle("soloplast-150318", 30.0, 3.0, 28.0)) {
         // Their names can be given, and give the muscle the same law.
@@ -199,24 +192,16 @@ fn laws_of_equal_standing_are_those_of_the_window() {
     }
 }
 
-fn csv(name: &str) -> Vec<csv::StringRecord> {
-    let path = format!("{}/../../data/{name}", env!("CARGO_MANIFEST_DIR"));
-    csv::Reader::from_path(path).unwrap().records().map(|r| r.unwrap()).collect()
-}
-
-fn number(record: &csv::StringRecord, column: usize) -> f64 {
-    record[column].parse().unwrap()
-}
-
 /// What a table of fits stands for against the curve itself, where both are known (RTV615 breaks within the last range).
 #[test]
 fn the_curve_of_a_table_of_fits_is_the_measured_one_within_5_percent() {
     for name in ["dragon-skin-30", "ecoflex-00-50", "mold-star-20t", "soloplast-150318"] {
-        let path = format!("{}/../../data/{TABLE_OF_FITS}", env!("CARGO_MANIFEST_DIR"));
-        let points = table_of_fits::curve_of_fits(std::fs::File::open(path).unwrap(), name).unwrap();
+        let points = table_of_fits::curve_of_fits(shipped(TABLE_OF_FITS).as_bytes(), name).unwrap();
         assert!(points.len() > 80 && points.is_sorted_by_key(|p| p.stretch), "{name}");
-        for row in csv(entry(name).unwrap().data.as_deref().unwrap()) {
-            let (end, measured) = (1.0 + number(&row, 0), number(&row, 1));
+        let measured = shipped(entry(name).unwrap().data.as_deref().unwrap());
+        for row in csv::Reader::from_reader(measured.as_bytes()).deserialize() {
+            let (strain, measured): (f64, f64) = row.unwrap();
+            let end = 1.0 + strain;
             if !(1.1..3.0).contains(&end) {
                 continue;
             }
@@ -225,13 +210,7 @@ fn the_curve_of_a_table_of_fits_is_the_measured_one_within_5_percent() {
             let share = (end - p.stretch) / (q.stretch - p.stretch);
             let stress = p.nominal_stress_mpa + share * (q.nominal_stress_mpa - p.nominal_stress_mpa);
             let off = (stress / measured - 1.0).abs();
-            let bound = if end <= 1.5 {
-                0.02
-            } else if end <= 2.5 {
-                0.025
-            } else {
-                0.05
-            };
+            let bound = [(1.5, 0.02), (2.5, 0.025), (3.0, 0.05)].into_iter().find(|b| end <= b.0).unwrap().1;
             assert!(off < bound, "{name} {end}: {off}");
         }
     }
@@ -242,8 +221,7 @@ fn the_curve_of_a_table_of_fits_is_the_measured_one_within_5_percent() {
 #[test]
 fn the_published_constants_follow_treloars_rubber() {
     let law = ExtendedTube { gc_mpa: 0.1867, ge_mpa: 0.2169, jm: 0.09693_f64.powi(-2) };
-    let path = format!("{}/../../data/treloar/tension.csv", env!("CARGO_MANIFEST_DIR"));
-    let points = read_tension(&std::fs::read_to_string(path).unwrap(), ReadOptions::default()).unwrap();
+    let points = read_tension(&shipped("treloar/tension.csv"), Default::default()).unwrap();
     let left: f64 = points.iter().map(|p| (p.stress_mpa(&law) - p.nominal_stress_mpa).powi(2)).sum();
     let all: f64 = points.iter().map(|p| p.nominal_stress_mpa.powi(2)).sum();
     assert!((left / all).sqrt() < 0.043, "{}", (left / all).sqrt());

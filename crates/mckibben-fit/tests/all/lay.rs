@@ -1,6 +1,6 @@
 //! Muscles with thick braids, wide sleeves and crimp, as a user meets them.
 
-use mckibben::model::{ForceModel, ModelError, ModelKind, ThickWall, Workspace};
+use mckibben::model::{ForceModel, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Crimp, Direction, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, NeoHookean};
 use mckibben_fem::FemError;
@@ -57,12 +57,7 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
 #[test]
 fn sensitivities_are_those_of_differences() {
     let (p, e) = (0.3, 0.1);
-    let names = [
-        "braid.thickness".to_owned(),
-        "braid.diameter".into(),
-        "braid.stiffness".into(),
-        "braid.crimp".into(),
-    ];
+    let names = ["thickness", "diameter", "stiffness", "crimp"].map(|key| format!("braid.{key}"));
     let known = fe(all).force_by(&mut Workspace::new(), p, e, &names).unwrap().unwrap();
     let pull = |change: &dyn Fn(&mut Braid)| {
         let changed = |b: &mut Braid| {
@@ -98,9 +93,9 @@ fn before_first_contact_the_tube_is_alone() {
     assert!((here.force_n - other).abs() < 1e-8, "{} {other}", here.force_n);
     assert!(loose.response(w, 0.1, 0.0).unwrap().braid_tension_n.unwrap() > 1.0);
     // The slope of the pull grows by an order of magnitude as the sleeve begins to carry.
-    let slope =
-        |p: f64, w: &mut Workspace| loose.response(w, p, 0.0).unwrap().force_per_pressure_mm2.unwrap();
-    assert!(slope(0.1, w) > 10.0 * slope(0.005, w).abs());
+    let [low, high] =
+        [0.005, 0.1].map(|p| loose.response(w, p, 0.0).unwrap().force_per_pressure_mm2.unwrap());
+    assert!(high > 10.0 * low.abs());
 }
 
 /// The middle of a muscle of 40 diameters is the infinitely long one, by 1/L0 of its ends.
@@ -190,11 +185,9 @@ fn thickness_and_crimp_come_back_from_rounded_points() {
         }
     }
     let m = muscle(|_| {});
-    let free: Vec<_> =
-        ["braid.thickness", "braid.crimp"].iter().map(|t| Parameter::parse(t, &m).unwrap()).collect();
-    let build =
-        |m: &Muscle| -> Result<Box<dyn ForceModel>, ModelError> { Ok(Box::new(Axisymmetric::new(m)?)) };
-    let result = identify(&Request::new(&m, &free, &points, &build)).unwrap();
+    let free = ["braid.thickness", "braid.crimp"].map(|t| Parameter::parse(t, &m).unwrap());
+    let result =
+        identify(&Request::new(&m, &free, &points, &|m| Ok(Box::new(Axisymmetric::new(m)?)))).unwrap();
     for (p, truth) in result.parameters.iter().zip([0.6, 0.012]) {
         assert!((p.value - truth).abs() < p.half_width.max(1e-3 * truth), "{p:?}");
         assert!(p.identifiable, "{p:?}");

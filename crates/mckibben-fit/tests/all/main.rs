@@ -8,5 +8,4 @@ mod friction_unknown;
 mod lay;
 mod measured;
 mod one_axis;
-mod prestretch;
 mod tables;

@@ -243,19 +243,34 @@ pub fn sync(folder: &Path) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    #[cfg(unix)]
+    use std::os::unix::fs::symlink;
+
+    /// A folder, and the path of a file in it.
+    fn folder() -> (tempfile::TempDir, PathBuf) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        (folder, path)
+    }
+
+    /// What is in the file, which is alone in its folder.
+    fn alone(path: &Path) -> Vec<u8> {
+        assert_eq!(names(path.parent().unwrap()), 1);
+        std::fs::read(path).unwrap()
+    }
 
     fn names(folder: &Path) -> usize {
         std::fs::read_dir(folder).unwrap().count()
     }
 
     #[test]
-    fn a_file_is_replaced_and_nothing_is_left_behind() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.txt");
+    fn a_file_is_replaced_only_where_that_is_said_and_nothing_is_left_behind() {
+        let (_folder, path) = folder();
         put(&path, b"one", false).unwrap();
+        assert_eq!(put(&path, b"two", false).unwrap_err().kind(), ErrorKind::AlreadyExists);
+        assert_eq!(alone(&path), b"one");
         put(&path, b"two", true).unwrap();
-        assert_eq!(std::fs::read(&path).unwrap(), b"two");
-        assert_eq!(names(folder.path()), 1);
+        assert_eq!(alone(&path), b"two");
     }
 
     #[test]
@@ -269,20 +284,18 @@ mod tests {
 
     #[test]
     fn a_read_only_file_stays_as_it_is() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.txt");
+        let (_folder, path) = folder();
         std::fs::write(&path, b"mine").unwrap();
         let mut mode = std::fs::metadata(&path).unwrap().permissions();
         mode.set_readonly(true);
         std::fs::set_permissions(&path, mode).unwrap();
         assert_eq!(put(&path, b"x", true).unwrap_err().kind(), ErrorKind::PermissionDenied);
-        assert_eq!((std::fs::read(&path).unwrap(), names(folder.path())), (b"mine".to_vec(), 1));
+        assert_eq!(alone(&path), b"mine");
     }
 
     #[cfg(unix)]
     #[test]
     fn a_link_stays_a_link_and_the_file_that_it_points_to_is_written() {
-        use std::os::unix::fs::symlink;
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
         std::fs::create_dir(at("far")).unwrap();
@@ -301,7 +314,6 @@ mod tests {
     #[cfg(unix)]
     #[test]
     fn a_link_inside_a_folder_is_refused_or_overwritten_itself() {
-        use std::os::unix::fs::symlink;
         let outer = tempfile::tempdir().unwrap();
         let folder = outer.path().join("folder");
         std::fs::create_dir(&folder).unwrap();
@@ -324,28 +336,17 @@ mod tests {
     }
 
     #[test]
-    fn an_existing_file_is_overwritten_only_where_that_is_said() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.txt");
-        put(&path, b"mine", false).unwrap();
-        assert_eq!(put(&path, b"x", false).unwrap_err().kind(), ErrorKind::AlreadyExists);
-        assert_eq!((std::fs::read(&path).unwrap(), names(folder.path())), (b"mine".to_vec(), 1));
-    }
-
-    #[test]
     fn without_clobbering_a_file_that_has_come_since_stays() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.txt");
+        let (_folder, path) = folder();
         let unfinished = Unfinished::beside(&path).unwrap();
         std::fs::write(&path, b"theirs").unwrap();
         assert_eq!(unfinished.put(false).unwrap_err().kind(), ErrorKind::AlreadyExists);
-        assert_eq!((std::fs::read(&path).unwrap(), names(folder.path())), (b"theirs".to_vec(), 1));
+        assert_eq!(alone(&path), b"theirs");
     }
 
     #[test]
     fn what_a_killed_program_left_is_swept_and_what_is_written_just_now_stays() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.txt");
+        let (folder, path) = folder();
         let left = folder.path().join(".unfinished-a.txt-x7");
         std::fs::write(&left, b"half").unwrap();
         std::fs::write(folder.path().join(".unfinished-b.txt-x7"), b"of another file").unwrap();

@@ -229,67 +229,37 @@ mod tests {
         Some((heading.meaning, unit.or(heading.unknown_unit.then_some("?"))))
     }
 
+    /// Beside the headings that `mckibben-fit` reads as points (`spellings.txt` there).
     #[test]
     fn headings_of_points_are_understood() {
         use Meaning::*;
         for (heading, meaning, unit) in [
-            ("pressure_mpa", Pressure, "MPa"),
-            ("Pressure [kPa]", Pressure, "kPa"),
             ("p (psi)", Pressure, "psi"),
             ("p/kPa", Pressure, "kPa"),
-            ("p / bar", Pressure, "bar"),
-            ("Druck in bar", Pressure, "bar"),
             ("Überdruck {mbar}", Pressure, "mbar"),
-            ("Gauge pressure (bar(g))", Pressure, "bar"),
             ("Pressure (gauge) [kPa]", Pressure, "kPa"),
-            ("Pression, kPa", Pressure, "kPa"),
             ("Presión en N/mm²", Pressure, "MPa"),
             ("pressure_n_mm2", Pressure, "MPa"),
-            ("Pressure\n[kPa]", Pressure, "kPa"),
-            ("Force_lbf", Force, "lbf"),
-            ("Kraft in N", Force, "N"),
             ("Zugkraft [kN]", Force, "kN"),
-            ("Load (kg)", Force, "kgf"),
             ("Load cell [N]", Force, "N"),
             ("F[mN]", Force, "mN"),
             ("Fuerza: N", Force, "N"),
-            ("contraction_percent", Contraction, "%"),
             ("Kontraktion (%)", Contraction, "%"),
             ("ε [-]", Contraction, ""),
             ("Contraction ratio in percent", Contraction, "%"),
             ("strain%", Contraction, "%"),
-            ("Contraction [mm]", Shortening, "mm"),
-            ("Verkürzung [mm]", Shortening, "mm"),
             ("Verkürzung [%]", Contraction, "%"),
             ("Stroke (inch)", Shortening, "in"),
-            ("ΔL [mm]", Shortening, "mm"),
             ("displacement_in", Shortening, "in"),
-            ("Distance [mm]", Shortening, "mm"),
-            ("Weight [g]", Force, "gf"),
-            ("压力(kPa)", Pressure, "kPa"),
             ("収縮率[%]", Contraction, "%"),
             ("拉力/N", Force, "N"),
-            ("Krimp (mm)", Shortening, "mm"),
-            ("Pressão [bar]", Pressure, "bar"),
-            ("length_mm", Length, "mm"),
             ("Länge [cm]", Length, "cm"),
-            ("L0 (mm)", RestLength, "mm"),
-            ("outer_diameter_mm", OuterDiameter, "mm"),
             ("Pressure [furlong]", Pressure, "?"),
             ("Force (mm)", Force, "?"),
         ] {
             assert_eq!(said(&POINTS, heading), Some((meaning, Some(unit))), "{heading}");
         }
-        for (heading, meaning) in [
-            ("Druck", Pressure),
-            ("strain", Contraction),
-            ("ΔL/L0", Contraction),
-            ("F", Force),
-            ("ContractionRatio", Contraction),
-            ("weight", Weight),
-            ("Richtung", Branch),
-            ("Zweig", Branch),
-        ] {
+        for (heading, meaning) in [("ΔL/L0", Contraction), ("F", Force)] {
             assert_eq!(said(&POINTS, heading), Some((meaning, None)), "{heading}");
         }
         for heading in [
@@ -307,24 +277,18 @@ mod tests {
         }
     }
 
+    /// Beside those of its `spellings.tsv`.
     #[test]
     fn headings_of_tests_are_understood() {
         use Meaning::*;
         for (heading, meaning, unit) in [
             ("Nominal stress [MPa]", NominalStress, Some("MPa")),
-            ("nominal_stress_MPa", NominalStress, Some("MPa")),
-            ("nominal stress N/mm²", NominalStress, Some("MPa")),
             ("σ / kPa", NominalStress, Some("kPa")),
-            ("cauchy stress [MPa]", TrueStress, Some("MPa")),
-            ("Strain (%)", Strain, Some("%")),
             ("strain_mm_mm", Strain, Some("")),
-            ("elongation %", Strain, Some("%")),
             ("Elongation [mm]", Extension, Some("mm")),
             ("Dehnung in %", Strain, Some("%")),
             ("déformation (%)", Strain, Some("%")),
-            ("λ", Stretch, None),
             ("deformation", Mode, None),
-            ("true_strain", TrueStrain, None),
         ] {
             assert_eq!(said(&TESTS, heading), Some((meaning, unit)), "{heading}");
         }

@@ -97,17 +97,12 @@ mod tests {
             assert_eq!(from.as_deref(), Some("sheet Werte Probe 1"));
             let table = Table::read(&text, &TESTS, &Columns::default()).unwrap();
             assert_eq!(table.lines(), [6, 7, 8, 9, 10]);
-            assert_eq!(
-                table.numbers(table.column(Meaning::Extension).unwrap()).unwrap(),
-                [0.0, 5.0, 10.0, 20.5, 40.0]
-            );
-            let forces = [0.0, 3.1, 5.2, 8.100000000000001, 12.3];
-            assert_eq!(table.numbers(table.column(Meaning::Force).unwrap()).unwrap(), forces);
-            let refused = |sheet| read_text(book, Some(sheet)).unwrap_err().to_string();
-            assert_eq!(
-                refused("Werte"),
-                "no sheet \"Werte\" with numbers; the sheets are: Parameter, Werte Probe 1"
-            );
+            let numbers = |meaning| table.numbers(table.column(meaning).unwrap()).unwrap();
+            assert_eq!(numbers(Meaning::Extension), [0.0, 5.0, 10.0, 20.5, 40.0]);
+            assert_eq!(numbers(Meaning::Force), [0.0, 3.1, 5.2, 8.100000000000001, 12.3]);
+            let refused = read_text(book, Some("Werte")).unwrap_err().to_string();
+            let said = "no sheet \"Werte\" with numbers; the sheets are: Parameter, Werte Probe 1";
+            assert_eq!(refused, said);
         }
     }
 

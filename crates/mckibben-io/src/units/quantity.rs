@@ -195,10 +195,9 @@ mod tests {
     #[test]
     fn a_unit_of_another_kind_is_named() {
         let error = parse_quantity("30bar", Dimension::Length).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "\"30bar\" is a pressure; expected a length such as 30mm, 3cm or 1.2in (a bare number is mm)"
-        );
+        let said =
+            "\"30bar\" is a pressure; expected a length such as 30mm, 3cm or 1.2in (a bare number is mm)";
+        assert_eq!(error.to_string(), said);
     }
 
     #[test]
@@ -215,8 +214,7 @@ mod tests {
     #[test]
     fn bar_and_megapascal_are_the_same_bits() {
         for (bar, mpa) in [("1.5bar", "0.15"), ("0.7bar", "0.07"), ("2.3 bar", "0.23MPa")] {
-            let (a, b) = (parse_quantity(bar, Dimension::Pressure), parse_quantity(mpa, Dimension::Pressure));
-            assert_eq!(a, b);
+            assert_eq!(parse_quantity(bar, Dimension::Pressure), parse_quantity(mpa, Dimension::Pressure));
         }
     }
 

@@ -173,22 +173,22 @@ mod tests {
         parse_values(text, dimension).unwrap_err().to_string()
     }
 
+    fn is_list(text: &str, dimension: Dimension, list: &[f64]) {
+        assert_eq!(parse_values(text, dimension), Ok(Values::List(list.to_vec())), "{text}");
+    }
+
     #[test]
     fn both_ends_are_in_and_decimals_stay_decimals() {
         let Values::List(list) = parse_values("0..0.25:0.01", Dimension::Pressure).unwrap() else { panic!() };
-        assert_eq!(list.len(), 26);
-        assert_eq!(list[15], 0.15);
-        assert_eq!(list[25], 0.25);
-        let Values::List(list) = parse_values("0..20:5%", Dimension::Ratio).unwrap() else { panic!() };
-        assert_eq!(list, [0.0, 0.05, 0.10, 0.15, 0.20]);
+        assert_eq!((list.len(), list[15], list[25]), (26, 0.15, 0.25));
+        is_list("0..20:5%", Dimension::Ratio, &[0.0, 0.05, 0.10, 0.15, 0.20]);
         // A step that does not divide the range still ends at the end.
-        let Values::List(list) = parse_values("0..1:0.4", Dimension::Ratio).unwrap() else { panic!() };
-        assert_eq!(list, [0.0, 0.4, 0.8, 1.0]);
+        is_list("0..1:0.4", Dimension::Ratio, &[0.0, 0.4, 0.8, 1.0]);
     }
 
     #[test]
     fn one_unit_behind_the_last_holds_for_all() {
-        assert_eq!(parse_values("1,2,3bar", Dimension::Pressure), Ok(Values::List(vec![0.1, 0.2, 0.3])));
+        is_list("1,2,3bar", Dimension::Pressure, &[0.1, 0.2, 0.3]);
         assert_eq!(parse_values("1bar..2.5bar", Dimension::Pressure), Ok(Values::Interval(0.1, 0.25)));
         for mixed in ["1bar,2,3bar", "1bar,2", "0..2bar:1"] {
             assert!(said(mixed, Dimension::Pressure).contains("some values carry a unit"), "{mixed}");
@@ -197,10 +197,10 @@ mod tests {
 
     #[test]
     fn zero_needs_no_unit() {
-        assert_eq!(parse_values("0,10%,20%", Dimension::Ratio), Ok(Values::List(vec![0.0, 0.1, 0.2])));
-        assert_eq!(parse_values("0..10%:5%", Dimension::Ratio), Ok(Values::List(vec![0.0, 0.05, 0.1])));
-        assert_eq!(parse_values("-1bar,0", Dimension::Pressure), Ok(Values::List(vec![-0.1, 0.0])));
-        assert_eq!(parse_values("0,1,2", Dimension::Pressure), Ok(Values::List(vec![0.0, 1.0, 2.0])));
+        is_list("0,10%,20%", Dimension::Ratio, &[0.0, 0.1, 0.2]);
+        is_list("0..10%:5%", Dimension::Ratio, &[0.0, 0.05, 0.1]);
+        is_list("-1bar,0", Dimension::Pressure, &[-0.1, 0.0]);
+        is_list("0,1,2", Dimension::Pressure, &[0.0, 1.0, 2.0]);
     }
 
     #[test]
@@ -209,8 +209,8 @@ mod tests {
         assert!(said("1..5:0", Dimension::Length).contains("must be above zero"));
         assert!(said("0..1:1e-9", Dimension::Length).contains("take a larger step"));
         assert!(said("3:1", Dimension::Length).contains("no range"));
-        assert!(parse_values("..", Dimension::Length).is_err());
-        assert!(parse_values("1,,2", Dimension::Length).is_err());
-        assert!(parse_values("1..2..3", Dimension::Length).is_err());
+        for text in ["..", "1,,2", "1..2..3"] {
+            assert!(parse_values(text, Dimension::Length).is_err(), "{text}");
+        }
     }
 }

@@ -106,16 +106,17 @@ mod tests {
             ("at 0.050006443630911265 s, 0.0001223208368105605 MPa", "at 0.05000644 s, 0.0001223208 MPa"),
             ("-8481.414633225937 N", "-8481.415 N"),
             ("0.19999999999982648 MPa", "0.2 MPa"),
-            (
-                "version 1.85.0 of 2026-11-22, 123456789 points",
-                "version 1.85.0 of 2026-11-22, 123456789 points",
-            ),
-            ("SHA-256 00112233445566778899aabb", "SHA-256 00112233445566778899aabb"),
-            ("file_0123456789012.toml", "file_0123456789012.toml"),
             ("1.2345678901234e-19 bar", "1.234568e-19 bar"),
             ("0.1..0.30000000000000004", "0.1..0.3"),
         ] {
             assert_eq!(short_numbers(text), expected);
+        }
+        for text in [
+            "version 1.85.0 of 2026-11-22, 123456789 points",
+            "SHA-256 00112233445566778899aabb",
+            "file_0123456789012.toml",
+        ] {
+            assert_eq!(short_numbers(text), text);
         }
         assert_eq!(short_numbers(&format!("{} and {}", 1e300, 1e-300)), "1e300 and 1e-300");
         assert_eq!(short_numbers(&format!("{}", f64::MIN_POSITIVE)), "2.225074e-308");

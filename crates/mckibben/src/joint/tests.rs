@@ -36,11 +36,8 @@ fn a_rest_and_a_table_have_one_torque() {
     let mut random = Random(28);
     for _ in 0..rounds(40) {
         let mut one = muscle(Path::Pulley { radius_mm: 25.0 }, random.between(0.0, 0.1));
-        let braid = Braid {
-            angle_deg: random.between(18.0, 50.0),
-            stiffness: BraidStiffness::Inextensible,
-            ..Braid::paper()
-        };
+        let (angle_deg, stiffness) = (random.between(18.0, 50.0), BraidStiffness::Inextensible);
+        let braid = Braid { angle_deg, stiffness, ..Braid::paper() };
         let stretch = random.one_of(&[1.0, 1.08, 1.2]);
         one.muscle = one.muscle.with_braid(braid).unwrap().with(&PRESTRETCH, stretch).unwrap();
         let other = JointMuscle { path: Path::Pulley { radius_mm: -25.0 }, ..one.clone() };
@@ -52,10 +49,8 @@ fn a_rest_and_a_table_have_one_torque() {
             let table = model.at(w, &pressures, angle_deg, Turning::Mean).unwrap().torque_nm;
             let fixed = &mut model.fixed(w, &pressures).unwrap();
             let summed = model.torque(fixed, f64::to_radians(angle_deg)).unwrap().0;
-            assert!(
-                (summed - table).abs() < 1e-9 * (1.0 + table.abs()),
-                "{angle_deg}: {summed} {table} {joint:?}"
-            );
+            let near = (summed - table).abs() < 1e-9 * (1.0 + table.abs());
+            assert!(near, "{angle_deg}: {summed} {table} {joint:?}");
         }
         for rest in model.rests(w, &pressures, 0.0).unwrap() {
             let torque = model.at(w, &pressures, rest.angle_deg(), Turning::Mean).unwrap().torque_nm;
@@ -126,14 +121,11 @@ fn the_uncertainty_of_the_torque_is_that_of_the_pulls_on_their_arms() {
 /// Strands known within a factor of 2: the torque of two runs with both muscles' strands twice and half as stiff, less that of the first.
 #[test]
 fn an_unknown_that_both_muscles_share_shifts_both_pulls_at_once() {
-    let joint_of = |k: f64, factor: f64| {
+    let joint_of = |k: f64, stiffness_factor: f64| {
         let muscles = [25.0, -25.0].map(|radius_mm| {
             let joint_muscle = muscle(Path::Pulley { radius_mm }, 0.1);
-            let braid = crate::muscle::Braid {
-                stiffness: crate::muscle::BraidStiffness::NewtonPerMm(k),
-                stiffness_factor: factor,
-                ..joint_muscle.muscle.braid().clone()
-            };
+            let stiffness = BraidStiffness::NewtonPerMm(k);
+            let braid = Braid { stiffness, stiffness_factor, ..joint_muscle.muscle.braid().clone() };
             JointMuscle { muscle: joint_muscle.muscle.with_braid(braid).unwrap(), ..joint_muscle }
         });
         Joint::new(muscles.to_vec(), None, Link::default(), (-60.0, 60.0)).unwrap()
@@ -163,10 +155,8 @@ fn a_muscle_beyond_its_free_contraction_hangs_slack() {
     assert_eq!(point.torque_nm, -1e-3 * 25.0 * point.muscles[1].answer.response.force_n);
     // Without pressure nothing acts over most of the range.
     let rests = model.rests(w, &[0.0, 0.0], 0.0).unwrap();
-    assert!(
-        matches!(rests[..], [Rest::Loose { from_deg, to_deg }] if from_deg < -30.0 && to_deg > 30.0),
-        "{rests:?}"
-    );
+    let [Rest::Loose { from_deg, to_deg }] = rests[..] else { panic!("{rests:?}") };
+    assert!(from_deg < -30.0 && to_deg > 30.0, "{rests:?}");
 }
 
 #[test]
@@ -255,9 +245,8 @@ fn what_the_joint_cannot_do_is_said_with_what_it_can() {
     let all = model.at(w, &[0.25, 0.0], 0.0, Turning::Mean).unwrap().torque_nm;
     assert!((most_nm - all).abs() < 1e-9, "{most_nm} {all}");
     let stiff = JointTarget { torque_nm: 1.0, stiffness_nm_per_rad: Some(1e4), ..wanted };
-    assert!(
-        matches!(model.pressures(w, stiff, 0.25), Err(JointError::OutOfReach { most, .. }) if most > 1.0)
-    );
+    let error = model.pressures(w, stiff, 0.25).unwrap_err();
+    assert!(matches!(error, JointError::OutOfReach { most, .. } if most > 1.0), "{error}");
     // The lowest pressures that hold a torque leave the other muscle alone.
     let low = model.pressures(w, JointTarget { torque_nm: 5.0, ..wanted }, 0.25).unwrap();
     assert!((low.torque_nm - 5.0).abs() < 1e-9 && low.pressures_mpa[1] == 0.0, "{low:?}");
@@ -298,10 +287,7 @@ fn a_map_holds_the_rests_that_are_found_one_by_one() {
 /// Soft strands have no equilibrium at high pressures: the map has the rests at the others, in balance with the spring, and the reasons.
 #[test]
 fn a_map_goes_on_beside_pressures_without_a_state() {
-    let braid = crate::muscle::Braid {
-        stiffness: crate::muscle::BraidStiffness::NewtonPerMm(10.0),
-        ..crate::muscle::Braid::paper()
-    };
+    let braid = Braid { stiffness: BraidStiffness::NewtonPerMm(10.0), ..Braid::paper() };
     let one = muscle(Path::Pulley { radius_mm: 25.0 }, 0.12);
     let soft = JointMuscle { muscle: one.muscle.with_braid(braid).unwrap(), ..one };
     let spring = JointSpring::Torsion { rate_nm_per_rad: 15.0, preload_nm: 0.0 };
@@ -336,11 +322,8 @@ fn a_map_outside_of_a_models_range_is_refused_or_said() {
         let models = models(joint, ModelKind::Universal);
         let list = || models.iter().map(|m| &**m).collect();
         let strict = JointModel::new(joint, list(), false).unwrap();
-        let error = strict.map(supply, 3, &Silent).unwrap_err();
-        assert!(
-            error.to_string().contains("outside the range") && error.to_string().contains(said),
-            "{error}"
-        );
+        let error = strict.map(supply, 3, &Silent).unwrap_err().to_string();
+        assert!(error.contains("outside the range") && error.contains(said), "{error}");
         let open = JointModel::new(joint, list(), true).unwrap();
         assert!(open.outside(supply).unwrap().iter().any(|s| s.contains(said)));
     }

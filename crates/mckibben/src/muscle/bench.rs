@@ -221,6 +221,7 @@ impl Muscle {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::muscle::measures::{ANGLE, PRESTRETCH, SEATING};
 
     fn bench() -> Bench {
         Bench {
@@ -266,13 +267,13 @@ mod tests {
     fn the_digest_changes_with_whatever_the_pull_depends_on() {
         let m = Muscle::prototype();
         let other = [
-            m.with_section(30.001, 3.0).unwrap().digest(),
-            m.with_friction(Some(super::super::Friction::power_law(1.0, 0.6))).unwrap().digest(),
-            m.with_terminals(super::super::Terminals { seating_mm: Some(1.0), ..Default::default() })
-                .unwrap()
-                .digest(),
-            m.with_braid(super::super::Braid { angle_deg: 27.0, ..m.braid().clone() }).unwrap().digest(),
-        ];
+            m.with_section(30.001, 3.0),
+            m.with_friction(Some(super::super::Friction::power_law(1.0, 0.6))),
+            m.with(&SEATING, 1.0),
+            m.with(&ANGLE, 27.0),
+            m.with(&PRESTRETCH, 1.15),
+        ]
+        .map(|m| m.unwrap().digest());
         for (i, one) in other.iter().enumerate() {
             assert_ne!(*one, m.digest());
             assert!(other[..i].iter().all(|o| o != one));

@@ -3,6 +3,7 @@
 use mckibben::analysis::{AnalysisError, Evaluation, Options};
 use mckibben::cancel::Cancel;
 use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
+use mckibben::muscle::measures::END_FACTOR;
 use mckibben::muscle::{
     Braid, BraidStiffness, Direction, EndFactor, Friction, MeasuredStrand, Muscle, Terminals, Tube,
 };
@@ -19,7 +20,7 @@ fn pulls_just_below_the_largest_are_found_where_the_pull_still_rises() {
             outer_diameter_mm: d0,
             wall_mm: d0 * r.between(0.02, 0.12),
             length_mm: d0 * r.between(6.0, 20.0),
-            ..Muscle::prototype().tube().clone()
+            ..Tube::prototype()
         };
         let stiffness = BraidStiffness::NewtonPerMm(r.log(20.0, 200.0));
         let braid = Braid { angle_deg: r.between(20.0, 30.0), stiffness, ..Braid::paper() };
@@ -65,12 +66,8 @@ fn any_muscle(r: &mut Random) -> Muscle {
     let length = length_mm / f64::to_radians(angle_deg).cos();
     let turns = length * f64::to_radians(angle_deg).sin() / (std::f64::consts::PI * d0);
     let measured = Some(MeasuredStrand { strand_length_mm: length, turns });
-    let tube = Tube {
-        outer_diameter_mm: d0,
-        wall_mm: d0 * r.between(0.02, 0.22),
-        length_mm,
-        ..Muscle::prototype().tube().clone()
-    };
+    let tube =
+        Tube { outer_diameter_mm: d0, wall_mm: d0 * r.between(0.02, 0.22), length_mm, ..Tube::prototype() };
     let terminals = Terminals {
         end_factor: Some(EndFactor::Constant(r.between(1.0, 1.3))),
         cone_factor: Some(r.between(0.1, 0.5)),
@@ -134,14 +131,8 @@ fn no_inverse_that_exists_is_denied() {
             Evaluation::new(model, w, k.options).force_n(p, e).map_or(f64::INFINITY, |b| (b - f).abs())
         };
         let failure = |what: &str, error: String| {
-            format!(
-                "{what} {}: P {} ε {} F {f} {:?} {error}\n{:?}",
-                model.info().name,
-                k.pressure_mpa,
-                k.contraction,
-                k.options,
-                model.muscle()
-            )
+            let (name, muscle, at) = (&model.info().name, model.muscle(), (k.pressure_mpa, k.contraction));
+            format!("{what} {name}: P, ε {at:?} F {f} {:?} {error}\n{muscle:?}", k.options)
         };
         match p {
             Ok(p) if back(p, k.contraction) <= 1e-6 * k.scale_n && p <= k.pressure_mpa * (1.0 + 1e-6) => {}
@@ -156,12 +147,8 @@ fn no_inverse_that_exists_is_denied() {
             Err(error) => denied.push(failure("contraction", error.to_string())),
         }
     }
-    assert!(
-        denied.is_empty(),
-        "{} of {count}:\n{}",
-        denied.len(),
-        denied.iter().take(12).cloned().collect::<Vec<_>>().join("\n")
-    );
+    let first = &denied[..denied.len().min(12)];
+    assert!(denied.is_empty(), "{} of {count}:\n{}", denied.len(), first.join("\n"));
 }
 
 /// The nearest pull of a question without an answer is as near as any on a fine grid over what the model accepts.
@@ -176,23 +163,19 @@ fn no_place_comes_nearer_than_the_nearest() {
             continue;
         }
         let range = &model.info().range;
-        let pulled = |v: f64| if k.options.two_sided { v } else { v.max(0.0) };
+        let no_nearer = |w: &mut Workspace, p: f64, e: f64, nearest: f64| {
+            let Ok(there) = Evaluation::new(model, w, k.options).force_n(p, e) else { return };
+            let pulled = if k.options.two_sided { there } else { there.max(0.0) };
+            let near = (nearest - f).abs() - 1e-6 * k.scale_n;
+            assert!((pulled - f).abs() >= near, "{}: {pulled} at {p}, {e}, not {nearest}", model.info().name);
+        };
         let said = Evaluation::new(model, w, k.options).pressure_at(f, k.contraction);
         if let Err(AnalysisError::NoPressure { nearest_force_n, .. }) = said {
             refused += 1;
             let high = if k.options.extrapolate { 20.0 } else { range.pressure_mpa.1.min(20.0) };
-            let nearest = (nearest_force_n - f).abs();
             for i in 0..=500 {
                 let p = range.pressure_mpa.0 + (high - range.pressure_mpa.0) * (f64::from(i) / 500.0).powi(2);
-                let Ok(there) = Evaluation::new(model, w, k.options).force_n(p, k.contraction) else {
-                    continue;
-                };
-                let there = (pulled(there) - f).abs();
-                assert!(
-                    there >= nearest - 1e-6 * k.scale_n,
-                    "{}: {there} at {p}, {said:?}",
-                    model.info().name
-                );
+                no_nearer(w, p, k.contraction, nearest_force_n);
             }
         }
         let said = Evaluation::new(model, w, k.options).contraction_at(f, k.pressure_mpa);
@@ -200,43 +183,33 @@ fn no_place_comes_nearer_than_the_nearest() {
             refused += 1;
             let (low, high) = if k.options.extrapolate { (-0.99, 0.99) } else { range.contraction };
             let low = if k.options.two_sided { low } else { low.max(0.0) };
-            let nearest = (nearest_force_n - f).abs();
             for i in 0..=500 {
                 let e = low + (high.min(0.999) - low) * f64::from(i) / 500.0;
-                let Ok(there) = Evaluation::new(model, w, k.options).force_n(k.pressure_mpa, e) else {
-                    continue;
-                };
-                let there = (pulled(there) - f).abs();
-                assert!(
-                    there >= nearest - 1e-6 * k.scale_n,
-                    "{}: {there} at {e}, {said:?}",
-                    model.info().name
-                );
+                no_nearer(w, k.pressure_mpa, e, nearest_force_n);
             }
         }
     }
     assert!(refused > 50, "{refused}");
 }
 
+/// D0, wall, length and angle of a muscle whose strands do not stretch.
+fn rigid([outer_diameter_mm, wall_mm, length_mm, angle_deg]: [f64; 4]) -> Muscle {
+    let tube = Tube { outer_diameter_mm, wall_mm, length_mm, ..Tube::prototype() };
+    let braid = Braid { angle_deg, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
+    Muscle::prototype().with_tube(tube).and_then(|m| m.with_braid(braid)).unwrap()
+}
+
 /// force-balance rises from 2,014 N or less at rest to 2,073 N at 2 % and falls to 2,014.5 N at 5.4 %: that is the answer, on the branch on which
 /// the pull falls. The ideal muscle, beyond 34.6 %, pushes harder the higher its pressure.
 #[test]
 fn a_pull_that_rises_and_falls_and_one_that_falls_with_the_pressure_are_found() {
-    let tube = Tube {
-        outer_diameter_mm: 38.175_422_551_947_98,
-        wall_mm: 7.595_408_261_814_994_5,
-        length_mm: 428.0,
-        ..Muscle::prototype().tube().clone()
-    };
-    let braid =
-        Braid { angle_deg: 26.296_787_933_536_05, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
-    let muscle = Muscle::prototype().with_tube(tube).unwrap().with_braid(braid).unwrap();
+    let muscle = rigid([38.175_422_551_947_98, 7.595_408_261_814_994_5, 428.0, 26.296_787_933_536_05]);
     let (model, w) = (ModelKind::ForceBalance.build(&muscle).unwrap(), &mut Workspace::new());
     let p = 0.384_802_29;
     let e = Evaluation::new(&*model, w, Options::default()).contraction_at(2014.0, p).unwrap();
     assert!((0.05..0.06).contains(&e), "{e}");
     assert!((model.force_n(w, p, e).unwrap() - 2014.0).abs() < 1e-6);
-    let tube = Tube { wall_mm: 2.0, ..Muscle::prototype().tube().clone() };
+    let tube = Tube { wall_mm: 2.0, ..Tube::prototype() };
     let ideal = ModelKind::Ideal.build(&Muscle::prototype().with_tube(tube).unwrap()).unwrap();
     let two_sided = Options { two_sided: true, ..Options::default() };
     let p = Evaluation::new(&*ideal, w, two_sided).pressure_at(-200.0, 0.35).unwrap();
@@ -247,18 +220,9 @@ fn a_pull_that_rises_and_falls_and_one_that_falls_with_the_pressure_are_found() 
 /// the answer. The force is computed first, so that a pressure exists.
 #[test]
 fn a_push_inside_of_a_narrow_extremum_at_low_pressure_is_found() {
-    let tube = Tube {
-        outer_diameter_mm: 13.408_729_734_445_396,
-        wall_mm: 0.973_052_890_828_371_7,
-        length_mm: 226.781_880_841_782_74,
-        ..Muscle::prototype().tube().clone()
-    };
-    let stiffness = BraidStiffness::Inextensible;
-    let braid = Braid { angle_deg: 32.971_589_873_178_07, stiffness, ..Braid::paper() };
-    let ends =
-        Terminals { end_factor: Some(EndFactor::Constant(1.177_213_361_296_909_3)), ..Terminals::default() };
-    let muscle = Muscle::prototype().with_tube(tube).and_then(|m| m.with_braid(braid));
-    let muscle = muscle.and_then(|m| m.with_terminals(ends)).unwrap();
+    let (d0, wall, length) = (13.408_729_734_445_396, 0.973_052_890_828_371_7, 226.781_880_841_782_74);
+    let muscle = rigid([d0, wall, length, 32.971_589_873_178_07]);
+    let muscle = muscle.with(&END_FACTOR, 1.177_213_361_296_909_3).unwrap();
     let (model, w) = (ModelKind::Universal.build(&muscle).unwrap(), &mut Workspace::new());
     let two_sided = Options { two_sided: true, ..Options::default() };
     let e = 0.045_425_840_119_502_285;

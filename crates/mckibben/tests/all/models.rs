@@ -2,7 +2,9 @@
 
 use mckibben::curve::Test;
 use mckibben::formula::Coefficients;
-use mckibben::model::{ForceModel, FormulaModel, Ideal, ModelError, ModelKind, ThickWall, Workspace};
+use mckibben::model::{
+    ForceModel, FormulaModel, Ideal, ModelError, ModelKind, Response, ThickWall, Workspace,
+};
 use mckibben::muscle::{
     Braid, BraidStiffness, EndFactor, MeasuredStrand, Muscle, NEUTRAL_ANGLE_DEG, Rubber, Terminals, Tube,
 };
@@ -70,22 +72,19 @@ fn a_slack_muscle_is_what_it_is_at_its_free_contraction() {
         }));
         let along = family.into_iter().flat_map(|c| c.points).map(|point| point.answer.unwrap());
         for slack in alone.chain(along) {
-            assert!(slack.slack && slack.response.force_n == 0.0, "{}", model.info().name);
-            assert!(slack.free_contraction.is_some(), "{}", model.info().name);
-            let near = |a: Option<f64>, b: Option<f64>| match (a, b) {
+            let name = &model.info().name;
+            assert!(
+                slack.slack && slack.response.force_n == 0.0 && slack.free_contraction.is_some(),
+                "{name}"
+            );
+            let near = |(a, b): (Option<f64>, Option<f64>)| match (a, b) {
                 (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * b.abs().max(1e-3),
                 (a, b) => a == b,
             };
             let (a, b) = (slack.response, free.response);
-            assert!(near(a.volume_mm3, b.volume_mm3), "{}: {a:?} {b:?}", model.info().name);
-            assert!(near(a.bulged_diameter_mm, b.bulged_diameter_mm), "{}: {a:?} {b:?}", model.info().name);
-            assert!(near(a.braid_tension_n, b.braid_tension_n), "{}: {a:?} {b:?}", model.info().name);
-            assert_eq!(
-                (a.stiffness_n_per_mm, a.force_per_pressure_mm2),
-                (None, None),
-                "{}",
-                model.info().name
-            );
+            let of = |r: &Response| [r.volume_mm3, r.bulged_diameter_mm, r.braid_tension_n];
+            assert!(of(&a).into_iter().zip(of(&b)).all(near), "{name}: {a:?} {b:?}");
+            assert_eq!([a.stiffness_n_per_mm, a.force_per_pressure_mm2], [None; 2], "{name}");
         }
     }
 }
@@ -130,22 +129,18 @@ fn answers_are_finite_over_the_range_and_typed_errors_beyond() {
 fn lists_of_pulls_are_their_points() {
     for model in every_model() {
         let (p, e): (Vec<f64>, Vec<f64>) = grid(&*model).into_iter().unzip();
-        let workspace = &mut Workspace::new();
+        let (name, workspace) = (&model.info().name, &mut Workspace::new());
         let mut out = vec![f64::NAN; p.len()];
         assert!(model.forces_n(workspace, [&p, &e], &mut out));
         let blocked = model.force_n(workspace, p[p.len() - 1], 0.0).unwrap();
         for ((&p, &e), list) in p.iter().zip(&e).zip(&out) {
             let one = model.force_n(&mut Workspace::new(), p, e).unwrap();
-            assert!(
-                (list - one).abs() <= 2e-9 * blocked.max(1.0),
-                "{} {p} {e}: {list} {one}",
-                model.info().name
-            );
+            assert!((list - one).abs() <= 2e-9 * blocked.max(1.0), "{name} {p} {e}: {list} {one}");
         }
         assert!(!model.forces_n(workspace, [&p[1..], &e], &mut out));
-        if model.info().name != "thick-wall" {
+        if name != "thick-wall" {
             let wrong = model.forces_n(workspace, [&[0.1, f64::NAN], &[0.1, 0.1]], &mut [0.0; 2]);
-            assert!(!wrong, "{}", model.info().name);
+            assert!(!wrong, "{name}");
         }
     }
 }
@@ -192,11 +187,8 @@ fn closed_inverses_come_back() {
             if let Some(back) = model.pressure_at_pull(w, force, e) {
                 assert!((back - p).abs() < 1e-9, "{name} {p} {e}");
             }
-            let falls = model
-                .response(&mut Workspace::new(), p, e)
-                .unwrap()
-                .stiffness_n_per_mm
-                .is_some_and(|k| k > 0.0);
+            let stiffness = model.response(&mut Workspace::new(), p, e).unwrap().stiffness_n_per_mm;
+            let falls = stiffness.is_some_and(|k| k > 0.0);
             if let Some(back) = model.contraction_at_pull(w, force, p).filter(|_| falls) {
                 assert!((back - e).abs() < 1e-9, "{name} {p} {e}");
             }
@@ -220,12 +212,9 @@ fn maxwell_holds_where_the_force_is_the_slope_of_an_energy() {
         for e in [0.01, 0.1, 0.2] {
             let v = |e: f64| model.response(&mut Workspace::new(), p, e).unwrap().volume_mm3.unwrap();
             let by_length = -(v(e + h) - v(e - h)) / (2.0 * h * m.length_mm());
-            let by_pressure =
-                model.response(&mut Workspace::new(), p, e).unwrap().force_per_pressure_mm2.unwrap();
-            assert!(
-                (by_length + by_pressure).abs() < 1e-6 * by_pressure.abs(),
-                "{kind} {e}: {by_length} {by_pressure}"
-            );
+            let here = model.response(&mut Workspace::new(), p, e).unwrap();
+            let sum = by_length + here.force_per_pressure_mm2.unwrap();
+            assert!(sum.abs() < 1e-6 * by_length.abs(), "{kind} {e}: {sum} {by_length}");
         }
     }
 }

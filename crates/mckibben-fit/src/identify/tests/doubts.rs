@@ -1,6 +1,7 @@
 //! Doubts that a fit states about its fit.
 
 use super::*;
+use mckibben::muscle::file::{parse_muscle, to_toml};
 
 #[test]
 fn what_the_data_cannot_tell_is_flagged() {
@@ -11,24 +12,20 @@ fn what_the_data_cannot_tell_is_flagged() {
         noisy(&bench(&m, 0.0), 6.0, 5).into_iter().filter(|p| p.at.contraction == 0.1).collect();
     let fit = identified(&m, &["c10", "c01"], &isometric).unwrap();
     assert!(!fit.parameters[1].identifiable, "{:#?}", fit.parameters);
-    assert!(fit.notes.iter().any(|n| n.contains("tube.material.c01 is not identifiable")), "{:?}", fit.notes);
+    assert!(says(&fit, "tube.material.c01 is not identifiable"), "{:?}", fit.notes);
     // k of strands that do not stretch.
     let stiff = soft();
     let rigid = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), BraidStiffness::Inextensible);
     let fit = identified(&stiff, &["mu", "braid.stiffness"], &noisy(&bench(&rigid, 0.0), 4.0, 5)).unwrap();
     assert!(!fit.parameters[1].identifiable && fit.parameters[0].identifiable, "{:#?}", fit.parameters);
-    assert!(fit.notes.iter().any(|n| n.contains("inextensible strands")), "{:?}", fit.notes);
+    assert!(says(&fit, "inextensible strands"), "{:?}", fit.notes);
     // One constant under two names.
     let fit = identified(&stiff, &["mu=0.4", "modulus"], &noisy(&bench(&stiff, 0.0), 4.0, 5)).unwrap();
     assert!(fit.parameters.iter().all(|p| !p.identifiable), "{:#?}", fit.parameters);
     // What the model does not use.
     let fit = identified(&stiff, &["mu", "friction.c=5"], &noisy(&bench(&stiff, 0.0), 4.0, 5)).unwrap();
     assert!(!fit.parameters[1].matters && fit.parameters[0].identifiable, "{:#?}", fit.parameters);
-    assert!(
-        fit.notes.iter().any(|n| n.contains("friction.coefficient: it has no effect on any point")),
-        "{:?}",
-        fit.notes
-    );
+    assert!(says(&fit, "friction.coefficient: it has no effect on any point"), "{:?}", fit.notes);
 }
 
 #[test]
@@ -36,13 +33,12 @@ fn the_default_does_not_free_an_unidentifiable_stiffness() {
     let rigid = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), BraidStiffness::Inextensible);
     let points = noisy(&bench(&rigid, 0.0), 4.0, 5);
     let m = soft();
-    let stiff =
-        m.with_braid(Braid { stiffness: BraidStiffness::NewtonPerMm(1e5), ..m.braid().clone() }).unwrap();
+    let stiff = muscle(m.tube().rubber.law.clone(), BraidStiffness::NewtonPerMm(1e5));
     let request = Request::new(&stiff, &[], &points, &thick);
     let fit = identify_default(&request).unwrap();
     assert_eq!(fit.parameters.len(), 1);
     assert!((fit.parameters[0].value - 0.3).abs() < 0.05, "{:#?}", fit.parameters);
-    assert!(fit.notes.iter().any(|n| n.contains("was not changed")), "{:?}", fit.notes);
+    assert!(says(&fit, "was not changed"), "{:?}", fit.notes);
 }
 
 #[test]
@@ -77,7 +73,7 @@ fn data_that_cannot_be_right_get_a_sentence() {
     let mut points = bench(&m, 0.0);
     points.iter_mut().for_each(|p| p.at.force_n *= 4.0);
     let fit = identified(&m, &["mu", "tube.outer_diameter"], &points).unwrap();
-    assert!(fit.notes.iter().any(|n| n.contains("really the radius")), "{:?}", fit.notes);
+    assert!(says(&fit, "really the radius"), "{:?}", fit.notes);
 }
 
 #[test]
@@ -109,9 +105,9 @@ fn a_model_that_misses_in_a_pattern_is_told() {
     let wrong = m.with_braid(Braid { angle_deg: 22.0, ..m.braid().clone() }).unwrap();
     let points = curves(&m, &[0.2, 0.3, 0.4], 0.015);
     let fit = identified(&wrong, &["mu"], &points).unwrap();
-    assert!(fit.notes.iter().any(|n| n.contains("follow a pattern")), "{:?}", fit.notes);
+    assert!(says(&fit, "follow a pattern"), "{:?}", fit.notes);
     let fit = identified(&m, &["mu"], &noisy(&points, 3.0, 4)).unwrap();
-    assert!(fit.notes.iter().all(|n| !n.contains("follow a pattern")), "{:?}", fit.notes);
+    assert!(!says(&fit, "follow a pattern"), "{:?}", fit.notes);
 }
 
 #[test]
@@ -128,16 +124,12 @@ fn starts_bounds_and_doubles_are_checked() {
     // A bound that holds the truth away is reported.
     let fit = identified(&m, &["mu=0.4:0.35:1"], &points).unwrap();
     assert!(fit.parameters[0].at_bound && !fit.parameters[0].identifiable, "{:#?}", fit.parameters);
-    assert!(fit.notes.iter().any(|n| n.contains("is at its bound")), "{:?}", fit.notes);
+    assert!(says(&fit, "is at its bound"), "{:?}", fit.notes);
 }
 
 fn points_of(rows: &[(f64, f64, f64)]) -> Vec<DataPoint> {
-    let one = |(i, &(pressure_bar, contraction, force_n)): (usize, &(f64, f64, f64))| {
-        let pressure_mpa = 0.1 * pressure_bar;
-        let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) };
-        DataPoint { line: i as u64 + 2, ..DataPoint::new(at) }
-    };
-    rows.iter().enumerate().map(one).collect()
+    let points = rows.iter().zip(2..);
+    points.map(|(&(bar, e, force), line)| DataPoint { line, ..pull(0.1 * bar, e, force) }).collect()
 }
 
 /// Tables of a bench as people sent them: forces, contractions or single points with the wrong sign.
@@ -200,12 +192,10 @@ fn ends_that_give_way_by_too_much_are_not_determined() {
     let free = free(&m, &["mu=0.5", "terminals.seating"]);
     let request = Request { two_sided: true, ..Request::new(&m, &free, &points, &with_ends) };
     let fit = identify(&request).unwrap();
-    let identified_seating = &fit.parameters[1];
-    assert!((identified_seating.value - seating).abs() < 1e-5, "{identified_seating:#?}");
-    assert!(
-        identified_seating.implausible && !identified_seating.identifiable && !fit.parameters[0].implausible
-    );
-    assert!(fit.notes.iter().any(|n| n.contains("0.3 of the outer diameter")), "{:?}", fit.notes);
+    let [mu, ends] = &fit.parameters[..] else { panic!() };
+    assert!((ends.value - seating).abs() < 1e-5, "{ends:#?}");
+    assert!(ends.implausible && !ends.identifiable && !mu.implausible);
+    assert!(says(&fit, "0.3 of the outer diameter"), "{:?}", fit.notes);
     // No point is of the muscle itself (200 mm): nothing is said of its bench.
     assert_eq!(fit.bench, None);
 }
@@ -219,7 +209,7 @@ fn a_constant_on_its_bound_is_the_bound() {
     let request = Request::new(&m, &free, &points, &with_ends);
     let fit = identify(&request).unwrap();
     assert!(fit.parameters[1].at_bound && fit.parameters[1].value == 0.0, "{:#?}", fit.parameters);
-    assert!(fit.notes.iter().any(|n| n.contains("terminals.grip is at its bound, 0 mm")), "{:?}", fit.notes);
+    assert!(says(&fit, "terminals.grip is at its bound, 0 mm"), "{:?}", fit.notes);
 }
 
 /// Benches with a known noise, some with both branches: their ± covers further points of the same bench at its rate.
@@ -247,10 +237,8 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
                 let mut model = Evaluation::new(&model, w, branch);
                 let computed = model.force_n(pressure, e).unwrap();
                 let parts = model.uncertainty(pressure, e, computed).unwrap();
-                assert!(
-                    parts.fit.is_some() && parts.measured.is_none() && parts.friction.is_none(),
-                    "{parts:?}"
-                );
+                let others = [parts.measured, parts.friction];
+                assert!(parts.fit.is_some() && others == [None, None], "{parts:?}");
                 held += usize::from((measured - computed).abs() <= parts.total());
                 all += 1;
                 widest = widest.max(parts.total());
@@ -261,22 +249,22 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
     }
 }
 
+fn with_bench() -> Muscle {
+    let m = soft();
+    identified(&m, &["mu", "braid.stiffness"], &noisy(&bench(&m, 0.0), 4.0, 3)).unwrap().with_bench()
+}
+
 /// `[identified]` is read as it was written; with another diameter it says nothing.
 #[test]
 fn the_bench_stands_in_the_muscle_file() {
-    use mckibben::muscle::file::{parse_muscle, to_toml};
-    let m = soft();
-    let fit = identified(&m, &["mu", "braid.stiffness"], &noisy(&bench(&m, 0.0), 4.0, 3)).unwrap();
-    let muscle = fit.with_bench();
+    let muscle = with_bench();
     let b = muscle.bench().unwrap().clone();
     assert_eq!((b.points, b.pressure_mpa, b.contraction), (15, (0.1, 0.4), (0.0, 0.2)));
     assert_eq!((b.model.as_str(), &b.branches[..]), ("thick-wall", &[Direction::Mean][..]));
     let text = to_toml(&muscle);
     let read = parse_muscle(&text).unwrap();
-    assert_eq!(read, muscle);
-    assert_eq!(read.bench(), Some(&b));
-    let wider =
-        parse_muscle(&text.replace("outer_diameter = \"20 mm\"", "outer_diameter = \"21 mm\"")).unwrap();
+    assert_eq!((&read, read.bench()), (&muscle, Some(&b)));
+    let wider = parse_muscle(&text.replace("diameter = \"20 mm\"", "diameter = \"21 mm\"")).unwrap();
     assert_eq!(wider.bench(), None);
     assert!(!to_toml(&wider).contains("[identified]"));
     let wrong = |from: &str, to: &str| {
@@ -301,10 +289,7 @@ fn the_bench_stands_in_the_muscle_file() {
 /// Whatever digit is changed by hand, the branch or the model: the ± is that of a muscle without test data, and that is said.
 #[test]
 fn a_bench_that_was_edited_says_nothing() {
-    use mckibben::muscle::file::{parse_muscle, to_toml};
-    let m = soft();
-    let fit = identified(&m, &["mu", "braid.stiffness"], &noisy(&bench(&m, 0.0), 4.0, 3)).unwrap();
-    let text = to_toml(&fit.with_bench());
+    let text = to_toml(&with_bench());
     let (muscle, table) = text.split_once("[identified]").unwrap();
     let mut edited: Vec<String> = vec![];
     let mut before = ' ';
@@ -312,9 +297,8 @@ fn a_bench_that_was_edited_says_nothing() {
         let (line, here) = (table[..at].rsplit('\n').next().unwrap(), &table[at + c.len_utf8()..]);
         let first = c.is_ascii_digit() && !before.is_ascii_alphanumeric() && !".-".contains(before);
         if first && !line.contains('#') {
-            edited.extend(
-                ["1", "4"].iter().filter(|d| !d.contains(c)).map(|d| format!("{}{d}{here}", &table[..at])),
-            );
+            let others = ['1', '4'].into_iter().filter(|digit| *digit != c);
+            edited.extend(others.map(|digit| format!("{}{digit}{here}", &table[..at])));
         }
         before = c;
     }
@@ -324,18 +308,14 @@ fn a_bench_that_was_edited_says_nothing() {
     for table in edited {
         let Ok(read) = parse_muscle(&format!("{muscle}[identified]{table}")) else { continue };
         assert_eq!(read.bench(), None, "{table}");
-        assert!(
-            read.warnings().iter().any(|w| w.contains("one of them was changed")),
-            "{:?}",
-            read.warnings()
-        );
+        let warnings = read.warnings();
+        assert!(warnings.iter().any(|w| w.contains("one of them was changed")), "{warnings:?}");
     }
 }
 
 /// A Gent muscle and points of a neo-Hookean one, without noise and with it: no limit lies beyond the bound, and the file can be read.
 #[test]
 fn chains_that_never_lock_are_said() {
-    use mckibben::muscle::file::{parse_muscle, to_toml};
     let (plain, gent) = (soft(), Law::named("gent", &[0.3, 10.0]).unwrap());
     let m = muscle(gent, BraidStiffness::NewtonPerMm(400.0));
     for deviation in [0.0, 4.0] {
@@ -344,7 +324,7 @@ fn chains_that_never_lock_are_said() {
         let limit = fit.parameters[1].value;
         if limit > 100.0 {
             assert!(limit <= 1000.0 && !fit.parameters[1].identifiable, "{:#?}", fit.parameters);
-            assert!(fit.notes.iter().any(|n| n.contains("law = \"neo-hookean\"")), "{:?}", fit.notes);
+            assert!(says(&fit, "law = \"neo-hookean\""), "{:?}", fit.notes);
         }
         assert!(deviation > 0.0 || limit > 100.0, "{limit}");
         let muscle = fit.with_bench();
@@ -373,12 +353,8 @@ fn pulls_that_are_all_negative_are_named() {
 #[test]
 fn a_modulus_of_no_rubber_is_named() {
     let thin = |mu_mpa: f64| {
-        let tube = Tube {
-            wall_mm: 0.1,
-            rubber: Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa })),
-            ..soft().tube().clone()
-        };
-        soft().with_tube(tube).unwrap()
+        let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
+        soft().with_tube(Tube { wall_mm: 0.1, rubber, ..soft().tube().clone() }).unwrap()
     };
     let said = |mu_mpa: f64| {
         let fit = identified(&thin(1.0), &["mu"], &bench(&thin(mu_mpa), 0.0)).unwrap();

@@ -6,6 +6,7 @@ use crate::least_squares::{Loss, Noise};
 use crate::measured::MeasuredPoint;
 use mckibben::cancel::Cancelled;
 use mckibben::model::{ForceModel, ModelError, ThickWall, Workspace};
+use mckibben::muscle::measures::{END_FACTOR, PRESTRETCH};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
 use mckibben::progress::Progress;
 use mckibben::rubber::{Law, MooneyRivlin, NeoHookean, Yeoh};
@@ -46,6 +47,11 @@ const PLACES: [(f64, f64); 15] = [
     (0.4, 0.2),
 ];
 
+/// A pull of the mean of the branches.
+fn pull(pressure_mpa: f64, contraction: f64, force_n: f64) -> DataPoint {
+    DataPoint::new(MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) })
+}
+
 /// What a bench would read of a muscle, both branches where it has friction; the contraction it reads is that of the muscle
 /// less `offset`.
 fn bench(m: &Muscle, offset: f64) -> Vec<DataPoint> {
@@ -75,8 +81,7 @@ fn curves(m: &Muscle, pressures: &[f64], step: f64) -> Vec<DataPoint> {
     for &pressure_mpa in pressures {
         for contraction in (0..12).map(|i| step * f64::from(i)) {
             let force_n = model.force_n(&mut Workspace::new(), pressure_mpa, contraction).unwrap();
-            let branch = Some(Direction::Mean);
-            out.push(DataPoint::new(MeasuredPoint { pressure_mpa, contraction, force_n, branch }));
+            out.push(pull(pressure_mpa, contraction, force_n));
         }
     }
     out
@@ -91,6 +96,11 @@ fn noisy(points: &[DataPoint], deviation: f64, seed: u64) -> Vec<DataPoint> {
 
 fn free(m: &Muscle, names: &[&str]) -> Vec<Parameter> {
     names.iter().map(|n| Parameter::parse(n, m).unwrap()).collect()
+}
+
+/// Whether a note of a fit has this part.
+fn says(fit: &Identification, part: &str) -> bool {
+    fit.notes.iter().any(|note| note.contains(part))
 }
 
 fn identified(m: &Muscle, names: &[&str], points: &[DataPoint]) -> Result<Identification, IdentifyError> {
@@ -120,11 +130,8 @@ fn values(m: &Muscle, names: &[&str], points: &[DataPoint]) -> Vec<f64> {
 #[test]
 fn known_constants_come_back_from_exact_points() {
     let yeoh = Law::Yeoh(Yeoh { c10_mpa: 0.15, c20_mpa: 0.01, c30_mpa: 0.0 });
-    let rubbing = Friction::power_law(25.0, 0.7);
-    let with = |m: &Muscle| {
-        let (tube, braid) = (m.tube().clone(), m.braid().clone());
-        Muscle::new(tube, braid, m.terminals().clone(), Some(rubbing)).unwrap()
-    };
+    let rubbing = soft().with_friction(Some(Friction::power_law(25.0, 0.7))).unwrap();
+    let with = |measure, value| soft().with(measure, value).unwrap();
     type Case<'a> = (Muscle, f64, Vec<(&'a str, f64)>);
     let cases: Vec<Case<'_>> = vec![
         (soft(), 0.0, vec![("mu=0.5", 0.3)]),
@@ -134,7 +141,9 @@ fn known_constants_come_back_from_exact_points() {
         (soft(), 0.02, vec![("mu=0.5", 0.3), ("contraction_offset", 0.02)]),
         (muscle(yeoh.clone(), BraidStiffness::Inextensible), 0.0, vec![("modulus=1.5", 1.0)]),
         (muscle(yeoh, BraidStiffness::Inextensible), 0.0, vec![("c10=0.3", 0.15), ("c20=0", 0.01)]),
-        (with(&soft()), 0.0, vec![("mu=0.5", 0.3), ("friction.c=10", 25.0), ("friction.beta=1", 0.7)]),
+        (rubbing, 0.0, vec![("mu=0.5", 0.3), ("friction.c=10", 25.0), ("friction.beta=1", 0.7)]),
+        (with(&END_FACTOR, 1.15), 0.0, vec![("end-factor=1.0", 1.15), ("mu=0.4", 0.3)]),
+        (with(&PRESTRETCH, 1.15), 0.0, vec![("tube.prestretch=1.0", 1.15)]),
     ];
     for (m, offset, wanted) in cases {
         let names: Vec<&str> = wanted.iter().map(|w| w.0).collect();
@@ -142,16 +151,6 @@ fn known_constants_come_back_from_exact_points() {
             assert!((value - truth).abs() < 1e-6 * (1.0 + truth.abs()), "{name}: {value}, not {truth}");
         }
     }
-}
-
-#[test]
-fn an_end_factor_comes_back() {
-    let mut m = soft();
-    let terminals =
-        Terminals { end_factor: Some(mckibben::muscle::EndFactor::Constant(1.15)), ..Terminals::default() };
-    m = m.with_terminals(terminals).unwrap();
-    let v = values(&m, &["end-factor=1.0", "mu=0.4"], &bench(&m, 0.0));
-    assert!((v[0] - 1.15).abs() < 1e-6 && (v[1] - 0.3).abs() < 1e-6, "{v:?}");
 }
 
 /// The same muscle read three ways gives the same constants.
@@ -246,18 +245,6 @@ fn stated_errors_weigh_the_points() {
     assert!(error.contains("1 of 15 points state their error") && error.contains("line 2"), "{error}");
 }
 
-#[test]
-fn tables_with_all_columns_are_read() {
-    let text = "pressure_bar,contraction_percent,force_n,branch,measured,contraction_error,weight,outer_diameter_mm\n\
-                2,10,150,elongation,contraction,0.002,2,14\n3,5,250,,,,,\n";
-    let points = read_data(text).unwrap();
-    let first = &points[0];
-    assert_eq!((first.at.pressure_mpa, first.at.contraction, first.at.force_n), (0.2, 0.1, 150.0));
-    assert_eq!((first.measured, first.error, first.weight), (Quantity::Contraction, Some(0.002), 2.0));
-    assert_eq!((first.section.outer_diameter_mm, first.line), (Some(14.0), 2));
-    assert_eq!((points[1].measured, points[1].error, points[1].weight), (Quantity::Force, None, 1.0));
-}
-
 /// What a bench would read of muscles of three lengths whose ends give way by so much, in mm.
 fn of_lengths(m: &Muscle, seating_mm: f64) -> Vec<DataPoint> {
     let of_length = |length_mm: f64| {
@@ -279,8 +266,7 @@ fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
         assert!(p.identifiable && (p.value - truth).abs() < 1e-6, "{p:#?}");
     }
     let determined = |points: &[DataPoint]| {
-        let fit = identify(&Request { points, ..request }).unwrap();
-        fit.notes.iter().any(|note| note.contains("all points are from muscles of one length"))
+        says(&identify(&Request { points, ..request }).unwrap(), "all points are from muscles of one length")
     };
     assert!(determined(&noisy(&points[..PLACES.len()], 0.5, 3)) && !determined(&points));
 }
@@ -298,9 +284,8 @@ fn muscles_of_several_lengths_tell_slip_and_grip() {
             let force_n = model.force_n(&mut Workspace::new(), pressure_mpa, x).unwrap();
             let way = slip * (force_n + bore * pressure_mpa);
             let contraction = (x * (length_mm - 2.0 * grip) - way) / length_mm;
-            let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) };
             let section = Section { length_mm: Some(length_mm), ..Default::default() };
-            points.push(DataPoint { section, ..DataPoint::new(at) });
+            points.push(DataPoint { section, ..pull(pressure_mpa, contraction, force_n) });
         }
     }
     let free = free(&m, &["mu=0.5", "terminals.slip", "grip"]);
@@ -317,11 +302,7 @@ fn muscles_of_several_lengths_tell_slip_and_grip() {
 fn of_all_laws_the_points_prefer_the_one_that_made_them() {
     use mckibben::rubber::Gent;
     let m = soft();
-    let law = |law: Law| {
-        let tube = m.tube().clone();
-        m.with_tube(Tube { rubber: Rubber::new(law), ..tube }).unwrap()
-    };
-    let truth = law(Law::Gent(Gent { mu_mpa: 0.35, jm: 6.0 }));
+    let truth = muscle(Law::Gent(Gent { mu_mpa: 0.35, jm: 6.0 }), m.braid().stiffness);
     let mut points = curves(&truth, &[0.1, 0.2, 0.3, 0.4], 0.02);
     points.iter_mut().for_each(|p| p.at.force_n = 0.1 * (10.0 * p.at.force_n).round());
     let free = [Parameter::free(Target::Modulus)];
@@ -333,11 +314,7 @@ fn of_all_laws_the_points_prefer_the_one_that_made_them() {
     assert!((fit.parameters[0].value - 0.35).abs() < fit.parameters[0].half_width);
     assert!((fit.parameters[1].value - 6.0).abs() < fit.parameters[1].half_width);
     let plain = trials.iter().find(|t| t.law == "neo-hookean").unwrap();
-    assert!(
-        best.neighbours.abs() < 0.4 && plain.neighbours > 0.8,
-        "{} {}",
-        best.neighbours,
-        plain.neighbours
-    );
+    let neighbours = [best.neighbours, plain.neighbours];
+    assert!(neighbours[0].abs() < 0.4 && neighbours[1] > 0.8, "{neighbours:?}");
     assert!(plain.aicc - best.aicc > 100.0);
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::least_squares::Noise;
 use mckibben::cancel::{Cancel, Cancelled};
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, RubberLaw, Yeoh};
 
@@ -33,32 +34,15 @@ fn only(form: Form) -> FitSettings {
     FitSettings { forms: vec![form], ..FitSettings::default() }
 }
 
+/// neo-Hookean and Mooney–Rivlin, fitted up to a stretch.
+fn one_or_two_constants(stretch: f64) -> FitSettings {
+    let forms = vec![named("neo-hookean"), named("mooney-rivlin")];
+    FitSettings { up_to_stretch: Some(stretch), forms, ..FitSettings::default() }
+}
+
 fn shipped(name: &str) -> Vec<TensionPoint> {
     let path = format!("{}/../../data/{name}", env!("CARGO_MANIFEST_DIR"));
     read_tension(&std::fs::read_to_string(path).unwrap(), ReadOptions::default()).unwrap()
-}
-
-/// Normal numbers (Box & Muller) from a linear congruential generator (Knuth's MMIX).
-struct Noise(u64);
-
-impl Noise {
-    fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((self.0 >> 11) as f64 + 0.5) / (1u64 << 53) as f64
-    }
-
-    fn normal(&mut self) -> f64 {
-        (-2.0 * self.uniform().ln()).sqrt() * (std::f64::consts::TAU * self.uniform()).cos()
-    }
-}
-
-/// verification.md A: C1 = 0.10, C2 = 0.02 MPa at λ = 2: 0.385, 0.45, 0.70875 MPa.
-#[test]
-fn stresses_of_the_three_tests_are_rivlins() {
-    let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.02 });
-    for (mode, stress) in Mode::OF_ONE_STRETCH.into_iter().zip([0.385, 0.45, 0.70875]) {
-        assert!((mode.nominal_stress_mpa(&law, 2.0).unwrap() - stress).abs() < 1e-14, "{mode}");
-    }
 }
 
 /// Rivlin's closed forms as columns, the two normal equations by Cramer's rule, and s² (AᵀA)⁻¹.
@@ -66,7 +50,7 @@ fn stresses_of_the_three_tests_are_rivlins() {
 fn mooney_rivlin_is_the_solution_of_its_normal_equations() {
     let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.15, c01_mpa: 0.03 });
     let mut noise = Noise(3);
-    let data = points(&law, &Mode::OF_ONE_STRETCH, (1.0, 3.0), 12, |_| 0.01 * noise.normal());
+    let data = points(&law, &Mode::OF_ONE_STRETCH, (1.0, 3.0), 12, |_| 0.01 * noise.next());
     let (mut n, mut d) = ([[0.0; 2]; 2], [0.0; 2]);
     let row = |p: &TensionPoint| {
         let l = p.stretch;
@@ -101,20 +85,24 @@ fn mooney_rivlin_is_the_solution_of_its_normal_equations() {
     assert!((fit.laws[0].quality.rms_mpa - (left / data.len() as f64).sqrt()).abs() < 1e-12);
 }
 
-/// The points of a law give its constants back, in each mode alone and in all.
-#[test]
-fn every_law_comes_back_from_its_points_in_every_mode() {
-    let laws = [
+/// Laws whose constants one mode tells.
+fn laws() -> [(Form, Law); 6] {
+    [
         (named("neo-hookean"), Law::NeoHookean(NeoHookean { mu_mpa: 0.3 })),
         (named("mooney-rivlin"), Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.02 })),
         (named("yeoh"), Law::Yeoh(Yeoh { c10_mpa: 0.18, c20_mpa: -0.001, c30_mpa: 4e-5 })),
         (named("gent"), Law::Gent(Gent { mu_mpa: 0.27, jm: 40.0 })),
         (named("ogden-1"), Law::Ogden(Ogden { terms: vec![(0.2, 2.6)] })),
         (named("ogden-2"), Law::Ogden(Ogden { terms: vec![(0.4, 1.4), (0.003, 5.2)] })),
-    ];
+    ]
+}
+
+/// The points of a law give its constants back, in each mode alone and in all.
+#[test]
+fn every_law_comes_back_from_its_points_in_every_mode() {
     let sets: [&[Mode]; 4] =
         [&[Mode::Uniaxial], &[Mode::Planar], &[Mode::Equibiaxial], &Mode::OF_ONE_STRETCH];
-    for (form, law) in laws {
+    for (form, law) in laws() {
         for modes in sets {
             let data = points(&law, modes, (0.8, 4.5), 30, |_| 0.0);
             let fit = fit_tension(&data, &only(form)).unwrap();
@@ -151,7 +139,7 @@ fn intervals_hold_the_true_constants_as_often_as_they_say() {
     let (mut held, mut all) = (0, 0);
     let mut noise = Noise(11);
     for _ in 0..400 {
-        let data = points(&law, &Mode::OF_ONE_STRETCH, (1.1, 3.0), 6, |_| 0.02 * noise.normal());
+        let data = points(&law, &Mode::OF_ONE_STRETCH, (1.1, 3.0), 6, |_| 0.02 * noise.next());
         let fit = fit_tension(&data, &only(named("mooney-rivlin"))).unwrap();
         for (p, truth) in fit.laws[0].parameters.iter().zip([0.12, 0.02]) {
             let half = crate::least_squares::t95(16) * p.standard_error.unwrap();
@@ -166,15 +154,7 @@ fn intervals_hold_the_true_constants_as_often_as_they_say() {
 /// One axis, stiffening late: the free C01 is negative; held, it is 0 and the law is the neo-Hookean one.
 #[test]
 fn a_negative_c01_is_warned_of_and_the_neighbour_offered() {
-    let fit = fit_tension(
-        &shipped("silicones/dragon_skin_30.csv"),
-        &FitSettings {
-            up_to_stretch: Some(3.0),
-            forms: vec![named("mooney-rivlin"), named("neo-hookean")],
-            ..FitSettings::default()
-        },
-    )
-    .unwrap();
+    let fit = fit_tension(&shipped("silicones/dragon_skin_30.csv"), &one_or_two_constants(3.0)).unwrap();
     let mooney = |constrained: bool| {
         fit.laws.iter().find(|l| l.form == named("mooney-rivlin") && l.constrained == constrained).unwrap()
     };
@@ -197,7 +177,7 @@ fn a_negative_c01_is_warned_of_and_the_neighbour_offered() {
 fn the_stable_yeoh_lies_on_the_edge_of_stability() {
     let softens = Law::Yeoh(Yeoh { c10_mpa: 0.2, c20_mpa: -0.03, c30_mpa: 0.001 });
     let mut noise = Noise(5);
-    let data = points(&softens, &[Mode::Uniaxial], (1.0, 2.6), 40, |_| 0.001 * noise.normal());
+    let data = points(&softens, &[Mode::Uniaxial], (1.0, 2.6), 40, |_| 0.001 * noise.next());
     let fit = fit_tension(&data, &only(named("yeoh"))).unwrap();
     let (free, held) = (&fit.laws[0], &fit.laws[1]);
     assert!(!free.quality.stable && !free.constrained && held.constrained && held.quality.stable);
@@ -229,7 +209,7 @@ fn a_gent_law_that_locks_too_early_is_held_behind_the_muscle() {
 fn data_without_stiffening_do_not_tell_gents_limit() {
     let law = Law::NeoHookean(NeoHookean { mu_mpa: 0.2 });
     let mut noise = Noise(7);
-    let data = points(&law, &[Mode::Uniaxial], (1.0, 2.0), 20, |_| 0.002 * noise.normal());
+    let data = points(&law, &[Mode::Uniaxial], (1.0, 2.0), 20, |_| 0.002 * noise.next());
     let fit = fit_tension(&data, &only(named("gent"))).unwrap();
     assert!(!fit.laws[0].parameters[1].identifiable, "{:?}", fit.laws[0]);
     let text = fit.warnings.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
@@ -241,8 +221,8 @@ fn data_without_stiffening_do_not_tell_gents_limit() {
 fn balance_is_repetition() {
     let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.15, c01_mpa: 0.01 });
     let mut noise = Noise(9);
-    let many = points(&law, &[Mode::Uniaxial], (1.1, 3.0), 24, |_| 0.01 * noise.normal());
-    let few = points(&law, &[Mode::Equibiaxial], (1.1, 2.0), 8, |_| 0.01 * noise.normal());
+    let many = points(&law, &[Mode::Uniaxial], (1.1, 3.0), 24, |_| 0.01 * noise.next());
+    let few = points(&law, &[Mode::Equibiaxial], (1.1, 2.0), 8, |_| 0.01 * noise.next());
     let both = [&many[..], &few[..]].concat();
     let repeated = [&many[..], &few[..], &few[..], &few[..]].concat();
     let balanced = FitSettings { balance: true, ..only(named("mooney-rivlin")) };
@@ -262,14 +242,10 @@ fn fits_that_make_no_sense_are_refused() {
     let law = Law::NeoHookean(NeoHookean { mu_mpa: 0.2 });
     let data = points(&law, &[Mode::Uniaxial], (1.0, 2.0), 3, |_| 0.0);
     let message = |data: &[TensionPoint], s: &FitSettings| fit_tension(data, s).unwrap_err().to_string();
-    assert!(
-        message(&data, &only(named("yeoh"))).contains("3 points are too few for yeoh: it takes 6 or more")
-    );
-    assert_eq!(
-        fit_tension(&data, &FitSettings::default()).unwrap().laws.len(),
-        1,
-        "all that 3 points determine"
-    );
+    let few = message(&data, &only(named("yeoh")));
+    assert!(few.contains("3 points are too few for yeoh: it takes 6 or more"), "{few}");
+    // All that 3 points determine.
+    assert_eq!(fit_tension(&data, &FitSettings::default()).unwrap().laws.len(), 1);
     assert!(message(&[], &FitSettings::default()).contains("0 points are too few"));
     let pushed: Vec<_> =
         data.iter().map(|p| TensionPoint { nominal_stress_mpa: -p.nominal_stress_mpa, ..*p }).collect();
@@ -287,10 +263,8 @@ fn fits_that_make_no_sense_are_refused() {
     let same = vec![data[2]; 12];
     let fit = fit_tension(&same, &FitSettings::default()).unwrap();
     for law in &fit.laws {
-        assert!(
-            law.parameters.iter().all(|p| p.value.is_finite()) && law.quality.aicc.is_finite(),
-            "{law:?}"
-        );
+        let mut numbers = law.parameters.iter().map(|p| p.value).chain([law.quality.aicc]);
+        assert!(numbers.all(f64::is_finite), "{law:?}");
     }
 }
 
@@ -305,13 +279,8 @@ fn a_modulus_that_no_rubber_has_is_warned_of() {
 /// A cancelled fit is no answer, and does not go on.
 #[test]
 fn a_fit_ends_when_its_caller_does() {
-    let data = points(
-        &Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: 0.01, c30_mpa: 0.001 }),
-        &[Mode::Uniaxial],
-        (1.0, 3.0),
-        2000,
-        |_| 0.0,
-    );
+    let law = Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: 0.01, c30_mpa: 0.001 });
+    let data = points(&law, &[Mode::Uniaxial], (1.0, 3.0), 2000, |_| 0.0);
     let cancel = Cancel::default();
     cancel.cancel();
     let _entered = cancel.enter();

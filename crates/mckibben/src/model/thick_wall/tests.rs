@@ -203,6 +203,8 @@ fn without_pressure_it_pulls_as_in_a_tension_test() {
             let force = ThickWall::new(&m).force_n(&mut Workspace::new(), 0.0, 0.0).unwrap();
             let section = PI * (9.5f64.powi(2) - (9.5 - wall).powi(2));
             let exact = 0.4 * (stretch * stretch - 1.0 / stretch) * section;
+            // 200 mm of it were 200/λp mm before, and 20 mm on each plug.
+            assert!((m.build_sheet().tube_cut_mm - (200.0 / stretch + 40.0)).abs() < 1e-12);
             assert!((force / exact - 1.0).abs() < 1e-9, "{wall} {stretch}: {force} {exact}");
         }
     }
