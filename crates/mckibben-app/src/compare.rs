@@ -152,7 +152,8 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     }
     let options = asking.options(&muscle)?;
     let models = request.chosen()?;
-    let (read, understood): (Vec<_>, Vec<_>) = measured_points(&request.tables, &muscle)?.into_iter().unzip();
+    let (read, understood): (Vec<_>, Vec<_>) =
+        measured_points(&request.tables, None, &muscle)?.into_iter().unzip();
     let is_measured = !read.is_empty();
     let (volumes, read): (Vec<DataPoint>, Vec<DataPoint>) =
         read.into_iter().flatten().partition(|p| p.measured == Quantity::Volume);

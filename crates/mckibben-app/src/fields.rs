@@ -49,10 +49,6 @@ pub struct DataFields {
     /// Constants of a whole table, such as pressure=3bar; a quantity that is given once for each of `data` has one value in each. {pressure}bar takes
     /// the number from the name of the file; branch=velocity cuts rows in time order into branches by the sign of their velocity.
     pub set: Vec<String>,
-    /// Pressures over time of another instrument, where `data` have times, contractions and pulls: joined by time.
-    pub log: Option<TextFile>,
-    /// What the times of `log` lack to those of `data`, s; default: found where the pull follows the pressure.
-    pub log_offset_s: Option<f64>,
 }
 
 impl DataFields {
@@ -61,11 +57,7 @@ impl DataFields {
         &self,
         read: impl Fn(&str, Columns) -> Result<(T, Understood), TableError>,
     ) -> Result<Vec<(T, UnderstoodTable)>, Problem> {
-        let used = [
-            ("columns", self.columns != Columns::default()),
-            ("set", !self.set.is_empty()),
-            ("log", self.log.is_some()),
-        ];
+        let used = [("columns", self.columns != Columns::default()), ("set", !self.set.is_empty())];
         if self.data.is_empty() {
             Problem::refuse_unused(&used, "it belongs to tables, and no `data` are given")?;
         }

@@ -35,6 +35,10 @@ pub struct IdentifyRequest {
     /// The points.
     #[serde(flatten)]
     pub tables: DataFields,
+    /// Pressures over time of another instrument, where `data` have times, contractions and pulls: joined by time.
+    pub log: Option<TextFile>,
+    /// What the times of `log` lack to those of `data`, s; default: found where the pull follows the pressure.
+    pub log_offset_s: Option<f64>,
     /// A published formula as data: the name of a model, or of one of `formulas`.
     pub formula: Option<String>,
     /// Pressures P of `formula` in MPa; default 0.05 to 0.25 by 0.05.
@@ -304,24 +308,30 @@ struct Data {
 /// The points of each table.
 pub(crate) fn measured_points(
     tables: &DataFields,
+    log: Option<PressureLog>,
     muscle: &Muscle,
 ) -> Result<Vec<(Vec<DataPoint>, UnderstoodTable)>> {
     let rest_length_mm = Some(muscle.tube().length_mm);
-    let log = |file: &TextFile| {
-        let points = read_over_time(&file.text, OverTime::Pressure);
-        let points = points.map_err(|error| Problem::of_table(&file.name, &error))?;
-        Ok::<_, Problem>(PressureLog { name: file.name.clone(), points, offset_s: tables.log_offset_s })
-    };
-    let log = tables.log.as_ref().map(log).transpose()?;
     tables
         .read(|text, columns| read_points(text, &PointOptions { columns, rest_length_mm, log: log.clone() }))
 }
 
 impl IdentifyRequest {
+    fn pressure_log(&self) -> Result<Option<PressureLog>> {
+        Problem::refuse_unused(
+            &[("log", self.log.is_some() && self.tables.data.is_empty())],
+            "it belongs to `data`",
+        )?;
+        let Some(file) = &self.log else { return Ok(None) };
+        let points = read_over_time(&file.text, OverTime::Pressure);
+        let points = points.map_err(|error| Problem::of_table(&file.name, &error))?;
+        Ok(Some(PressureLog { name: file.name.clone(), points, offset_s: self.log_offset_s }))
+    }
+
     /// All points, and where they come from.
     fn points(&self, muscle: &Muscle) -> Result<Data> {
         let (mut sets, understood): (Vec<Vec<DataPoint>>, _) =
-            measured_points(&self.tables, muscle)?.into_iter().unzip();
+            measured_points(&self.tables, self.pressure_log()?, muscle)?.into_iter().unzip();
         let mut origin: Vec<String> = self.tables.data.iter().map(|file| file.name.clone()).collect();
         if let Some(name) = &self.formula {
             sets.push(self.formula_points(name, muscle)?);

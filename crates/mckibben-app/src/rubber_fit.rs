@@ -1,14 +1,12 @@
 //! `rubber`: laws from tension tests.
 
 use crate::{
-    Columns, DataFields, Problem, ProblemKind, Result, TextFile, UnderstoodTable, above_zero, figure,
-    muscle_of, readable,
+    Columns, DataFields, Problem, ProblemKind, Result, TextFile, UnderstoodTable, figure, muscle_of, readable,
 };
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::{muscle::file::to_toml, progress::Progress, rubber::over_time::OgdenRoxburgh, size};
 use mckibben_fit::rubber::{
-    FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, ReadOptions, fit_tension_with,
-    read_tests,
+    FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, fit_tension_with, read_tests,
 };
 use mckibben_fit::rubber_over_time::{PronyFit, SofteningFit, fit_prony, fit_softening, read_history};
 use mckibben_report::Figure;
@@ -27,12 +25,6 @@ pub struct RubberFitRequest {
     pub laws: Vec<String>,
     /// Terms of `ogden`; default 1, 2 and 3.
     pub terms: Option<usize>,
-    /// How the specimens were stretched, where the table has no column `mode`; with a column `stretch_2` that is `general`.
-    pub mode: Mode,
-    /// Cross-section of the specimen at rest, mm², for a column of forces.
-    pub area_mm2: Option<f64>,
-    /// Length of the specimen at rest, mm, for a column of extensions or lengths.
-    pub gauge_length_mm: Option<f64>,
     /// Modes to fit; default: all. The others are held out, and the answer gives the errors of each law there.
     pub fit_modes: Vec<Mode>,
     /// Leave out points beyond this stretch.
@@ -63,8 +55,6 @@ pub struct RubberFitRequest {
 /// The laws of the tests.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct RubberFitAnswer {
-    /// The tables.
-    pub data: String,
     /// What was understood of them.
     pub understood: Vec<UnderstoodTable>,
     /// Points that were fitted.
@@ -77,8 +67,6 @@ pub struct RubberFitAnswer {
     pub fitted_to_stretch: f64,
     /// The objective of the fit.
     pub measure: Measure,
-    /// Whether every mode had the same weight.
-    pub balance: bool,
     /// The law to take, where one is stable in a muscle.
     pub recommended: Option<String>,
     /// Constants of that law.
@@ -180,27 +168,9 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     let muscle = request.muscle.as_ref().map_or_else(|| Ok(Muscle::prototype()), muscle_of)?;
     let first =
         request.tables.data.first().ok_or_else(|| Problem::missing("data", "a table of tension tests"))?;
-    Problem::refuse_unused(&[("log", request.tables.log.is_some())], "it has pressures of a muscle")?;
-    let positive = |field: &str, value: Option<f64>| {
-        value.map(|value| above_zero(ProblemKind::Quantity, field, value)).transpose()
-    };
-    let options = ReadOptions {
-        columns: Columns::default(),
-        mode: request.mode,
-        area_mm2: positive("area_mm2", request.area_mm2)?,
-        gauge_length_mm: positive("gauge_length_mm", request.gauge_length_mm)?,
-    };
-    let read = |text: &str, columns| read_tests(text, &ReadOptions { columns, ..options.clone() });
+    let read = |text: &str, columns: Columns| read_tests(text, &columns);
     let (points, understood): (Vec<_>, Vec<_>) = request.tables.read(read)?.into_iter().unzip();
     let points = points.concat();
-    let has = |quantities: &[&str]| {
-        understood.iter().flat_map(|t| &t.table.columns).any(|c| quantities.contains(&c.quantity.as_str()))
-    };
-    let area = request.area_mm2.is_some() && !has(&["force"]);
-    Problem::refuse_unused(&[("area_mm2", area)], "the table has stresses, and no `columns` of forces")?;
-    let gauge = request.gauge_length_mm.is_some() && !has(&["extension", "length"]);
-    let why = "the table has stretches or strains, and no `columns` of extensions or lengths";
-    Problem::refuse_unused(&[("gauge_length_mm", gauge)], why)?;
     size::points("data", points.len() as f64)?;
     let fit = fit_tension_with(&points, &settings, progress)?;
     let taken = fit.recommended.and_then(|i| fit.laws.get(i));
@@ -228,14 +198,12 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         warnings.push(APART.into());
     }
     let mut answer = RubberFitAnswer {
-        data: request.tables.names(),
         understood,
         points: fit.points.len(),
         left_out: fit.left_out,
         held_out: fit.held_out.len(),
         fitted_to_stretch: fit.fitted_to_stretch,
         measure: settings.measure,
-        balance: settings.balance,
         recommended: taken.map(|law| law.form.name()),
         parameters: taken.map_or_else(Vec::new, |law| law.parameters.clone()),
         failed: fit.failed.iter().map(ToString::to_string).collect(),

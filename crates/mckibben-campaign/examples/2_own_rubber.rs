@@ -4,7 +4,7 @@
 
 use mckibben::muscle::Rubber;
 use mckibben::prelude::*;
-use mckibben_fit::rubber::{FitSettings, ReadOptions, fit_tension, read_tension};
+use mckibben_fit::rubber::{FitSettings, fit_tension, read_tension};
 use std::error::Error;
 
 /// Stretch and nominal stress in uniaxial tension; a file of your own needs the same two columns.
@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Returns the shear modulus of the neo-Hookean law that fits up to 200 % strain, in MPa.
 fn shear_modulus() -> Result<f64, Box<dyn Error>> {
-    let points = read_tension(TEST, ReadOptions::default())?;
+    let points = read_tension(TEST)?;
     let fit = fit_tension(&points, &FitSettings { up_to_stretch: Some(3.0), ..FitSettings::default() })?;
     for fitted in &fit.laws {
         let constants: Vec<String> =

@@ -57,7 +57,7 @@ fn stability(law: &FittedLaw) -> String {
     }
 }
 
-const HEAD: &str = "data=tension_tests points held_out left_out fitted_to_stretch measure=differences_that_count balance=every_mode_counts_alike";
+const HEAD: &str = "points held_out left_out fitted_to_stretch measure=differences_that_count";
 const LAWS: &str = "taken=_ title=law shear_modulus_mpa=μ:3~ r_squared=R²:5 rms_mpa=rms:3~ relative_rms=relative:3%~ delta=ΔAICc:3~ stability=in_a_muscle";
 const RELAXATION: &str = "law=relaxation_of duration_s instantaneous=at_once long_time=after_long rms_mpa=rms:3 elastic_rms_mpa=without_memory:3";
 const SOFTENING: &str = "law=softening_of first_loading r m_mpa=m beta=β standard_errors=standard_errors_of_r,_m,_β largest_energy_mpa first_loading_points first_loading_rms_mpa=their_rms:3 later_points later_rms_mpa=their_rms:3";

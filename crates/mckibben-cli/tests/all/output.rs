@@ -196,7 +196,7 @@ const WIDE: [&str; 9] = [
     "design -F 700N -e 15% -p 100bar -D 20,30 -s 1,2 --model thick-wall --verify none",
     "curve isobaric -p 0.5..2.5:0.25bar -e 0..30%:10% --model thick-wall",
     "joint examples/elbow.toml -p 2bar,1bar -p 3bar,1bar --model thick-wall",
-    "rubber crates/mckibben-cli/tests/tension/zwick.csv --gauge-length 25mm --area 8mm2",
+    "rubber crates/mckibben-cli/tests/tension/zwick.csv --set gauge_length=25mm,area=8mm2",
     "parts show fe",
 ];
 

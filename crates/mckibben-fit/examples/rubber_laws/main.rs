@@ -4,7 +4,7 @@ mod table_of_fits;
 mod windows;
 
 use mckibben::rubber::library::{TABLE_OF_FITS, entries};
-use mckibben_fit::rubber::{ReadOptions, read_tension};
+use mckibben_fit::rubber::read_tension;
 use std::error::Error;
 use std::fs::File;
 use std::path::Path;
@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let file = File::open(folder.join(data))?;
         let points = match data.as_str() {
             TABLE_OF_FITS => curve_of_fits(file, &entry.name)?,
-            _ => read_tension(&std::io::read_to_string(file)?, ReadOptions::default())?,
+            _ => read_tension(&std::io::read_to_string(file)?)?,
         };
         let mut windows = vec![];
         for mut window in windows_of(&points)? {

@@ -10,45 +10,34 @@ use mckibben_io::table::{Column, Columns, Meaning, TESTS, Table, TableError, Und
 
 type Result<T, E = TableError> = std::result::Result<T, E>;
 
-/// What the file does not state.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct ReadOptions {
-    /// Columns whose heading does not say what they are.
-    pub columns: Columns,
-    /// The mode, where there is no column of it.
-    pub mode: Mode,
-    /// Cross-section of the specimen at rest, for a column of forces in a table that does not state it.
-    pub area_mm2: Option<f64>,
-    /// Length at rest, for a column of extensions or lengths, likewise.
-    pub gauge_length_mm: Option<f64>,
-}
-
 /// [`read_tests`] of a table that states everything.
-pub fn read_tension(text: &str, options: ReadOptions) -> Result<Vec<TensionPoint>> {
-    Ok(read_tests(text, &options)?.0)
+pub fn read_tension(text: &str) -> Result<Vec<TensionPoint>> {
+    Ok(read_tests(text, &Columns::default())?.0)
 }
 
-/// Reads points in the order of a table in any common form ([`table`](mckibben_io::table)), with what was understood of it.
-pub fn read_tests(text: &str, options: &ReadOptions) -> Result<(Vec<TensionPoint>, Understood)> {
-    let table = Table::read(text, &TESTS, &options.columns)?;
+/// Reads points in the order of a table in any common form ([`table`](mckibben_io::table)), with what was understood of it. Where neither the table
+/// nor its constants state the mode, the tests are uniaxial.
+pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, Understood)> {
+    let table = Table::read(text, &TESTS, columns)?;
     let (stretch, stress) = (table.needed(STRETCH)?, table.needed(STRESS)?);
     let gauges = match stretch.meaning {
         Meaning::Extension | Meaning::Length => {
-            let needs = "the length at rest: `gauge_length_mm`, such as 25 mm";
-            of_specimen(&table, Meaning::RestLength, options.gauge_length_mm, stretch, needs)?
+            let needs = "the length at rest: a column `gauge_length`, or `set` such as gauge_length=25mm";
+            of_specimen(&table, Meaning::RestLength, stretch, needs)?
         }
         _ => vec![1.0; table.lines().len()],
     };
     let areas = match stress.meaning {
         Meaning::Force => {
-            let needs = "the cross-section of the specimen at rest: `area_mm2`, such as 8 mm²";
-            of_specimen(&table, Meaning::Area, options.area_mm2, stress, needs)?
+            let needs =
+                "the cross-section of the specimen at rest: a column `area`, or `set` such as area=8mm2";
+            of_specimen(&table, Meaning::Area, stress, needs)?
         }
         _ => vec![],
     };
     let lengths = stretches(&table, stretch, &gauges)?;
     let mut points = vec![];
-    let tests = Tests { table: &table, areas_mm2: &areas, default_mode: options.mode };
+    let tests = Tests { table: &table, areas_mm2: &areas };
     let has_sheets = table.column(Meaning::Stretch2).is_some();
     if has_sheets {
         points = tests.sheet_points(&lengths)?;
@@ -59,7 +48,7 @@ pub fn read_tests(text: &str, options: &ReadOptions) -> Result<(Vec<TensionPoint
         }
         for (row, (stretch, measured)) in lengths.into_iter().zip(table.numbers(stress)?).enumerate() {
             let nominal_stress_mpa = tests.nominal_mpa(row, stress, measured, stretch)?;
-            let mode = tests.mode(row)?.unwrap_or(options.mode);
+            let mode = tests.mode(row)?.unwrap_or_default();
             if mode == Mode::General {
                 return Err(TableError::needs(stress, NEEDS));
             }
@@ -86,16 +75,10 @@ pub fn read_tests(text: &str, options: &ReadOptions) -> Result<(Vec<TensionPoint
     Ok((points, understood))
 }
 
-/// A dimension of the specimen of each row, as the table states it, else as it is `given`.
-fn of_specimen(
-    table: &Table,
-    meaning: Meaning,
-    given: Option<f64>,
-    of: &Column,
-    needs: &str,
-) -> Result<Vec<f64>> {
+/// A dimension of the specimen of each row.
+fn of_specimen(table: &Table, meaning: Meaning, of: &Column, needs: &str) -> Result<Vec<f64>> {
     let rows = table.above_zero(meaning, "is not a dimension of a specimen; it must be above zero")?;
-    rows.into_iter().map(|row| row.or(given).ok_or_else(|| TableError::needs(of, needs))).collect()
+    rows.into_iter().map(|row| row.ok_or_else(|| TableError::needs(of, needs))).collect()
 }
 
 /// The different values, for people.

@@ -26,7 +26,7 @@ mod runs;
 mod standing;
 mod warning;
 
-pub use data::{ReadOptions, read_tension, read_tests};
+pub use data::{read_tension, read_tests};
 pub use fitted::{FittedLaw, HeldOutError, LawQuality, ModeError, Parameter, StressErrors};
 use mckibben::cancel::{self, Cancelled};
 use mckibben::progress::{Progress, Silent};

@@ -2,7 +2,7 @@
 
 use super::case::{CaseError, Facts};
 use super::report::ReportError;
-use crate::rubber::{Form, Mode, Parameter, ReadOptions, StressErrors, TensionPoint, read_tests};
+use crate::rubber::{Form, Mode, Parameter, StressErrors, TensionPoint, read_tests};
 use crate::rubber_over_time::{self, TimePoint, read_history};
 use mckibben::progress::Progress;
 use mckibben_io::table::Columns;
@@ -30,7 +30,7 @@ impl RubberCase {
         let points = if fits.iter().any(|f| f.relaxation.is_some()) {
             read_history(points, &Columns::default()).map(Points::History)
         } else {
-            read_tests(points, &ReadOptions::default()).map(|read| Points::Tests(read.0))
+            read_tests(points, &Columns::default()).map(|read| Points::Tests(read.0))
         };
         let points = points.map_err(|error| CaseError::Points(facts.name.clone(), error))?;
         Ok(Self { facts, fits, points })

@@ -25,7 +25,7 @@ fn shipped(name: &str) -> String {
 }
 
 fn refitted(entry: &RubberEntry, window: &Window) -> TensionFit {
-    let points = read_tension(&shipped(entry.data.as_deref().unwrap()), Default::default()).unwrap();
+    let points = read_tension(&shipped(entry.data.as_deref().unwrap())).unwrap();
     let settings = FitSettings { up_to_stretch: window.up_to_stretch, ..FitSettings::default() };
     fit_tension(&points, &settings).unwrap()
 }
@@ -221,7 +221,7 @@ fn the_curve_of_a_table_of_fits_is_the_measured_one_within_5_percent() {
 #[test]
 fn the_published_constants_follow_treloars_rubber() {
     let law = ExtendedTube { gc_mpa: 0.1867, ge_mpa: 0.2169, jm: 0.09693_f64.powi(-2) };
-    let points = read_tension(&shipped("treloar/tension.csv"), Default::default()).unwrap();
+    let points = read_tension(&shipped("treloar/tension.csv")).unwrap();
     let left: f64 = points.iter().map(|p| (p.stress_mpa(&law) - p.nominal_stress_mpa).powi(2)).sum();
     let all: f64 = points.iter().map(|p| p.nominal_stress_mpa.powi(2)).sum();
     assert!((left / all).sqrt() < 0.043, "{}", (left / all).sqrt());

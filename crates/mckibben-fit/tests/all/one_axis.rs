@@ -21,7 +21,7 @@ fn the_share_for_one_axis_holds_every_pull_of_six_rubbers_measured_in_several() 
         "rubber_biaxial/meunier_2008",
     ] {
         let path = format!("{}/../../data/{file}.csv", env!("CARGO_MANIFEST_DIR"));
-        let points = read_tension(&std::fs::read_to_string(path).unwrap(), Default::default()).unwrap();
+        let points = read_tension(&std::fs::read_to_string(path).unwrap()).unwrap();
         let law = |fit_modes: Vec<Mode>| -> Law {
             let settings = FitSettings { fit_modes, up_to_stretch: Some(3.0), ..FitSettings::default() };
             let fit = fit_tension(&points, &settings).unwrap();

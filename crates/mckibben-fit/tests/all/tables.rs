@@ -1,7 +1,7 @@
 //! Any bytes end in points or in an error; the same points in any form are the same points.
 
 use mckibben_fit::measured::{PointOptions, read_points};
-use mckibben_fit::rubber::{ReadOptions, read_tests};
+use mckibben_fit::rubber::read_tests;
 use mckibben_io::table::{Columns, read_text};
 use proptest::prelude::*;
 
@@ -13,8 +13,8 @@ fn both(bytes: &[u8]) {
             &text,
             &PointOptions { columns: columns.clone(), rest_length_mm: Some(200.0), log: None },
         );
-        let (area_mm2, gauge_length_mm) = (Some(1.0), Some(1.0));
-        let _ = read_tests(&text, &ReadOptions { columns, area_mm2, gauge_length_mm, ..Default::default() });
+        let specimen = ["area=1mm2".to_owned(), "gauge_length=1mm".to_owned()];
+        let _ = read_tests(&text, &columns.with(&specimen, (0, 1), "test.csv").unwrap());
     }
 }
 

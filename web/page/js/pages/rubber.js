@@ -15,11 +15,7 @@ import { number, onUnits, show } from "../units.js";
 /** @type {import("../form.js").Field[]} */
 export const FIELDS = [
   { key: "laws", field: "laws", label: "Laws", words: true, hint: "all that the points determine" },
-  { key: "mode", field: "mode", label: "Stretched", value: "",
-    options: [["", "as the table says"], ["uniaxial", "in one direction"], ["planar", "in pure shear"],
-      ["equibiaxial", "in two directions"]] },
-  { key: "area", field: "area_mm2", label: "Cross-section, for forces", kind: "area", hint: "of the specimen" },
-  { key: "gauge", field: "gauge_length_mm", label: "Length, for extensions", kind: "length", hint: "of the specimen" },
+  { key: "set", field: "set", label: "Constants of the table", words: true, hint: "area=8mm2, gauge_length=25mm, mode=planar" },
   { key: "upto", field: "up_to_stretch", label: "Up to a stretch of", kind: "number", hint: "all points" },
   { key: "stable", field: "stable", label: "In a muscle", value: "",
     options: [["", "fit as the points are"], ["yes", "only what stays stable"]] },
@@ -55,8 +51,8 @@ export function mount(main) {
       understood.textContent = BEGIN;
       return undefined;
     }
-    const { mode, stable, ...rest } = read, file = { name: "muscle.toml", text: await muscle.file() };
-    return { ...rest, ...(mode ? { mode } : {}), stable: stable === "yes", data: [data], muscle: file, figure: true };
+    const { stable, ...rest } = read, file = { name: "muscle.toml", text: await muscle.file() };
+    return { ...rest, stable: stable === "yes", data: [data], muscle: file, figure: true };
   }, (answer) => {
     found = answer;
     stale(false);
@@ -93,7 +89,7 @@ export function mount(main) {
     if (!found) return;
     const answer = found, { columns } = answer.understood[0];
     const read = columns.map((c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`).join(", ");
-    understood.textContent = `${answer.data}: ${answer.points} points up to a stretch of `
+    understood.textContent = `${answer.understood.map(({ data }) => data).join(", ")}: ${answer.points} points up to a stretch of `
       + `${number(answer.fitted_to_stretch, 3)}. ${read}`;
     const file = answer.muscle_file;
     const head = ["law", "constants (± 95 %)", "shear modulus", "rms", "R²", ""];

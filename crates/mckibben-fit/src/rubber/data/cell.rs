@@ -19,8 +19,6 @@ pub(super) struct Tests<'a> {
     pub table: &'a Table,
     /// Cross-section of the specimen of each row at rest, where there are forces.
     pub areas_mm2: &'a [f64],
-    /// The mode of a table without a column of it.
-    pub default_mode: Mode,
 }
 
 impl Tests<'_> {

@@ -41,7 +41,7 @@ impl Tests<'_> {
                 (Some(mode), _) => mode,
                 (None, Some(_)) => Mode::General,
                 (None, None) if has_modes => Mode::Uniaxial,
-                (None, None) => self.default_mode,
+                (None, None) => Mode::default(),
             };
             let lambda_2 = self.second_stretch(row, mode, stretch, across[row])?;
             let first = |columns: &[(Option<_>, Vec<Option<f64>>)], along| {

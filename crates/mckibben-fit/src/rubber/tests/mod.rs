@@ -42,7 +42,7 @@ fn one_or_two_constants(stretch: f64) -> FitSettings {
 
 fn shipped(name: &str) -> Vec<TensionPoint> {
     let path = format!("{}/../../data/{name}", env!("CARGO_MANIFEST_DIR"));
-    read_tension(&std::fs::read_to_string(path).unwrap(), ReadOptions::default()).unwrap()
+    read_tension(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 
 /// Rivlin's closed forms as columns, the two normal equations by Cramer's rule, and s² (AᵀA)⁻¹.

@@ -2,19 +2,18 @@ use super::*;
 use mckibben_io::table::{Columns, TableError};
 
 pub(super) fn read(text: &str) -> Result<Vec<TensionPoint>, TableError> {
-    read_tension(text, ReadOptions::default())
+    read_tension(text)
 }
 
 /// λ = 1.5 and P = 0.3 MPa, said in many ways.
 #[test]
 fn headings_and_units_are_understood() {
-    let (area_mm2, gauge_length_mm) = (Some(10.0), Some(40.0));
+    let specimen = ["mode=planar", "area=10mm2", "gauge_length=40mm"].map(str::to_owned);
     for line in include_str!("spellings.tsv").lines().skip(1) {
         let (text, columns) = line.split_once('\t').unwrap();
         let text = text.replace("\\n", "\n").replace("\\t", "\t").replace("\\u{feff}", "\u{feff}");
-        let columns = Columns::parse(columns).unwrap();
-        let options = ReadOptions { columns, mode: Mode::Planar, area_mm2, gauge_length_mm };
-        let (points, understood) = read_tests(&text, &options).unwrap_or_else(|e| panic!("{text}: {e}"));
+        let columns = Columns::parse(columns).unwrap().with(&specimen, (0, 1), "test.csv").unwrap();
+        let (points, understood) = read_tests(&text, &columns).unwrap_or_else(|e| panic!("{text}: {e}"));
         assert_eq!((understood.rows, understood.columns.len()), (1, 2), "{text}");
         assert_eq!(points.len(), 1, "{text}");
         assert_eq!(points[0].mode, Mode::Planar);
@@ -29,7 +28,7 @@ fn a_table_states_its_mode_and_its_specimen() {
     let read = |text: &str, set: &[&str]| {
         let set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
         let columns = Columns::default().with(&set, (0, 1), "test.csv")?;
-        Ok::<_, TableError>(read_tests(text, &ReadOptions { columns, ..ReadOptions::default() })?.0[0])
+        Ok::<_, TableError>(read_tests(text, &columns)?.0[0])
     };
     let text = "Traversenweg [mm];Standardkraft [N]\n20;3\n";
     let point = read(text, &["mode=planar", "area=10mm2", "gauge_length=40mm"]).unwrap();
