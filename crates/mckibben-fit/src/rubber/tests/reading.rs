@@ -14,7 +14,7 @@ fn headings_and_units_are_understood() {
         let text = text.replace("\\n", "\n").replace("\\t", "\t").replace("\\u{feff}", "\u{feff}");
         let columns = Columns::parse(columns).unwrap().with(&specimen, (0, 1), "test.csv").unwrap();
         let (points, understood) = read_tests(&text, &columns).unwrap_or_else(|e| panic!("{text}: {e}"));
-        assert_eq!((understood.rows, understood.columns.len()), (1, 2), "{text}");
+        assert_eq!((understood.rows, understood.columns.len()), (1, 2 + specimen.len()), "{text}");
         assert_eq!(points.len(), 1, "{text}");
         assert_eq!(points[0].mode, Mode::Planar);
         assert!((points[0].stretch - 1.5).abs() < 1e-12, "{text}: {points:?}");
