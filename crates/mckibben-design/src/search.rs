@@ -276,16 +276,15 @@ impl<'a> Search<'a> {
     }
 
     /// By how much a muscle that fits by the model that decides may miss by that of the search.
-    fn window(muscle: &Muscle) -> f64 {
-        let short = muscle.length_mm() < SHORT * muscle.outer_diameter_mm();
-        if short || muscle.braid().angle_deg > STEEP_DEG { NEARLY_SHORT } else { NEARLY }
+    fn window(pick: Pick, muscle: &Muscle) -> f64 {
+        if pick.is_short() || muscle.braid().angle_deg > STEEP_DEG { NEARLY_SHORT } else { NEARLY }
     }
 
     /// Whether a muscle may fit by the model that decides.
     pub(super) fn is_near(&self, pick: Pick, muscle: &Muscle) -> bool {
         let (build, unsure) = self.ranks(muscle);
         let sample = self.sample(pick, build, &mut SearchResult::default(), false);
-        sample.violation() <= unsure.max(Self::window(muscle))
+        sample.violation() <= unsure.max(Self::window(pick, muscle))
     }
 
     /// Tries a muscle, and keeps it among those that fit or miss.
@@ -301,7 +300,7 @@ impl<'a> Search<'a> {
     /// Keeps a muscle that does not fit; what is no muscle at all is none.
     fn keep_miss(&self, sample: &Sample, pick: Pick, result: &mut SearchResult) {
         let Ok(muscle) = self.muscle(pick) else { return };
-        if self.is_good.is_some() && sample.violation() <= Self::window(&muscle) {
+        if self.is_good.is_some() && sample.violation() <= Self::window(pick, &muscle) {
             SearchResult::keep(&mut result.near, sample.score, pick, MOST);
         }
         SearchResult::keep(&mut result.misses, sample.violation(), pick, MOST);

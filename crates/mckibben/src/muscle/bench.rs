@@ -148,11 +148,6 @@ impl Muscle {
         self.bench.as_deref().map_or(0.0, |bench| bench.pressure_mpa.0)
     }
 
-    /// Whether its constants were identified from another specimen: by somebody else, or of a muscle that differs by more than its length.
-    pub(crate) fn has_constants_of_another(&self) -> bool {
-        self.laboratory().is_some() || self.differs_from_identified()
-    }
-
     /// Whether it differs by more than its length from the muscle that its constants were identified from.
     pub(crate) fn differs_from_identified(&self) -> bool {
         self.bench.is_some() && self.bench_of_lengths().is_none()

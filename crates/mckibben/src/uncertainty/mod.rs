@@ -221,7 +221,8 @@ impl Evaluation<'_> {
     ) -> Option<UncertaintyParts> {
         let muscle = self.model.muscle();
         let own = Pull { evaluation: self, pressure_mpa, contraction, force_n }.of_specimen()?;
-        let transfer = muscle.has_constants_of_another().then_some(TRANSFER);
+        let of_another = muscle.laboratory().is_some() || muscle.differs_from_identified();
+        let transfer = of_another.then_some(TRANSFER);
         let length = muscle.off_identified_lengths().map(|off| LENGTH * off);
         // A formula of a bought muscle was held against measured pulls.
         if is_of_product(self.model) || transfer.is_none() && length.is_none() {
@@ -331,7 +332,8 @@ impl<'a> Pull<'_, 'a> {
         }
         let (p, e, muscle) = (self.pressure_mpa, self.contraction, self.model().muscle());
         let blocked = self.evaluation.blocked_n(p)?;
-        let measured_blocked = self.evaluation.blocked_n(p.max(muscle.identified_from_mpa()))?;
+        let lowest = muscle.identified_from_mpa();
+        let measured_blocked = if p < lowest { self.evaluation.blocked_n(lowest)? } else { blocked };
         let shifts = Shifts::of(self.evaluation.workspace, muscle, (p, e));
         // The mesh has no friction.
         let force_n = self.force_n - self.evaluation.friction_n(p, e).unwrap_or(0.0);

@@ -24,7 +24,7 @@ impl Shifts {
         let own = &muscle.tube().rubber;
         let both = |factor: f64| if factor > 1.0 { vec![factor, 1.0 / factor] } else { vec![] };
         let mut laws = of_equal_standing(own, muscle.reach());
-        if muscle.differs_from_identified() && own.law.locks_at().is_some() {
+        if own.law.locks_at().is_some() && muscle.differs_from_identified() {
             let law = Law::NeoHookean(NeoHookean { mu_mpa: own.law.shear_modulus_mpa() });
             laws.push(Rubber { name: None, law, ..own.clone() });
         }
