@@ -4,7 +4,7 @@ use crate::candidate::candidate;
 use crate::limit::{Probe, Score, probe, probe_with};
 use crate::line::STEPS;
 use crate::relax::{Kind, Misses};
-use crate::search::{Pick, SPARE, Search, SearchResult};
+use crate::search::{NEARLY, NEARLY_SHORT, Pick, SPARE, Search, SearchResult};
 use crate::trial::Trial;
 use crate::{Build, Candidate, Models, Reason, Rejected, Relaxation, Spec, SpecError};
 use mckibben::progress::{Progress, Silent};
@@ -49,7 +49,7 @@ pub struct Closest {
     /// Its measures and why it does not fit.
     pub rejected: Rejected,
     /// The muscles of the search, those that miss by least first.
-    picks: Vec<Pick>,
+    pub(super) picks: Vec<Pick>,
 }
 
 impl Closest {
@@ -74,6 +74,9 @@ impl Closest {
 /// What muscles are ranked by is larger by less than this share by the model of the search; of short muscles the two are further apart.
 const RANK: f64 = 0.03;
 const RANK_SHORT: f64 = 0.2;
+/// Where none of those fits: so many that miss by more, the nearest first. The largest diameter of the two models differs by up to a tenth where little is
+/// contracted.
+const FARTHER: usize = 40;
 /// Muscles that are settled side by side.
 const CHUNK: usize = 4;
 /// Shares by which the two models' diameters may differ, tried one after the other.
@@ -106,7 +109,13 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
         score[0] -= score[0].abs() * if pick.is_short() { RANK_SHORT } else { RANK };
     }
     likely.sort_by(|a, b| order(&a.0, &b.0));
-    let candidates = settled(&search, models, &likely);
+    let mut candidates = settled(&search, models, &likely);
+    if candidates.is_empty() && models.settle.is_some() {
+        let farther = result.misses.iter().filter(|miss| (NEARLY..=NEARLY_SHORT).contains(&miss.0));
+        let farther: Vec<(Score, Pick)> =
+            farther.take(FARTHER).map(|miss| ([f64::NEG_INFINITY; 2], miss.1)).collect();
+        candidates = settled(&search, models, &farther);
+    }
     progress.check()?;
     let decides = models.decides();
     let fitted = result.fits.iter().map(|fit| fit.1).filter(|_| candidates.is_empty());
@@ -132,7 +141,7 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
 }
 
 /// What is searched: outside of the range of a model as well, where another one decides.
-fn searched(spec: &Spec, models: Models<'_>) -> Spec {
+pub(super) fn searched(spec: &Spec, models: Models<'_>) -> Spec {
     Spec { extrapolate: spec.extrapolate || models.settle.is_some(), ..spec.clone() }
 }
 

@@ -22,8 +22,8 @@ pub(super) const SPARE: usize = 3;
 /// Muscles that are kept for the model that decides.
 const MOST: usize = 5000;
 /// Muscles that miss by at most this by the model of the search may fit by the other one; of short ones and steep braids the two are further apart.
-const NEARLY: f64 = 0.05;
-const NEARLY_SHORT: f64 = 0.15;
+pub(super) const NEARLY: f64 = 0.05;
+pub(super) const NEARLY_SHORT: f64 = 0.15;
 const SHORT: f64 = 3.0;
 const STEEP_DEG: f64 = 42.0;
 /// Tubes are screened by the thick-wall model: what misses its limits by more than this is not computed by another one.

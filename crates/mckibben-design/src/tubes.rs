@@ -166,7 +166,7 @@ fn part(
     source: &str,
 ) -> Result<TubePart, TubeError> {
     let wrong = |problem: String| TubeError(format!("the tube {name}: {problem}"));
-    let wall_mm = 0.5 * (outer_diameter_mm - inner_diameter_mm);
+    let wall_mm = (5e8 * (outer_diameter_mm - inner_diameter_mm)).round() * 1e-9;
     if !(inner_diameter_mm > 0.0 && wall_mm > 0.0 && wall_mm.is_finite()) {
         return Err(wrong("the inner diameter must be above zero and below the outer one".into()));
     }

@@ -5,7 +5,7 @@ use crate::words::within;
 use crate::{Units, number, percent};
 use mckibben::units::{Dimension, rounded, tidy};
 use mckibben_build::relief_mpa;
-use mckibben_design::{Candidate, Limit, Spec};
+use mckibben_design::{Candidate, Demand, Limit, Spec};
 
 /// What muscles are chosen among, for the lines of the decision.
 pub(super) struct Decision<'a> {
@@ -32,14 +32,24 @@ impl Decision<'_> {
         };
         let length = show(Dimension::Length, first.muscle.length_mm());
         let assumed = self.length_by.map_or_else(String::new, |by| format!(" (assumed: {by})"));
-        format!("Take {many}{}, {length} between the terminals{assumed}", parts(first))
+        let pulley = match &self.spec.wanted {
+            Demand::Joint(joint) => {
+                format!(
+                    ", on a pulley of radius {}",
+                    Units::default().show(Dimension::Length, joint.radius_mm)
+                )
+            }
+            _ => String::new(),
+        };
+        format!("Take {many}{}, {length} between the terminals{assumed}{pulley}", parts(first))
     }
 
     fn pulls(&self, first: &Candidate) -> String {
         let point = |q: &mckibben_design::CandidatePoint| {
             let wanted_n = q.response.force_n;
             let range = q.uncertainty_n.map(|half| {
-                let [low, high] = [wanted_n - half, wanted_n + half].map(|n| within(n, half));
+                let [low, high] = [wanted_n - half, wanted_n + half]
+                    .map(|n| if n * wanted_n > 0.0 { within(n, half) } else { "0".into() });
                 format!(" ({low} to {high} N, 95 %)")
             });
             format!(

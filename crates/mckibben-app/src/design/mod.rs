@@ -40,7 +40,12 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     if let Some(tolerances) = &request.tolerance {
         tolerances.check()?;
     }
-    let single = Searched::run(request, progress)?;
+    let mut single = Searched::run(request, progress)?;
+    let longer = request.longer().filter(|_| single.outcome.closest.is_some());
+    if let Some(longer) = &longer {
+        single = Searched::run(longer, progress)?;
+    }
+    let request = longer.as_ref().unwrap_or(request);
     let (several, Searched { spec, policy, outcome }) = match single.as_bundle(request, progress)? {
         Some((several, bundle)) => (Some(several), bundle),
         None => (None, single),
@@ -90,6 +95,11 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         }
     });
     let mut assumptions = assumed::assumptions(request, &spec);
+    if longer.is_some() {
+        let length_mm = crate::number(spec.base.length_mm(), 4);
+        let because = "because of a shorter muscle the stroke is too large a share (`length_mm`)";
+        assumptions.insert(0, format!("the length L0 is {length_mm} mm, {because}"));
+    }
     if let Some(count) = several.as_ref().and_then(|several| several.count) {
         let said =
             format!("{count} equal muscles share what is required, because no single one does it (`count`)");

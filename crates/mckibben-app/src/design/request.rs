@@ -156,6 +156,8 @@ pub(super) struct Search {
 
 /// Contraction that no braid reaches: that of inextensible strands at 0°, 1 − 1/√3, rounded. It bounds the radii of a joint's pulley.
 const LARGEST_CONTRACTION: f64 = 0.42;
+/// Contraction at which a muscle of a common braid still pulls with half of its blocked force.
+const USUAL_CONTRACTION: f64 = 0.15;
 /// The smallest radius that is searched, as a share of the largest.
 const SMALLEST_RADIUS: f64 = 0.1;
 
@@ -250,6 +252,13 @@ impl DesignRequest {
             extrapolate: self.extrapolate,
         };
         Ok(Search { spec, policy, radius_mm })
+    }
+
+    /// Where the length is assumed, the muscle on which the stroke is a usual contraction, if that is longer.
+    pub(super) fn longer(&self) -> Option<Self> {
+        let free = self.length_mm.is_none() && self.muscle.is_none() && self.contraction.is_none();
+        let is_short = self.stroke_mm? > USUAL_CONTRACTION * Muscle::prototype().length_mm();
+        (free && is_short).then(|| Self { contraction: Some(USUAL_CONTRACTION), ..self.clone() })
     }
 
     /// The share of muscles that meet the requirement, checked.

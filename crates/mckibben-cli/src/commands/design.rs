@@ -186,7 +186,13 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, all: bool, u: &Units) -> 
     ];
     let keys: Vec<&str> = keys.into_iter().filter(|key| key.0).map(|key| key.1).collect();
     let mut out = tabled(&rows, &keys.join(" "), u);
-    out += "P required: the pressure of each point. P sure: that at which the lower end of the ± meets it. P max: what supply and muscle allow.\n";
+    out += "P required: the pressure of each point.";
+    out += if any("sure_pressure_mpa") {
+        " P sure: that at which the lower end of the ± meets it."
+    } else {
+        ""
+    };
+    out += if several("highest_pressure_mpa") { " P max: what supply and muscle allow.\n" } else { "\n" };
     if all {
         out += "margin: pull above the required pull, F blocked and ε free: at P max. stiffness: at the first point. bulged D, air or liquid, strand or braid, ±: the largest of the points.\n\
             air (normal litres: at 0 °C and 1.01325 bar) and liquid: from rest to the point. k: stiffness of one strand family. strand: tension of one strand; braid: of all together.\n\
