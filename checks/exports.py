@@ -213,8 +213,10 @@ int main() {
 }
 """)
     flags = ["-mmcu=atmega2560", "-Os", "-DMCKIBBEN_FLOAT", "-ffunction-sections", "-fdata-sections"]
-    run("avr-gcc", *flags, "-std=c99", "-c", "mckibben.c", cwd=folder)
-    run("avr-g++", *flags, "-Wl,--gc-sections", "-include", "Arduino.h", "-x", "c++", "muscle_prototype_loop.ino", "board.cpp", "-x", "none", "mckibben.o", "-lm", "-o", "loop.elf", cwd=folder)
+    # As Arduino does: every source of the folder.
+    for source in folder.glob("*.c"):
+        run("avr-gcc", *flags, "-std=c99", "-DARDUINO=10819", "-c", source, cwd=folder)
+    run("avr-g++", *flags, "-Wl,--gc-sections", "-include", "Arduino.h", "-x", "c++", "muscle_prototype_loop.ino", "board.cpp", "-x", "none", *folder.glob("*.o"), "-lm", "-o", "loop.elf", cwd=folder)
     done = run("timeout", "60", "simavr", "-m", "atmega2560", "-f", "16000000", "loop.elf", cwd=folder, ok=False)
     share = int(re.search(r"V(\d+)", done.stdout + done.stderr).group(1)) / 1e6
     length = L0 * (1 - 0.3 * 171 / 1023)
@@ -330,6 +332,63 @@ def mjcf_plugin():
     pair("muscle_prototype_plugin.xml", folder, worst)
 
 
+def states():
+    """Friction with memory, valve and air: the plugin of MuJoCo and the unit of FMI have the same pull along the same motion."""
+    import fmpy
+    import mujoco
+
+    begun, place, muscle = time.monotonic(), pathlib.Path(mujoco.__file__).parent, work / "sticks.toml"
+    muscle.write_text((ROOT / MUSCLE).read_text().replace("prototype", "sticks") + "[friction]\ncoefficient = 71.5\nexponent = 0.56\npresliding = '0.8 mm'\n")
+    folder = work / "states"
+    for target in ("mjcf", "fmu"):
+        run(program, "export", muscle, "--as", target, "-o", folder, "--overwrite")
+    (library,) = place.glob("libmujoco.so*")
+    run("gcc", "-O2", "-shared", "-fPIC", "-isystem", place / "include", "muscle_sticks_plugin.c", "mckibben.c", library, "-lm", "-o", "sticks.so", cwd=folder)
+    mujoco.mj_loadPluginLibrary(str(folder / "sticks.so"))
+    text = (folder / "muscle_sticks_plugin.xml").read_text()
+    valve = '<plugin name="muscle_sticks" tendon="muscle_sticks" plugin="mckibben.muscle_sticks" ctrlrange="-1 1"><config key="sonic_conductance" value="2e-9"/><config key="dead_volume" value="1e-5"/></plugin>'
+    text = re.sub(r'<plugin name="muscle_sticks" [^>]*/>', valve, text)
+    model = mujoco.MjModel.from_xml_string(text)
+    data, n = mujoco.MjData(model), 1600
+    data.qpos[0] = 0.02 * L0
+    signals = np.zeros(n, dtype=[("time", float), ("command", float), ("length", float)])
+    pulls = np.zeros(n)
+    for k in range(n):
+        data.ctrl[0] = 1.0 if k < 600 else (-1.0 if k % 200 < 100 else 0.2)
+        mujoco.mj_forward(model, data)
+        signals[k] = data.time, data.ctrl[0], data.actuator_length[0]
+        pulls[k] = -data.actuator_force[0]
+        mujoco.mj_step(model, data)
+    unit = {"dead_volume": 1e-5, "sonic_conductance": 2e-9, "exhaust_conductance": 2e-9, "exhaust_critical_ratio": 0.3}
+
+    def along(**more):
+        """The pull of the unit, whose length follows the motion."""
+        description = fmpy.read_model_description(str(folder / "muscle_sticks_valve.fmu"))
+        references = {v.name: v.valueReference for v in description.modelVariables}
+        from fmpy.fmi2 import FMU2Slave
+
+        slave = FMU2Slave(guid=description.guid, unzipDirectory=fmpy.extract(str(folder / "muscle_sticks_valve.fmu")), modelIdentifier="muscle_sticks")
+        slave.instantiate()
+        slave.setupExperiment(startTime=0.0)
+        slave.enterInitializationMode()
+        start = {**unit, **more, "length": float(signals["length"][0]), "command": float(signals["command"][0])}
+        slave.setReal([references[name] for name in start], list(start.values()))
+        slave.exitInitializationMode()
+        found = []
+        for k, (time_s, command, length) in enumerate(signals):
+            slave.setReal([references["command"], references["length"]], [command, length])
+            found.append(slave.getReal([references["force"]])[0])
+            slave.doStep(time_s, model.opt.timestep)
+        slave.terminate()
+        slave.freeInstance()
+        return np.array(found)
+
+    error = np.abs(along() - pulls).max() / blocked
+    without = np.abs(along(friction_factor=0.0) - pulls).max()
+    assert error < 1e-6 and without > 20.0, (error, without)
+    noted("mjcf, fmu", "valve, air and friction with memory: plugin against unit along one motion", f"{error:.1e} of the blocked force; friction of {without:.0f} N", "", time.monotonic() - begun)
+
+
 def pair(name, folder, worst):
     """An antagonist pair at a hinge, with copies of the tendon and the actuators: angle, torque and stiffness of `mckibben joint`."""
     import mujoco
@@ -431,4 +490,4 @@ def run_parts(*parts):
 
 
 if __name__ == "__main__":
-    run_parts(python, c, sketch, observer, mjcf, mjcf_plugin)
+    run_parts(python, c, sketch, observer, mjcf, mjcf_plugin, states)

@@ -87,6 +87,10 @@ class Library:
         elif name in ("_memcpy", "_memmove"):
             uc.mem_write(w[0], bytes(uc.mem_read(w[1], w[2])))
             answer = w[0]
+        elif name in ("_memset", "_bzero", "___bzero"):
+            count = w[2] if name == "_memset" else w[1]
+            uc.mem_write(w[0], bytes([w[1] & 255 if name == "_memset" else 0]) * count)
+            answer = w[0]
         elif name in ("_strncmp", "_memcmp"):
             a, b = (bytes(uc.mem_read(w[k], w[2])) for k in (0, 1))
             if name == "_strncmp":

@@ -115,6 +115,7 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: BoxRequest, low: f64) -> Resul
         b: Default::default(),
         v: [0.0; FUNCTIONS],
         friction_n: friction(model, w, supply, high),
+        presliding_m: model.muscle().friction().map_or(0.0, |f| 1e-3 * f.presliding_length_mm()),
     };
     pulls(&mut form, &at, at_rest)?;
     form.a.iter_mut().chain(&mut form.b).flatten().for_each(|value| *value *= blocked_n);

@@ -63,6 +63,9 @@ pub struct Form {
     pub v: [f64; FUNCTIONS],
     /// Half-width of the hysteresis, N: h0 √q + h1 q; zeros where the muscle does not state its friction.
     pub friction_n: [f64; 2],
+    /// Way over which it builds up after a reversal, m; 0 where the muscle does not state its friction.
+    #[schemars(extend("x-unit" = "m"))]
+    pub presliding_m: f64,
 }
 
 /// Everything at a point.

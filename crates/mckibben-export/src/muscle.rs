@@ -117,7 +117,12 @@ impl ExportedMuscle {
         let percent = |share: f64| format!("{:.2} %", 100.0 * share);
         let (e, b) = (&self.errors, &self.bounds);
         vec![
-            format!("Muscle {}, {MARK} {}, hash {}.", plain(&self.name), self.version, self.hash),
+            format!(
+                "Muscle {}, {MARK} {}, hash {}. Licence of this file: MIT OR Apache-2.0.",
+                plain(&self.name),
+                self.version,
+                self.hash
+            ),
             format!(
                 "Model {}; pressures from 0 to {} Pa, contractions from {:.4} to {:.4}.",
                 plain(&self.model),

@@ -1,5 +1,5 @@
-/* The air in a muscle on a valve, by the values x of fmu2.c; gauge pressures in Pa.
- * Made by mckibben @{version}; the same for all muscles.
+/* The air in a muscle on a valve, by values x in an order of its host; gauge pressures in Pa.
+ * Made by mckibben @{version}; the same for all muscles. Licence: MIT OR Apache-2.0.
  *
  * States: the volume A = V (p/p0)^(1/n) that the air has at the pressure p0 of the atmosphere without heat, and its mass m.
  *   dA/dt = (p/p0)^(1/n)/(n p) (n R sum(G T) + (g - 1) hA (Tw - T)),   dm/dt = sum(G),   T = p V/(m R)

@@ -1,6 +1,7 @@
 /* cc -O2 @{id}_example.c mckibben.c -lm -o example && ./example
  * @{facts}
  */
+#ifndef ARDUINO /* a sketch has its own main */
 #include "@{id}.h"
 #include <stdio.h>
 
@@ -14,3 +15,4 @@ int main(void)
     printf("%.3f N at this length: %.1f Pa\n", (double)force, (double)mckibben_pressure(&@{id}, force, length, &status));
     return 0;
 }
+#endif

@@ -1,6 +1,6 @@
 /* FMI 2.0, Model Exchange and Co-Simulation, around mckibben.c: a muscle whose pressure is an input, without states; or a muscle on a valve, with
  * the air of air.c as states. Which one, and its numbers, are read from resources/muscle.bin, so that one library serves all muscles.
- * Made by mckibben @{version}; the same for all muscles.
+ * Made by mckibben @{version}; the same for all muscles. Licence: MIT OR Apache-2.0.
  */
 #ifdef _WIN32
 #define WIN32_LEAN_AND_MEAN
@@ -10,6 +10,7 @@
 #define FMI2_EXPORT __attribute__((visibility("default")))
 #endif
 #include "mckibben.c"
+#include "mckibben_memory.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,7 +52,7 @@ typedef struct {
 /* Value references; modelDescription.xml has these names in small letters. First what is set or integrated. */
 enum {
     PRESSURE, LENGTH, FORCE_FACTOR, COMMAND, SUPPLY_PRESSURE, SONIC_CONDUCTANCE, CRITICAL_RATIO, EXHAUST_CONDUCTANCE, EXHAUST_CRITICAL_RATIO,
-    TEMPERATURE, DEAD_VOLUME, POLYTROPIC_EXPONENT, HEAT_CONDUCTANCE, INITIAL_PRESSURE, AIR, AIR_MASS,
+    TEMPERATURE, DEAD_VOLUME, POLYTROPIC_EXPONENT, HEAT_CONDUCTANCE, INITIAL_PRESSURE, FRICTION_FACTOR, AIR, AIR_MASS,
     FORCE, STIFFNESS, VOLUME, FORCE_PER_PRESSURE, STATUS, TIME, AIR_TEMPERATURE, AIR_RATE, AIR_FLOW, COMMAND_SIGN, COMMAND_LIMIT, TAUT
 };
 #define KNOWN FORCE
@@ -62,6 +63,7 @@ enum {
 /* What changes: plain numbers. */
 typedef struct {
     double value[KNOWN], time, begun;
+    mckibben_memory memory; /* of friction */
 } state;
 
 /* Of a variable that can be set: value at the start, range, size. Not a number where it cannot be. */
@@ -96,6 +98,10 @@ static void set_state(instance *c, const state *s)
             c->muscle.b[i][j] *= s->value[FORCE_FACTOR];
         }
     }
+    for (int i = 0; i < 2; i++)
+        c->muscle.friction[i] *= s->value[FRICTION_FACTOR];
+    if (!(s->begun > 0.0))
+        mckibben_rest(&c->now.memory, s->value[LENGTH]);
     if (c->states && !(s->begun > 0.0))
         fill(&c->muscle, c->now.value, s->value[INITIAL_PRESSURE]);
 }
@@ -103,7 +109,7 @@ static void set_state(instance *c, const state *s)
 static void begin(instance *c)
 {
     state s;
-    s.time = s.begun = 0.0;
+    memset(&s, 0, sizeof(s));
     for (int i = 0; i < KNOWN; i++)
         s.value[i] = c->variables[i].start;
     set_state(c, &s);
@@ -162,11 +168,11 @@ static FILE *opened(const char *path)
 #endif
 }
 
-/* muscle.bin: a mark, the token, and numbers of 64 bits in little-endian order, of which the first is 1. */
+/* muscle.bin: a mark, the token, and numbers of 64 bits in little-endian order, of which the first is 2. */
 typedef struct {
     char mark[8], token[32];
-    double one, states, length, supply, nodes, node[MCKIBBEN_NODES];
-    double a[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES], b[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES], v[MCKIBBEN_FUNCTIONS];
+    double two, states, length, supply, nodes, node[MCKIBBEN_NODES];
+    double a[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES], b[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES], v[MCKIBBEN_FUNCTIONS], friction[3];
     variable variables[KNOWN];
 } resource;
 
@@ -185,11 +191,11 @@ static const char *read_muscle(instance *c, const char *location, const char *to
         return "resources/muscle.bin of the unit cannot be opened";
     found = fread(&r, sizeof(r), 1, file);
     (void)fclose(file);
-    if (found != 1 || memcmp(r.mark, "mckibben", 8) != 0 || !(r.one == 1.0 && r.nodes >= 2.0 && r.nodes <= MCKIBBEN_NODES))
+    if (found != 1 || memcmp(r.mark, "mckibben", 8) != 0 || !(r.two == 2.0 && r.nodes >= 2.0 && r.nodes <= MCKIBBEN_NODES))
         return "resources/muscle.bin of the unit is damaged: export the muscle again";
     if (!token || strncmp(token, r.token, sizeof(r.token)) != 0)
         return "resources/muscle.bin is of another muscle than modelDescription.xml: export the muscle again";
-    m->friction[0] = m->friction[1] = 0.0;
+    memcpy(m->friction, r.friction, sizeof(r.friction));
     m->beyond = 1;
     m->length = r.length;
     m->supply = r.supply;
@@ -230,7 +236,7 @@ static int get(const instance *c, double p, fmi2ValueReference vr, double *out)
         return 0;
     switch (vr) {
     case PRESSURE: *out = p; return 1;
-    case FORCE: *out = mckibben_force(&c->muscle, p, l, 0); return 1;
+    case FORCE: *out = mckibben_force(&c->muscle, p, l, 0) + mckibben_friction_after(&c->muscle, &c->now.memory, p, l, 0); return 1;
     case STIFFNESS: *out = mckibben_stiffness(&c->muscle, p, l, 0); return 1;
     case VOLUME: *out = mckibben_volume(&c->muscle, p, l, 0); return 1;
     case FORCE_PER_PRESSURE: *out = mckibben_force_per_pressure(&c->muscle, p, l, 0); return 1;
@@ -344,15 +350,16 @@ FMI2_EXPORT fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2V
 {
     const instance *at = (const instance *)c;
     const double p = pressure_of(at);
+    const int analytic = !at->states && !(at->muscle.friction[0] + at->muscle.friction[1] > 0.0);
     for (size_t i = 0; i < n; i++) {
         out[i] = 0.0;
         for (size_t j = 0; j < m; j++) {
             double slope;
             if (by[j] >= KNOWN)
                 return fmi2Error;
-            if (!at->states && of[i] == FORCE && by[j] == LENGTH) {
+            if (analytic && of[i] == FORCE && by[j] == LENGTH) {
                 (void)get(at, p, STIFFNESS, &slope);
-            } else if (!at->states && of[i] == FORCE && by[j] == PRESSURE) {
+            } else if (analytic && of[i] == FORCE && by[j] == PRESSURE) {
                 (void)get(at, p, FORCE_PER_PRESSURE, &slope);
             } else {
                 instance moved = *at;
@@ -378,7 +385,14 @@ FMI2_EXPORT fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2V
 FMI2_EXPORT fmi2Status fmi2EnterEventMode(fmi2Component c) { (void)c; return fmi2OK; }
 FMI2_EXPORT fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *info) { (void)c; memset(info, 0, sizeof(*info)); return fmi2OK; }
 FMI2_EXPORT fmi2Status fmi2EnterContinuousTimeMode(fmi2Component c) { (void)c; return fmi2OK; }
-FMI2_EXPORT fmi2Status fmi2CompletedIntegratorStep(fmi2Component c, fmi2Boolean final, fmi2Boolean *event, fmi2Boolean *stop) { (void)c; (void)final; *event = 0; *stop = 0; return fmi2OK; }
+FMI2_EXPORT fmi2Status fmi2CompletedIntegratorStep(fmi2Component c, fmi2Boolean final, fmi2Boolean *event, fmi2Boolean *stop) 
+{
+    instance *of = (instance *)c;
+    (void)final;
+    mckibben_moved(&of->muscle, &of->now.memory, of->now.value[LENGTH]);
+    *event = *stop = 0;
+    return fmi2OK;
+}
 FMI2_EXPORT fmi2Status fmi2SetTime(fmi2Component c, fmi2Real time) { ((instance *)c)->now.time = time; return fmi2OK; }
 FMI2_EXPORT fmi2Status fmi2SetContinuousStates(fmi2Component c, const fmi2Real x[], size_t n)
 {
@@ -419,6 +433,7 @@ FMI2_EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real at, fmi2Real step, f
     instance *of = (instance *)c;
     (void)final;
     of->now.time = at + step;
+    mckibben_moved(&of->muscle, &of->now.memory, of->now.value[LENGTH]);
     if (!of->states || air_step(&of->muscle, of->now.value, step))
         return fmi2OK;
     failed(of->log, "the air changes too fast for the step: a smaller sonic conductance or step, or a larger dead volume");

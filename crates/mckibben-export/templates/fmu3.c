@@ -1,5 +1,5 @@
 /* FMI 3.0, Model Exchange and Co-Simulation, beside FMI 2.0 of fmu2.c, with the same instances.
- * Made by mckibben @{version}; the same for all muscles.
+ * Made by mckibben @{version}; the same for all muscles. Licence: MIT OR Apache-2.0.
  */
 #include "fmu2.c"
 #include <stdbool.h>
@@ -99,7 +99,7 @@ FMI3(fmi3Status) fmi3GetAdjointDerivative(void *c, const uint32_t of[], size_t n
 
 /* Model Exchange. */
 FMI3(fmi3Status) fmi3UpdateDiscreteStates(void *c, bool *again, bool *stop, bool *nominals, bool *values, bool *timed, double *time) { (void)c; *again = *stop = *nominals = *values = *timed = false; *time = 0.0; return fmi3OK; }
-FMI3(fmi3Status) fmi3CompletedIntegratorStep(void *c, bool final, bool *event, bool *stop) { (void)c; (void)final; *event = *stop = false; return fmi3OK; }
+FMI3(fmi3Status) fmi3CompletedIntegratorStep(void *c, bool final, bool *event, bool *stop) { int second[2]; (void)fmi2CompletedIntegratorStep(c, final, &second[0], &second[1]); *event = *stop = false; return fmi3OK; }
 FMI3(fmi3Status) fmi3SetTime(void *c, double time) { return fmi2SetTime(c, time) == fmi2OK ? fmi3OK : fmi3Error; }
 FMI3(fmi3Status) fmi3SetContinuousStates(void *c, const double x[], size_t n) { return fmi2SetContinuousStates(c, x, n) == fmi2OK ? fmi3OK : fmi3Error; }
 FMI3(fmi3Status) fmi3GetContinuousStates(void *c, double x[], size_t n) { return fmi2GetContinuousStates(c, x, n) == fmi2OK ? fmi3OK : fmi3Error; }

@@ -1,5 +1,5 @@
 /* Pull and volume of a McKibben muscle in closed form; see mckibben.h.
- * Made by mckibben @{version}; the same for all muscles.
+ * Made by mckibben @{version}; the same for all muscles. Licence: MIT OR Apache-2.0.
  *
  * F = c0 + c1 q + c2 phi0(q) + c3 phi1(q) + c4 phi2(q), q = P/supply, phik = max(q - knot, 0)^2; c: cubic splines in the contraction.
  * V has the same potential: dF/dP = -dV/dL.

@@ -1,7 +1,8 @@
 /* Pull and volume of a McKibben muscle in closed form. C99; no heap; of the C library only sqrt.
  * Made by mckibben @{version}; the same for all muscles.
  *
- * Units: Pa (gauge), m, N, m3. With -DMCKIBBEN_FLOAT all numbers are float, otherwise double.
+ * Units: Pa (gauge), m, N, m3. All numbers are float with -DMCKIBBEN_FLOAT, and on an Arm core whose floating-point unit has single precision alone
+ * (Cortex-M4F): there a double takes 28 times as long. Otherwise, and with -DMCKIBBEN_DOUBLE, they are double.
  * Licence: MIT OR Apache-2.0.
  */
 #ifndef MCKIBBEN_H
@@ -11,6 +12,11 @@
 extern "C" {
 #endif
 
+#if !defined(MCKIBBEN_FLOAT) && !defined(MCKIBBEN_DOUBLE) && defined(__ARM_FP)
+#if !(__ARM_FP & 8) /* no unit of double precision */
+#define MCKIBBEN_FLOAT
+#endif
+#endif
 #ifdef MCKIBBEN_FLOAT
 typedef float mckibben_real;
 #else
@@ -37,7 +43,7 @@ typedef struct {
     mckibben_real a[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES]; /* N; functions of the contraction, at the nodes */
     mckibben_real b[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES]; /* N; their slopes */
     mckibben_real v[MCKIBBEN_FUNCTIONS];                 /* m3 */
-    mckibben_real friction[2]; /* N; zeros where the muscle does not state its friction */
+    mckibben_real friction[3]; /* N, N and m: half the hysteresis is f0 sqrt(q) + f1 q, and builds up over f2; zeros where the muscle does not state its friction */
     int beyond; /* for simulators: 1 continues pull and volume outside of the box along their tangents, with one potential; 0 does not */
 } mckibben_muscle;
 
@@ -59,6 +65,7 @@ mckibben_real mckibben_contraction(const mckibben_muscle *m, mckibben_real force
  * the muscle pulls or is slack: it never pushes. */
 mckibben_real mckibben_friction(const mckibben_muscle *m, mckibben_real pressure, mckibben_real length, mckibben_real velocity, mckibben_real smoothing,
                                 unsigned *status);
+
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,5 @@
 /* The inverse on a branch of the hysteresis. It needs mckibben.h and mckibben.c.
- * Made by mckibben @{version}; the same for all muscles.
+ * Made by mckibben @{version}; the same for all muscles. Licence: MIT OR Apache-2.0.
  */
 #ifndef MCKIBBEN_BRANCH_H
 #define MCKIBBEN_BRANCH_H

@@ -3,8 +3,8 @@
 @{facts}
 
 Units: Pa (gauge), m, N, m3. Arguments are numbers or arrays of one library; in double precision where the arrays are.
-Licence: MIT OR Apache-2.0.
 """
+import math
 import sys
 
 LENGTH = @{length}  # m, at rest
@@ -20,8 +20,19 @@ FRICTION = @{py_friction}  # N; zeros where the muscle does not state its fricti
 SLACK, PRESSURE_OUTSIDE, CONTRACTION_OUTSIDE, NO_ANSWER = 1, 2, 4, 8
 
 
+class _Numbers:
+    """What a library of arrays does, of one number."""
+
+    where = staticmethod(lambda condition, yes, no: yes if condition else no)
+    asarray = staticmethod(lambda values: values)
+    ones_like = staticmethod(lambda value: 1.0)
+    sqrt, abs = math.sqrt, abs
+
+
 def _arrays(*values):
     """The library of the arguments, and the arguments as its arrays."""
+    if all(isinstance(value, (int, float)) for value in values):
+        return _Numbers, [float(value) for value in values]
     for value in values:
         kind = type(value).__module__.split(".")[0]
         if kind == "torch":
@@ -72,7 +83,7 @@ def _coefficients(xp, e):
     """c, dc/de and the integral of c at a contraction, for each function of the pressure; outside of the box those of its end."""
     inside = xp.where(e < LOW, LOW + 0 * e, xp.where(e > HIGH, HIGH + 0 * e, e))
     n = sum((inside >= node) * 1 for node in NODES[1:-1])
-    like = {"dtype": e.dtype, "device": e.device} if xp.__name__ == "torch" else {"dtype": e.dtype}
+    like = {key: getattr(e, key) for key in ("dtype", "device")[: 0 if xp is _Numbers else 1 + (xp.__name__ == "torch")]}
 
     def pick(values):
         values = xp.asarray(values, **like)
@@ -110,7 +121,7 @@ def _above_zero(xp, value):
 
 def _outside(value, low, high):
     """Also what is not a number."""
-    return ~((value >= low) & (value <= high))
+    return ((value >= low) & (value <= high)) == 0
 
 
 def _moved(xp, at, answered, miss, slope, low, high):
@@ -181,7 +192,7 @@ def _pressure(xp, force, length, branch):
         q = xp.where(here, begin + 2 * missing / xp.where(below > 0, below, one), q)
         pull, slope = pull + width * (slope + curve * width), slope + 2 * curve * width
     # Within a millionth the supply gives its own pull.
-    answered = answered & ((q == q) | ~more | (wanted <= (1 + 1e-6) * _above_zero(xp, moving(c, one)[0])))
+    answered = answered & ((q == q) | (more == 0) | (wanted <= (1 + 1e-6) * _above_zero(xp, moving(c, one)[0])))
     q = xp.where(more & (wanted >= 0), xp.where(q == q, q, one), 0 * one)
     value, slope = moving(moving_c, q)
     return SUPPLY * _moved(xp, q, answered & more, value - force, slope, 0, 1), answered
@@ -202,7 +213,7 @@ def pressure_on(force, length, branch):
 def pressure_status(force, length, branch=0):
     """Of pressure and pressure_on: 0, or a sum of CONTRACTION_OUTSIDE and NO_ANSWER (no pressure of the box gives this pull)."""
     xp, (force, length) = _arrays(force, length)
-    return NO_ANSWER * ~_pressure(xp, force, length, branch)[1] + CONTRACTION_OUTSIDE * _outside(1 - length / LENGTH, LOW, HIGH)
+    return NO_ANSWER * (_pressure(xp, force, length, branch)[1] == 0) + CONTRACTION_OUTSIDE * _outside(1 - length / LENGTH, LOW, HIGH)
 
 
 def _contraction(xp, force, pressure):
@@ -232,7 +243,7 @@ def contraction(force, pressure):
 def contraction_status(force, pressure):
     """Of contraction: 0, or a sum of PRESSURE_OUTSIDE and NO_ANSWER (no contraction of the box has this pull)."""
     xp, (force, pressure) = _arrays(force, pressure)
-    return NO_ANSWER * ~_contraction(xp, force, pressure)[1] + PRESSURE_OUTSIDE * _outside(pressure, 0, SUPPLY)
+    return NO_ANSWER * (_contraction(xp, force, pressure)[1] == 0) + PRESSURE_OUTSIDE * _outside(pressure, 0, SUPPLY)
 
 
 def volume(pressure, length):
@@ -241,7 +252,10 @@ def volume(pressure, length):
     q, e = pressure / SUPPLY, 1 - length / LENGTH
     phi, slope = _functions(xp, q)
     slack = _sum(_coefficients(xp, e)[0], phi) <= 0
-    integral = _coefficients(xp, xp.where(slack, contraction(0 * q, pressure), e))[2]
+    # The free contraction is looked for where it is needed; JAX does not say before it runs.
+    if xp.__name__ == "jax.numpy" or (slack if xp is _Numbers else slack.any()):
+        e = xp.where(slack, contraction(0 * q, pressure), e)
+    integral = _coefficients(xp, e)[2]
     return _sum(V, phi) + LENGTH / SUPPLY * _sum(integral, slope)
 
 

@@ -9,6 +9,7 @@
  * The muscle begins at rest without pressure. A flow sensor that is off by a share makes the mass off by it, and the length with it: begin
  * again each time that the muscle is vented.
  */
+#ifndef ARDUINO /* a sketch has its own main */
 #include "@{id}.h"
 #include <math.h>
 #include <stdio.h>
@@ -82,3 +83,4 @@ int main(void)
     }
     return 0;
 }
+#endif

@@ -1,5 +1,5 @@
 /* A closed loop: the muscle @{name} holds a pull at a length, with a pressure sensor and a proportional valve.
- * Arduino: put @{id}.h, mckibben.h and mckibben.c beside this sketch, and add -DMCKIBBEN_FLOAT to the flags or leave it out: both work.
+ * Arduino: its folder has to be called @{id}_loop; the other files may stay in it.
  * @{facts}
  */
 #include "@{id}.h"

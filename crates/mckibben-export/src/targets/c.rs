@@ -15,9 +15,10 @@ pub(super) const TARGET: Target = Target {
 /// Name, what it is, and template of a file.
 type Source = (&'static str, &'static str, &'static str);
 
-const SOURCES: [Source; 3] = [
+const SOURCES: [Source; 4] = [
     ("mckibben.h", "the functions, the same for all muscles", include_str!("../../templates/mckibben.h")),
     ("mckibben.c", "their source", include_str!("../../templates/mckibben.c")),
+    ("mckibben_memory.h", "friction with memory", include_str!("../../templates/mckibben_memory.h")),
     ("@{id}.h", "the numbers of the muscle", include_str!("../../templates/muscle.h")),
 ];
 
@@ -76,7 +77,7 @@ pub(super) fn rendered(template: &str, muscle: &ExportedMuscle) -> String {
         ("c_a", lists(&f.a, braces, one)),
         ("c_b", lists(&f.b, braces, one)),
         ("c_v", list(&f.v, braces, one)),
-        ("c_friction", list(&f.friction_n, braces, one)),
+        ("c_friction", list(&[&f.friction_n[..], &[f.presliding_m]].concat(), braces, one)),
     ]);
     render(template, &muscle.facts(), &values)
 }

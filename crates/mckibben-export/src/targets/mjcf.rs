@@ -22,7 +22,7 @@ pub(super) const TARGET: Target = Target {
     name: "mjcf",
     about: "a MuJoCo scene of native actuators on a tendon, without plugin or callback; beside it the form itself as a plugin in C, with its scene",
     needs: "MuJoCo 3.3.1 or later; for the plugin its headers (the Python package has them) and a C compiler",
-    loses: "friction; without the plugin the form: pull is linear in the pressure and of second degree in the length, from the length at rest to the free contraction; no volume",
+    loses: "without the plugin friction and the form: pull is linear in the pressure and of second degree in the length, from the length at rest to the free contraction; no volume",
     make,
 };
 
@@ -149,6 +149,8 @@ fn plugin(muscle: &ExportedMuscle) -> Vec<File> {
             scene(muscle, &muscle.facts(), &places),
         ),
     ];
+    let air = rendered(include_str!("../../templates/air.c"), muscle);
+    files.push(File::text("mckibben_air.h", "a valve and the air, the same for all muscles", air));
     files.extend(sources(muscle));
     files
 }

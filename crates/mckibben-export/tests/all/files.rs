@@ -1,7 +1,7 @@
 //! The files: what each names, and what a C compiler and Python make of them.
 
 use super::exported;
-use mckibben::muscle::{Braid, BraidStiffness, Friction, Muscle, Terminals, Tube};
+use mckibben::muscle::{Braid, BraidStiffness, Friction, Muscle, Presliding, Terminals, Tube};
 use mckibben_export::{Content, ExportError, ExportedMuscle, Form, OK, Point, Target};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
@@ -76,7 +76,7 @@ fn text_of(bytes: &[u8]) -> String {
 
 /// Files that are the same for all muscles, so that two muscles of one folder share them.
 fn is_shared(name: &str) -> bool {
-    ["mckibben.h", "mckibben.c", "mckibben_branch.h"].contains(&name)
+    ["mckibben.h", "mckibben.c", "mckibben_branch.h", "mckibben_memory.h", "mckibben_air.h"].contains(&name)
 }
 
 #[test]
@@ -125,9 +125,9 @@ fn libraries_of_the_fmu_have_the_hashes_recorded_with_those_of_their_sources() {
         assert_eq!(hash, recorded, "{name}: run checks/fmu-binaries.sh");
         names.push(name.to_owned());
     }
-    let templates =
-        ["air.c", "fmu2.c", "fmu3.c", "mckibben.c", "mckibben.h"].map(|name| format!("templates/{name}"));
-    let libraries = ["aarch64-darwin", "x86_64-darwin", "x86_64-linux", "x86_64-windows"];
+    let templates = ["air.c", "fmu2.c", "fmu3.c", "mckibben.c", "mckibben.h", "mckibben_memory.h"]
+        .map(|name| format!("templates/{name}"));
+    let libraries = ["aarch64-darwin", "aarch64-linux", "x86_64-darwin", "x86_64-linux", "x86_64-windows"];
     assert_eq!(names, [&templates[..], &libraries.map(|name| format!("binaries/{name}"))[..]].concat());
     let size: u64 =
         libraries.iter().map(|name| folder.join("binaries").join(name).metadata().unwrap().len()).sum();
@@ -323,6 +323,35 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
 fn with_friction() -> ExportedMuscle {
     let muscle = Muscle::prototype().with_friction(Some(Friction::power_law(71.5, 0.56))).unwrap();
     exported(&muscle, 0.25).unwrap()
+}
+
+/// An identity: what friction adds in C is −F_c z of the core's elements that stick and slip in parallel, over a random way with loops in loops.
+#[test]
+fn friction_with_memory_in_c_is_that_of_a_motion() {
+    if !runs("cc") {
+        return;
+    }
+    let (muscle, folder) = (with_friction(), tempfile::tempdir().unwrap());
+    write(&muscle, "c", folder.path());
+    let (form, pressure_pa) = (&muscle.form, 0.16 * muscle.form.supply_pa);
+    let mut memory = Presliding::new(1e3 * form.presliding_m, 0.0, 0.0);
+    let (mut main, mut given) = (String::new(), vec![]);
+    for i in 0..200 {
+        let way_mm = ((0.618 * f64::from(i * i)).fract() - 0.5) * f64::from(1 + i / 20 % 3);
+        let length_m = 0.95 * form.length_m - 1e-3 * way_mm;
+        let _ = writeln!(main, "at({length_m:e});");
+        let half_n = form.friction_n[0] * 0.4 + form.friction_n[1] * 0.16;
+        given.push(-half_n * memory.travel(way_mm));
+    }
+    let main = format!(
+        "#include \"muscle_prototype.h\"\n#include \"mckibben_memory.h\"\n#include <stdio.h>\nstatic mckibben_memory memory;\nstatic void at(double l) {{ printf(\"%.17g\\n\", mckibben_friction_after(&muscle_prototype, &memory, {pressure_pa:e}, l, 0)); mckibben_moved(&muscle_prototype, &memory, l); }}\nint main(void) {{ mckibben_rest(&memory, {:e});\n{main}return 0; }}\n",
+        0.95 * form.length_m
+    );
+    let rows = numbers(&compiled_and_run(folder.path(), &main, &["-O1", "mckibben.c"]));
+    for (row, wanted) in rows.iter().zip(&given) {
+        assert!((row[0] - wanted).abs() < 1e-7, "{row:?} {wanted}");
+    }
+    assert!(rows.len() == given.len() && given.iter().any(|n| *n > 5.0) && given.iter().any(|n| *n < -5.0));
 }
 
 /// Outside of the box, of numbers that are none and of pulls that cannot be: never above the supply, and a status that says so.

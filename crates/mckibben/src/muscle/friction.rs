@@ -59,9 +59,14 @@ impl Friction {
         self.coefficient == 0.0 && self.exponent == 0.0 && self.lever_mm == 0.0
     }
 
-    /// How it builds up, over the stated length or 0.5 mm, from a position in mm on, after sliding towards `sign` (0: at rest).
+    /// The stated presliding length, or 0.5 mm.
+    pub fn presliding_length_mm(&self) -> f64 {
+        self.presliding_mm.unwrap_or(0.5)
+    }
+
+    /// How it builds up, over [`Friction::presliding_length_mm`], from a position in mm on, after sliding towards `sign` (0: at rest).
     pub fn presliding(&self, at_mm: f64, sign: f64) -> Presliding {
-        Presliding::new(self.presliding_mm.unwrap_or(0.5), at_mm, sign)
+        Presliding::new(self.presliding_length_mm(), at_mm, sign)
     }
 
     /// C P^β + μw G in N, of G in N/mm; 0 without pressure.

@@ -16,8 +16,8 @@ use variables::{Variable, description, settings};
 pub(super) const TARGET: Target = Target {
     name: "fmu",
     about: "Functional Mock-up Units of FMI 2.0 and of FMI 3.0, with the pressure or a valve as input, Model Exchange and Co-Simulation, with libraries and their sources",
-    needs: "a tool that reads FMI 2.0 or 3.0, on Linux or Windows (x86-64) or macOS (x86-64, arm64); no compiler",
-    loses: "friction; of a valve its lag, and hoses",
+    needs: "a tool that reads FMI 2.0 or 3.0, on Linux (x86-64, and with FMI 3.0 arm64), Windows (x86-64) or macOS (x86-64, arm64); no compiler",
+    loses: "of a valve its lag, and hoses",
     make,
 };
 
@@ -44,12 +44,18 @@ struct System {
     library: &'static [u8],
 }
 
-const SYSTEMS: [System; 4] = [
+const SYSTEMS: [System; 5] = [
     System {
         second: Some("linux64"),
         third: "x86_64-linux",
         ending: "so",
         library: include_bytes!("../../../binaries/x86_64-linux"),
+    },
+    System {
+        second: None,
+        third: "aarch64-linux",
+        ending: "so",
+        library: include_bytes!("../../../binaries/aarch64-linux"),
     },
     System {
         second: Some("win64"),
@@ -93,7 +99,7 @@ fn units(muscle: &ExportedMuscle, kind: Kind) -> Result<[File; 2]> {
         ("sources/fmu2.c".to_owned(), source(include_str!("../../../templates/fmu2.c"))),
         ("sources/fmu3.c".to_owned(), source(include_str!("../../../templates/fmu3.c"))),
     ];
-    for file in sources(muscle).into_iter().filter(|file| file.name.starts_with("mckibben.")) {
+    for file in sources(muscle).into_iter().filter(|file| file.name.starts_with("mckibben")) {
         common.push((format!("sources/{}", file.name), file.content.bytes().to_vec()));
     }
     let unit = |version, template: &str, files: Vec<(String, Vec<u8>)>| {
@@ -126,11 +132,13 @@ fn resource(muscle: &ExportedMuscle, token: &str, variables: &[Variable]) -> Vec
     out.extend(token.bytes().chain(std::iter::repeat(0)).take(32));
     let padded = |values: &[f64]| values.iter().copied().chain(std::iter::repeat(0.0)).take(NODES).collect();
     let states = variables.iter().filter(|v| v.is_state()).count() as f64;
-    let mut numbers = vec![1.0, states, form.length_m, form.supply_pa, form.contractions.len() as f64];
+    let mut numbers = vec![2.0, states, form.length_m, form.supply_pa, form.contractions.len() as f64];
     for row in std::iter::once(&form.contractions).chain(&form.a).chain(&form.b) {
         numbers.extend::<Vec<f64>>(padded(row));
     }
     numbers.extend(form.v);
+    numbers.extend(form.friction_n);
+    numbers.push(form.presliding_m);
     numbers.extend(settings(variables));
     out.extend(numbers.into_iter().flat_map(f64::to_le_bytes));
     out
