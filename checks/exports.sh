@@ -12,6 +12,8 @@ need avr-gcc gcc-avr avr-libc
 need simavr simavr
 need x86_64-w64-mingw32-gcc gcc-mingw-w64-x86-64
 need wine wine64 wine
+need qemu-aarch64 qemu-user
+need aarch64-linux-gnu-gcc gcc-aarch64-linux-gnu libc6-dev-arm64-cross
 if [ ${#packages[@]} -gt 0 ]; then
     (apt-get update -qq && apt-get install -y -qq --no-install-recommends "${packages[@]}") >/dev/null
 fi

@@ -228,7 +228,8 @@ def other_systems(target, path, by, points, expected):
     description, scale = fmpy.read_model_description(path), np.abs(expected).max(axis=0)
     places = {v.name: v.valueReference for v in description.modelVariables}
     references = [places[name] for name in (by, "length", "force", "volume")]
-    windows(target, path, description.guid, references, points, expected / scale, scale)
+    for system in ("Windows", "Linux on Arm"):
+        elsewhere(system, target, path, description.guid, references, points, expected / scale, scale)
     begun, every = time.monotonic(), 3 if len(points) > 99 else 1
     found, size = mach_o.outputs(path, description.guid, references, points[::every])
     error = np.abs(found / scale - expected[::every] / scale).max()
@@ -236,21 +237,25 @@ def other_systems(target, path, by, points, expected):
     noted(target, "macOS libraries, code on emulated x86-64 and arm64 (Unicorn)", f"{error:.1e}", f"{size} B both", time.monotonic() - begun)
 
 
-def windows(target, path, token, references, points, expected, scale):
-    """The library for Windows, in Wine: its resources in a folder whose name has a space and a letter beyond ASCII."""
-    if not (shutil.which("wine") and shutil.which("x86_64-w64-mingw32-gcc")):
-        print(f"{target} | Windows in Wine | not installed")
+def elsewhere(system, target, path, token, references, points, expected, scale):
+    """The library for Windows in Wine, or for Linux on Arm in QEMU: its resources in a folder whose name has a space and a letter beyond ASCII."""
+    compiler, runs, drive, folder = {
+        "Windows": (["x86_64-w64-mingw32-gcc", "-municode"], ["wine"], "Z:", "win64"),
+        "Linux on Arm": (["aarch64-linux-gnu-gcc"], ["qemu-aarch64", "-L", "/usr/aarch64-linux-gnu"], "", "aarch64-linux"),
+    }[system]
+    if not (shutil.which(runs[0]) and shutil.which(compiler[0])):
+        print(f"{target} | {system} | not installed")
         return
-    begun, unit = time.monotonic(), work / f"the {target} \u00fc"
-    with zipfile.ZipFile(path) as archive:
+    begun, unit = time.monotonic(), work / f"the {target} of {system} \u00fc"
+    with zipfile.ZipFile(path if system == "Windows" else path.replace(".fmu", "_fmi3.fmu")) as archive:
         archive.extractall(unit)
         sizes = {i.filename.split("/")[1]: i.file_size for i in archive.infolist() if i.filename.startswith("binaries/")}
-    (library,) = (unit / "binaries/win64").iterdir()
-    run("x86_64-w64-mingw32-gcc", "-municode", "-O1", "-Wall", "-Werror", ROOT / "checks/fmu_host.c", "-o", work / "host.exe")
+    (library,) = (unit / "binaries" / folder).iterdir()
+    run(*compiler, "-O1", "-Wall", "-Werror", ROOT / "checks/fmu_host.c", "-o", work / "host.exe", "-ldl" if not drive else "-s")
     shutil.copy(library, work / "unit.dll")
-    resources = "Z:" + str(unit / "resources")
-    location = "file:///" + urllib.parse.quote(resources, safe="/:")
-    words = ["wine", work / "host.exe", "Z:" + str(work / "unit.dll"), location, resources + "/", token, *references]
+    resources = drive + str(unit / "resources")
+    location = ("file:///" if drive else "file://") + urllib.parse.quote(resources, safe="/:")
+    words = [*runs, work / "host.exe", drive + str(work / "unit.dll"), location, resources + "/", token, *references]
     text = "".join(f"{a!r} {b!r}\n" for a, b in points.tolist())
     settings = {**os.environ, "WINEPREFIX": str(work / "wine"), "WINEDEBUG": "-all", "LC_ALL": "C.UTF-8", "DISPLAY": ""}
     done = subprocess.run([str(w) for w in words], input=text, capture_output=True, text=True, timeout=300, env=settings)
@@ -258,7 +263,7 @@ def windows(target, path, token, references, points, expected, scale):
     found = np.array([[float(v) for v in line.split()] for line in done.stdout.splitlines()]).reshape(-1, 2, 2)
     error = np.abs(found / scale - expected[:, None]).max()
     assert len(found) == len(points) and error < 1e-12, error
-    noted(target, f"Windows library in {run('wine', '--version').stdout.strip()}: FMI 2.0 and FMI 3.0", f"{error:.1e}", f"libraries {sizes} B", time.monotonic() - begun)
+    noted(target, f"library for {system} in {run(runs[0], '--version').stdout.split(chr(10))[0].strip()}: FMI 2.0 and FMI 3.0", f"{error:.1e}", f"libraries {sizes} B", time.monotonic() - begun)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,13 @@
-/* The library of a unit on Windows, in both versions of FMI: for each pair of inputs a step of 0.05 s, then pull and volume.
+/* The library of a unit on another system, in both versions of FMI: for each pair of inputs a step of 0.05 s, then pull and volume.
  * HOST LIBRARY LOCATION PATH TOKEN INPUT INPUT FORCE VOLUME; the last four are value references. */
 #include <stdio.h>
 #include <stdlib.h>
+#ifdef _WIN32
 #include <windows.h>
+#else
+#include <dlfcn.h>
+#include <string.h>
+#endif
 
 typedef void *(*instantiate2)(const char *, int, const char *, const char *, const void *, int, int);
 typedef void *(*instantiate3)(const char *, const char *, const char *, char, char, char, char, const unsigned *, size_t, void *, void *, void *);
@@ -14,18 +19,27 @@ typedef int (*get3)(void *, const unsigned *, size_t, double *, size_t);
 typedef int (*set3)(void *, const unsigned *, size_t, const double *, size_t);
 typedef int (*step3)(void *, double, double, char, char *, char *, char *, double *);
 
+#ifdef _WIN32
 static HMODULE library;
 #define OF(type, name) ((type)(void *)GetProcAddress(library, name))
-
+#define OPENED(path) LoadLibraryW(path)
+#define COPIED(from, to) (void)WideCharToMultiByte(CP_UTF8, 0, from, -1, to, sizeof(to), 0, 0)
 int wmain(int count, wchar_t **wide)
+#else
+static void *library;
+#define OF(type, name) ((type)dlsym(library, name))
+#define OPENED(path) dlopen(path, RTLD_NOW)
+#define COPIED(from, to) (void)strncpy(to, from, sizeof(to) - 1)
+int main(int count, char **wide)
+#endif
 {
-    char words[9][1024], said[3];
+    char words[9][1024] = {{0}}, said[3];
     unsigned in[2], out[2];
     double point[2], second[2], third[2], last;
     void *a, *b;
     for (int i = 0; i < count && i < 9; i++)
-        (void)WideCharToMultiByte(CP_UTF8, 0, wide[i], -1, words[i], sizeof(words[i]), 0, 0);
-    if (count != 9 || !(library = LoadLibraryW(wide[1])))
+        COPIED(wide[i], words[i]);
+    if (count != 9 || !(library = OPENED(wide[1])))
         return 2;
     for (int i = 0; i < 2; i++) {
         in[i] = (unsigned)atoi(words[5 + i]);
