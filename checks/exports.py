@@ -19,6 +19,7 @@ import numpy as np
 program = pathlib.Path(sys.argv[1]).resolve()
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MUSCLE = "examples/prototype.toml"
+CORD = ("--cord", "60mm")
 work = pathlib.Path(tempfile.mkdtemp())
 rows = []
 
@@ -259,7 +260,7 @@ def fe(pressures, contractions):
 def mjcf():
     import mujoco
 
-    folder, answer, seconds = export("mjcf")
+    folder, answer, seconds = export("mjcf", *CORD)
     begun = time.monotonic()
     model = mujoco.MjModel.from_xml_path(str(folder / "muscle_prototype.xml"))
     data = mujoco.MjData(model)
@@ -310,7 +311,7 @@ def mjcf_plugin():
     """The plugin is the form itself; a hung mass and an antagonist pair with one control for each muscle."""
     import mujoco
 
-    folder, answer, seconds = export("mjcf")
+    folder, answer, seconds = export("mjcf", *CORD)
     begun, place = time.monotonic(), pathlib.Path(mujoco.__file__).parent
     (library,) = place.glob("libmujoco.so*")
     strict = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-O2", "-shared", "-fPIC"]
@@ -321,7 +322,7 @@ def mjcf_plugin():
     assert model.nu == 1
     box = (grid[:, 1] >= LOW) & (grid[:, 1] <= HIGH)
     for p, l, force in zip(P[box], L[box], exported.force(P[box], L[box])):  # the scene limits the control
-        data.qpos[0], data.ctrl[0] = L0 - l, p
+        data.qpos[0], data.ctrl[0] = L0 - l, p  # of the muscle: the cord is above the mass
         mujoco.mj_forward(model, data)
         errors.append(abs(data.qfrc_actuator[0] - force) / blocked)
     assert max(errors) < 1e-12, max(errors)
@@ -394,7 +395,7 @@ def pair(name, folder, worst):
     import mujoco
     import xml.etree.ElementTree as ET
 
-    arm, rest, begun = 0.04, 0.9 * L0, time.monotonic()
+    arm, rest, begun = 0.04, 0.9 * L0 + 0.06, time.monotonic()
     scene = ET.parse(folder / name).getroot()
     tendon, actuators = scene.find("tendon/spatial"), list(scene.find("actuator"))
     out = ET.Element("mujoco")

@@ -31,6 +31,8 @@ pub struct ExportRequest {
     pub contraction_low: Option<f64>,
     /// Upper end of the box in the contraction; default the free contraction at the supply pressure.
     pub contraction_high: Option<f64>,
+    /// Length of a rope or rod between the muscle and what it pulls, mm: lengths of the files are those of both.
+    pub cord_mm: f64,
     /// Name of the muscle in the files; default the name of the muscle file.
     pub name: Option<String>,
 }
@@ -96,7 +98,8 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
             .map_or_else(|| "muscle".into(), |stem| stem.to_string_lossy().into_owned())
     });
     let wanted = BoxRequest { supply_mpa, contraction_low, contraction_high };
-    let exported = ExportedMuscle::fit(model, &name, wanted)?;
+    let mut exported = ExportedMuscle::fit(model, &name, wanted)?;
+    exported.cord_m = 1e-3 * finite("cord_mm", request.cord_mm)?;
     let artefact = exported.to(target)?;
     let mut warnings = exported.warnings();
     warnings.extend(said_of(&burst, supply_mpa, QUIET_MPA).iter().map(ToString::to_string));

@@ -46,6 +46,9 @@ pub struct ExportedMuscle {
     /// 95 % half-width of the blocked force against a measured muscle, N, where it is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty_n: Option<f64>,
+    /// A rope or rod between the muscle and what it pulls, m: lengths of the hosts are those of both.
+    #[serde(skip)]
+    pub cord_m: f64,
     #[serde(skip)]
     pub(crate) held_out: Vec<Sample>,
 }
@@ -108,6 +111,7 @@ impl ExportedMuscle {
             errors,
             blocked_force_n: blocked_n,
             uncertainty_n: half.map(|parts| parts.total()),
+            cord_m: 0.0,
             held_out,
         })
     }
@@ -116,7 +120,7 @@ impl ExportedMuscle {
     pub fn facts(&self) -> Vec<String> {
         let percent = |share: f64| format!("{:.2} %", 100.0 * share);
         let (e, b) = (&self.errors, &self.bounds);
-        vec![
+        let mut facts = vec![
             format!(
                 "Muscle {}, {MARK} {}, hash {}. Licence of this file: MIT OR Apache-2.0.",
                 plain(&self.name),
@@ -149,7 +153,11 @@ impl ExportedMuscle {
                 ),
                 None => "Model against a measured muscle: the error of this model is not known.".into(),
             },
-        ]
+        ];
+        if self.cord_m != 0.0 {
+            facts.push(format!("Lengths are those of the muscle and of a cord of {} m.", self.cord_m));
+        }
+        facts
     }
 
     /// Warnings about the fit, in sentences.

@@ -52,7 +52,7 @@ typedef struct {
 /* Value references; modelDescription.xml has these names in small letters. First what is set or integrated. */
 enum {
     PRESSURE, LENGTH, FORCE_FACTOR, COMMAND, SUPPLY_PRESSURE, SONIC_CONDUCTANCE, CRITICAL_RATIO, EXHAUST_CONDUCTANCE, EXHAUST_CRITICAL_RATIO,
-    TEMPERATURE, DEAD_VOLUME, POLYTROPIC_EXPONENT, HEAT_CONDUCTANCE, INITIAL_PRESSURE, FRICTION_FACTOR, AIR, AIR_MASS,
+    TEMPERATURE, DEAD_VOLUME, POLYTROPIC_EXPONENT, HEAT_CONDUCTANCE, INITIAL_PRESSURE, FRICTION_FACTOR, CORD, AIR, AIR_MASS,
     FORCE, STIFFNESS, VOLUME, FORCE_PER_PRESSURE, STATUS, TIME, AIR_TEMPERATURE, AIR_RATE, AIR_FLOW, COMMAND_SIGN, COMMAND_LIMIT, TAUT
 };
 #define KNOWN FORCE
@@ -92,6 +92,7 @@ static void set_state(instance *c, const state *s)
 {
     c->now = *s;
     c->muscle = c->read;
+    c->muscle.cord = s->value[CORD];
     for (int i = 0; i < MCKIBBEN_FUNCTIONS; i++) {
         for (int j = 0; j < MCKIBBEN_NODES; j++) {
             c->muscle.a[i][j] *= s->value[FORCE_FACTOR];
@@ -198,6 +199,7 @@ static const char *read_muscle(instance *c, const char *location, const char *to
     memcpy(m->friction, r.friction, sizeof(r.friction));
     m->beyond = 1;
     m->length = r.length;
+    m->cord = 0.0;
     m->supply = r.supply;
     m->nodes = (int)r.nodes;
     memcpy(m->node, r.node, sizeof(r.node));

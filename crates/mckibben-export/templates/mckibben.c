@@ -89,7 +89,7 @@ static real sum_of(const real c[N], const real phi[N])
     return sum;
 }
 
-static real contraction_of(const mckibben_muscle *m, real length) { return R(1) - length / m->length; }
+static real contraction_of(const mckibben_muscle *m, real length) { return R(1) - (length - m->cord) / m->length; }
 
 static unsigned outside(const mckibben_muscle *m, real pressure, real e)
 {

@@ -37,6 +37,7 @@ typedef double mckibben_real;
 
 typedef struct {
     mckibben_real length; /* L0, at rest, m */
+    mckibben_real cord;   /* m: a rope or rod between the muscle and what it pulls; the `length` of each function is that of both */
     mckibben_real supply; /* upper end of the box, Pa */
     int nodes;            /* how many there are; the first and the last are the ends of the box */
     mckibben_real node[MCKIBBEN_NODES];                  /* contractions 1 - L/L0 */

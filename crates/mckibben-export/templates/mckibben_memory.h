@@ -55,7 +55,7 @@ static inline void mckibben_moved(const mckibben_muscle *m, mckibben_memory *mem
 {
     mckibben_real share;
     const int n = mckibben_share(m, memory, length, &share);
-    if (!(length > MCKIBBEN_R(0) && length < MCKIBBEN_R(10) * m->length)) /* also what is not a number */
+    if (!(length - length == MCKIBBEN_R(0))) /* not a number */
         return;
     memory->turns = n < MCKIBBEN_TURNS ? n : n - 2;
     memory->at[memory->turns] = length;

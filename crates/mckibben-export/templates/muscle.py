@@ -8,6 +8,7 @@ import math
 import sys
 
 LENGTH = @{length}  # m, at rest
+CORD = @{cord}  # m: a rope or rod between the muscle and what it pulls; the `length` of each function is that of both
 SUPPLY = @{supply}  # Pa, upper end of the box
 NODES = @{py_nodes}  # contractions 1 - L/LENGTH
 LOW, HIGH = NODES[0], NODES[-1]  # ends of the box
@@ -65,6 +66,10 @@ def _repeated(xp, times, step, state):
     for _ in range(times):
         state = step(*state)
     return state
+
+
+def _contraction_at(length):
+    return 1 - (length - CORD) / LENGTH
 
 
 def _integrals(a, b):
@@ -133,14 +138,14 @@ def _moved(xp, at, answered, miss, slope, low, high):
 def force(pressure, length):
     """Pull F in N; 0 where the muscle would have to push."""
     xp, (pressure, length) = _arrays(pressure, length)
-    pull = _sum(_coefficients(xp, 1 - length / LENGTH)[0], _functions(xp, pressure / SUPPLY)[0])
+    pull = _sum(_coefficients(xp, _contraction_at(length))[0], _functions(xp, pressure / SUPPLY)[0])
     return xp.where(pull <= 0, 0 * pull, pull)
 
 
 def status(pressure, length):
     """Of force, stiffness, force_per_pressure, volume and friction: 0 inside of the box where the muscle pulls, or a sum of SLACK, PRESSURE_OUTSIDE, CONTRACTION_OUTSIDE."""
     xp, (pressure, length) = _arrays(pressure, length)
-    e = 1 - length / LENGTH
+    e = _contraction_at(length)
     slack = _sum(_coefficients(xp, e)[0], _functions(xp, pressure / SUPPLY)[0]) <= 0
     return SLACK * slack + PRESSURE_OUTSIDE * _outside(pressure, 0, SUPPLY) + CONTRACTION_OUTSIDE * _outside(e, LOW, HIGH)
 
@@ -148,7 +153,7 @@ def status(pressure, length):
 def stiffness(pressure, length):
     """dF/dL at constant pressure, N/m."""
     xp, (pressure, length) = _arrays(pressure, length)
-    phi, (c, slope, _) = _functions(xp, pressure / SUPPLY)[0], _coefficients(xp, 1 - length / LENGTH)
+    phi, (c, slope, _) = _functions(xp, pressure / SUPPLY)[0], _coefficients(xp, _contraction_at(length))
     by_length = -_sum(slope, phi) / LENGTH
     return xp.where(_sum(c, phi) <= 0, 0 * by_length, by_length)
 
@@ -156,14 +161,14 @@ def stiffness(pressure, length):
 def force_per_pressure(pressure, length):
     """dF/dP at constant length, m2."""
     xp, (pressure, length) = _arrays(pressure, length)
-    (phi, slope), c = _functions(xp, pressure / SUPPLY), _coefficients(xp, 1 - length / LENGTH)[0]
+    (phi, slope), c = _functions(xp, pressure / SUPPLY), _coefficients(xp, _contraction_at(length))[0]
     by_pressure = _sum(c, slope) / SUPPLY
     return xp.where(_sum(c, phi) <= 0, 0 * by_pressure, by_pressure)
 
 
 def _pressure(xp, force, length, branch):
     """The pressure of a pull, and where the box has one."""
-    moving_c, wanted, sign = _coefficients(xp, 1 - length / LENGTH)[0], _stopped(xp, force), (branch > 0) - (branch < 0)
+    moving_c, wanted, sign = _coefficients(xp, _contraction_at(length))[0], _stopped(xp, force), (branch > 0) - (branch < 0)
     c = [_stopped(xp, one) for one in moving_c]
     pull, slope, curve, one = c[0], c[1], 0 * c[0], xp.ones_like(wanted)
     more, q = wanted > c[0], float("nan") * one
@@ -213,7 +218,7 @@ def pressure_on(force, length, branch):
 def pressure_status(force, length, branch=0):
     """Of pressure and pressure_on: 0, or a sum of CONTRACTION_OUTSIDE and NO_ANSWER (no pressure of the box gives this pull)."""
     xp, (force, length) = _arrays(force, length)
-    return NO_ANSWER * (_pressure(xp, force, length, branch)[1] == 0) + CONTRACTION_OUTSIDE * _outside(1 - length / LENGTH, LOW, HIGH)
+    return NO_ANSWER * (_pressure(xp, force, length, branch)[1] == 0) + CONTRACTION_OUTSIDE * _outside(_contraction_at(length), LOW, HIGH)
 
 
 def _contraction(xp, force, pressure):
@@ -249,7 +254,7 @@ def contraction_status(force, pressure):
 def volume(pressure, length):
     """Volume of the cavity, m3; dF/dP = -dV/dL. A slack muscle hangs at its free contraction."""
     xp, (pressure, length) = _arrays(pressure, length)
-    q, e = pressure / SUPPLY, 1 - length / LENGTH
+    q, e = pressure / SUPPLY, _contraction_at(length)
     phi, slope = _functions(xp, q)
     slack = _sum(_coefficients(xp, e)[0], phi) <= 0
     # The free contraction is looked for where it is needed; JAX does not say before it runs.
@@ -263,6 +268,6 @@ def friction(pressure, length, velocity, smoothing=1e-3):
     """What friction adds to the pull while the length changes by a velocity in m/s (positive: longer); smooth at rest. With it the muscle pulls or is slack: it never pushes."""
     xp, (pressure, length, velocity) = _arrays(pressure, length, velocity)
     phi = _functions(xp, pressure / SUPPLY)[0]
-    q, pull = phi[1], _sum(_coefficients(xp, 1 - length / LENGTH)[0], phi)
+    q, pull = phi[1], _sum(_coefficients(xp, _contraction_at(length))[0], phi)
     half = FRICTION[0] * xp.sqrt(xp.where(q > 0, q, 1 + 0 * q)) * (q > 0) + FRICTION[1] * q
     return _above_zero(xp, pull + half * velocity / xp.sqrt(velocity * velocity + smoothing * smoothing)) - _above_zero(xp, pull)

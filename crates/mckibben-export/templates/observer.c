@@ -76,7 +76,7 @@ int main(void)
     double t, before = 0.0, pressure, flow;
     for (int n = 0; scanf("%lf %lf %lf", &t, &pressure, &flow) == 3; n++, before = t) {
         if (n == 0)
-            start(&o, R(pressure), @{id}.length);
+            start(&o, R(pressure), @{id}.cord + @{id}.length);
         else
             step(&o, R(t - before), R(pressure), R(flow));
         printf("%.6g %.6g %.6g %.3g\n", t, (double)o.x[LENGTH], (double)mckibben_force(&@{id}, R(pressure), o.x[LENGTH], 0), sqrt((double)o.p[LENGTH][LENGTH]));

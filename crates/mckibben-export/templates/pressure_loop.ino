@@ -20,7 +20,7 @@ void setup()
 void loop()
 {
     const float pressure = RANGE_PA * (float)analogRead(SENSOR) / 1023.0f;
-    const float length = (float)@{id}.length - STROKE_M * (float)analogRead(LENGTH) / 1023.0f;
+    const float length = (float)(@{id}.cord + @{id}.length) - STROKE_M * (float)analogRead(LENGTH) / 1023.0f;
     unsigned status;
     float wanted = (float)mckibben_pressure(&@{id}, WANTED_N, length, &status);
     if (status & MCKIBBEN_CONTRACTION_OUTSIDE) /* the potentiometer shows what the muscle cannot: vent */

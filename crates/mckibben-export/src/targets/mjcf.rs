@@ -66,7 +66,7 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     };
     let (k, error) = fitted(muscle).filter(|(_, error)| error.worst <= LIMIT).ok_or_else(refused)?;
     let (length, per_pa) = (f.length_m, blocked_n / f.supply_pa);
-    let span = 2.0 * REACH * length;
+    let (span, cord) = (2.0 * REACH * length, muscle.cord_m / length);
     let per_square = (span / length).powi(2);
     // A parabola that opens upwards lies on the first quarter, one that opens downwards on the third, which begins at 1.
     let (gain_range, gain_ends, gain_square, offset) = if k[2] >= 0.0 {
@@ -90,15 +90,16 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     let values = [
         ("id", muscle.identifier()),
         ("supply", number(f.supply_pa)),
-        ("span", number(span)),
+        ("cord", number(muscle.cord_m)),
+        ("end", number(muscle.cord_m + span)),
         ("gain_square", number(gain_square)),
         ("gain_range", gain_range.into()),
         ("gain_ends", gain_ends.into()),
         // MuJoCo requires more than zero.
         ("bias_square", number((2.0 * k[5] * blocked_n * per_square).max(f64::MIN_POSITIVE))),
-        ("gain_0", number(offset - k[0] * per_pa)),
+        ("gain_0", number(offset - k[0] * per_pa + k[1] * per_pa * cord)),
         ("gain_1", number(-k[1] * per_pa / length)),
-        ("bias_0", number(-k[3] * blocked_n)),
+        ("bias_0", number((k[4] * cord - k[3]) * blocked_n)),
         ("bias_1", number(-k[4] * blocked_n / length)),
     ];
     let half = number(0.5 * f.supply_pa);
@@ -164,7 +165,7 @@ fn scene(muscle: &ExportedMuscle, facts: &[String], places: &[Place]) -> String 
     let (mass_kg, stiffness) = (0.4 * blocked_n / 9.81, 6.0 * blocked_n / length);
     let common = [
         ("id", muscle.identifier()),
-        ("below", number(-length)),
+        ("below", number(-length - muscle.cord_m)),
         ("mass", number(mass_kg)),
         ("damping", number(0.5 * 2.0 * (stiffness * mass_kg).sqrt())),
     ];

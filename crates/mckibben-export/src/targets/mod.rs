@@ -58,6 +58,7 @@ pub(super) fn common(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
         ("name", crate::muscle::plain(&muscle.name)),
         ("version", muscle.version.into()),
         ("length", number(form.length_m)),
+        ("cord", number(muscle.cord_m)),
         ("supply", number(form.supply_pa)),
     ]
 }

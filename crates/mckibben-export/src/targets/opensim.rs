@@ -56,13 +56,14 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
         ("id", muscle.identifier()),
         ("turns", number(turns)),
         ("thread", number(thread)),
+        ("cord", number(muscle.cord_m)),
         (
             "expression",
             format!("({})+{}+{}+{}", number(k[2] * blocked_n), term(k[3], 1), term(k[4], 2), term(k[5], 3)),
         ),
         ("supply", number(form.supply_pa)),
         ("pressure", number(0.7 * form.supply_pa)),
-        ("length", number(0.95 * length)),
+        ("length", number(muscle.cord_m + 0.95 * length)),
         ("mass", number(mass_kg)),
         ("damping", number((6.0 * blocked_n / length * mass_kg).sqrt())),
     ];

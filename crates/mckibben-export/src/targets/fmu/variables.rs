@@ -55,6 +55,8 @@ pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
         "max" => f64::MAX,
         "-max" => -f64::MAX,
         "length" => form.length_m,
+        "cord" => muscle.cord_m,
+        "reach" => form.length_m + muscle.cord_m,
         "supply" => form.supply_pa,
         "volume" => volume_m3,
         "mass" => 1.2 * volume_m3,
