@@ -61,7 +61,7 @@ fn points() -> Vec<(f64, f64)> {
     for i in -1..=11 {
         for k in -1..=13 {
             // Not on the ends of the box, where rounding decides.
-            let share = (f64::from(k) + 1e-9) / 12.0;
+            let share = (f64::from(k) + 1e-4) / 12.0;
             let e = form.contraction_low + (form.contraction_high - form.contraction_low) * share;
             out.push((f64::from(i) * 0.1 * form.supply_pa, (1.0 - e) * form.length_m));
         }
