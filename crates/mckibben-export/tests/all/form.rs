@@ -114,7 +114,7 @@ pub fn prestretched() -> Muscle {
 fn a_prestretched_muscle_pulls_as_its_model_and_gains_no_work() {
     let exported = exported(&prestretched(), 0.25).unwrap();
     let (form, share) = (&exported.form, exported.errors.force_worst_ratio);
-    assert!(share < 0.015, "{:?}", exported.errors);
+    assert!(share < 0.02, "{:?}", exported.errors);
     // As the finite elements.
     let here = form.at(0.0, 0.015);
     let off_n = here.force_n - 7.15;
@@ -138,22 +138,20 @@ fn the_error_that_is_stated_is_that_of_any_point() {
     for muscle in [locking, prestretched(), Muscle::prototype()] {
         let exported = exported(&muscle, 0.25).unwrap();
         let (form, model, w, mut r) = (&exported.form, fe(&muscle), &mut Workspace::default(), Random(7));
-        let mut worst = 0.0_f64;
+        let (mut worst, mut volume) = (0.0_f64, 0.0_f64);
+        let largest_m3 = form.at(form.supply_pa, form.contraction_high).volume_m3;
         for _ in 0..400 {
             let (q, e) = (r.unit(), r.between(form.contraction_low, form.contraction_high));
-            let Ok(exact) = Evaluation::new(&*model, w, Direction::Mean).force_n(q * 0.25, e) else {
-                continue;
-            };
-            let miss_n = form.at(q * form.supply_pa, e).force_n - exact.max(0.0);
-            worst = worst.max(miss_n.abs() / exported.blocked_force_n);
+            let Ok(exact) = model.response(w, q * 0.25, e) else { continue };
+            let here = form.at(q * form.supply_pa, e);
+            worst = worst.max((here.force_n - exact.force_n.max(0.0)).abs() / exported.blocked_force_n);
+            if let Some(volume_mm3) = exact.volume_mm3.filter(|_| exact.force_n > 0.0) {
+                volume = volume.max((here.volume_m3 - 1e-9 * volume_mm3).abs() / largest_m3);
+            }
         }
-        let stated = exported.errors.force_worst_ratio;
-        assert!(
-            worst <= 1.25 * stated && stated <= 0.05,
-            "{worst} {:?} {:?}",
-            exported.errors,
-            exported.bounds
-        );
+        let stated = &exported.errors;
+        assert!(worst <= stated.force_worst_ratio && stated.force_worst_ratio <= 0.05, "{worst} {stated:?}");
+        assert!(volume <= stated.volume_worst_ratio, "{volume} {stated:?}");
     }
 }
 
@@ -210,7 +208,7 @@ fn within((bound_95, bound_worst): (f64, f64), muscles: impl Iterator<Item = (Mu
         let fitted = exported(&muscle, supply_mpa).unwrap();
         let e = fitted.errors;
         assert!(e.force_95_ratio <= bound_95 && e.force_worst_ratio <= bound_worst, "{index}: {e:?}");
-        let within = e.force_95_ratio <= 0.003 && e.force_worst_ratio <= 0.01;
+        let within = e.force_95_ratio <= 0.003 && e.force_worst_ratio <= 0.013;
         assert_eq!(fitted.warnings().is_empty(), within, "{index}");
         for (all, one) in shares.iter_mut().zip([e.force_95_ratio, e.force_worst_ratio, e.volume_worst_ratio])
         {
@@ -224,18 +222,18 @@ fn within((bound_95, bound_worst): (f64, f64), muscles: impl Iterator<Item = (Mu
     }
 }
 
-/// The goal, over the box from −5 %: at most 0.3 % of the blocked force at 95 % of the points that the form was not fitted to, 1 % at worst.
+/// The goal, over the box from −5 %: at most 0.3 % of the blocked force at 95 % of the points that the form was not fitted to, 1 % at worst of them, 1.3 % stated.
 /// `MCKIBBEN_TIMES=50` for the whole set. The form's nodes were chosen on muscles 0 to 199; these are others.
 #[test]
 fn random_muscles_are_within_three_thousandths_at_95_percent_of_points_and_one_percent_at_worst() {
-    within((0.003, 0.01), (1000..1000 + rounds(4) as u64).map(|index| random(index, neo_hookean)));
+    within((0.003, 0.013), (1000..1000 + rounds(4) as u64).map(|index| random(index, neo_hookean)));
 }
 
-/// Rubber of Mooney and Rivlin, Yeoh, Ogden and Gent in turn: of a hundred one is beyond the goal, by 0.39 % and 1.52 %.
+/// Rubber of Mooney and Rivlin, Yeoh, Ogden and Gent in turn: of a hundred one is beyond the goal, by 0.39 % and 1.52 % (stated: 1.3 times as much).
 #[test]
 fn random_muscles_of_other_rubbers_are_within_four_thousandths_and_sixteen() {
     let muscles = (2000..2000 + rounds(4) as u64).map(|index| random(index, |r| other_law(r, index)));
-    within((0.004, 0.016), muscles);
+    within((0.004, 0.021), muscles);
 }
 
 /// Half the width of the hysteresis along both branches of a muscle that states C P^β. With s = √q and a = 2β from 1 to 2, the form has
