@@ -211,7 +211,7 @@ inBrowser(({ name, open, blank, url }) => {
     const found = await page.evaluate(async () => {
       const load = (/** @type {string} */ file) => import(new URL(file, document.baseURI).href);
       const [{ engine }, { border }, { read }] = await Promise.all(["js/ask.js", "js/border.js", "js/design-map.js"].map(load));
-      const of = { force_n: 700, contraction: 0.15, max_pressure_mpa: 0.25, length_mm: 285, rubbers: ["dragon-skin-30"], braids: ["flexo-overexpanded-0.75in"], model: "universal", verify: "none", extrapolate: true, top: 1000 };
+      const of = { force_n: 700, contraction: 0.15, max_pressure_mpa: 0.25, length_mm: 285, rubbers: ["dragon-skin-30"], braids: ["flexo-overexpanded-0.75in"], model: "universal", extrapolate: true, top: 1000 };
       const D = Array.from({ length: 12 }, (_, i) => 20 + i), S = Array.from({ length: 15 }, (_, i) => Number((0.6 + 0.15 * i).toFixed(3)));
       const request = { ...of, outer_diameter_mm: D, wall_mm: S };
       const { nodes } = read(request, await engine().ask("design", request));

@@ -1,9 +1,9 @@
 //! Two equal muscles and the pulley between them.
 
 use crate::limit::{Check, probe};
-use crate::line::{Merit, NO_SCORE, Sample, along, least, refine};
+use crate::line::{Merit, NO_SCORE, Sample, along, best_of, least, refine};
 use crate::run::searched;
-use crate::search::{NEARLY_SHORT, Pick, Search, nice_steps};
+use crate::search::{COARSE_STEPS, Pick, Search, nice_steps};
 use crate::spec::THICK_WALL;
 use crate::{Build, Demand, JointDemand, Models, Outcome, Spec, SpecError, design_with};
 use mckibben::cancel::Cancelled;
@@ -11,6 +11,7 @@ use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::threads;
 use mckibben::units::Values;
+use std::cmp::Ordering;
 
 /// Samples of an interval of radii, and golden sections after them.
 const RADII: (usize, usize) = (10, 8);
@@ -19,8 +20,10 @@ const RADII: (usize, usize) = (10, 8);
 const NEAR: usize = 7;
 const BESIDE: f64 = 1.15;
 
-/// Muscles that are followed over the radius, how many of them by the model that decides, and over which ratio of radii.
-const CLOSEST: (usize, usize) = (40, 6);
+/// Tubes in sleeves that are followed over the radius: so many of the best of each sample and of those that miss by least, how many of them by the model
+/// that decides, and over which ratio of radii.
+const BEST: usize = 8;
+const SETTLED: usize = 5;
 const CLOSE: f64 = 1.06;
 
 /// A radius with what it gave.
@@ -36,42 +39,42 @@ pub fn design_joint(
     models: Models<'_>,
     progress: &dyn Progress,
 ) -> Result<(Spec, Outcome), SpecError> {
-    let on_radius = |spec: &Spec, radius_mm: f64| match &spec.wanted {
+    let with = |radius_mm: f64| match &spec.wanted {
         Demand::Joint(joint) => {
             Spec { wanted: Demand::Joint(JointDemand { radius_mm, ..joint.clone() }), ..spec.clone() }
         }
         _ => spec.clone(),
     };
-    let with = |radius_mm: f64| on_radius(spec, radius_mm);
     let (places, sections) = match radius_mm {
         Values::List(list) => (list.clone(), 0),
         Values::Interval(low, high) => (nice_steps(*low, *high, RADII.0), RADII.1),
     };
+    let (by_parts, quiet) = (!spec.tubes.is_empty() && sections > 0, &CancelOnly(progress));
     let coarse = models.settle.is_some() && sections > 0;
-    let total = places.len() + sections + 1 + if coarse { sections + NEAR } else { 0 };
+    let total = places.len() + if coarse && !by_parts { 2 * sections + NEAR } else { sections } + 1;
     let mut done = 0;
     let mut first_error = None;
     // The best radius hardly depends on the model: where another one settles, the infinitely long muscle says about where it lies.
     let roughly = if coarse { Models { search: THICK_WALL, settle: None } } else { models };
-    let mut tried = |spec: Spec, models: Models<'_>| -> (Merit, Spec) {
+    let mut tried = |radius_mm: f64, models: Models<'_>| -> (Merit, Vec<Pick>) {
         progress.report(done, total);
         done += 1;
+        let spec = Spec { extrapolate: true, ..with(radius_mm) };
         match spec.check() {
-            _ if progress.cancelled() => (Merit::NONE, spec),
+            _ if progress.cancelled() => (Merit::NONE, vec![]),
             Ok(()) => {
-                let spec = Spec { extrapolate: true, ..spec };
-                let quiet = CancelOnly(progress);
-                let search = Search::new(&spec, models, &quiet);
-                let result = search.run();
-                (result.merit().0, search.of_parts(&result))
+                let result = Search::new(&spec, models, quiet).run();
+                let fits = result.fits.iter().take(BEST).map(|fit| fit.1);
+                let near = fits.chain(result.misses.iter().take(BEST).map(|miss| miss.1)).collect();
+                (result.merit().0, near)
             }
             Err(error) => {
                 first_error.get_or_insert(error);
-                (Merit::NONE, spec)
+                (Merit::NONE, vec![])
             }
         }
     };
-    let looked: Vec<(Merit, Spec)> = places.iter().map(|&r| tried(with(r), roughly)).collect();
+    let looked: Vec<(Merit, Vec<Pick>)> = places.iter().map(|&r| tried(r, roughly)).collect();
     let samples: Vec<Tried> = places.iter().zip(&looked).map(|(&r, look)| (r, look.0)).collect();
     let best = least(&samples, |t| t.1).filter(|&i| samples[i].1 != Merit::NONE);
     let Some(i) = best else {
@@ -86,10 +89,16 @@ pub fn design_joint(
         };
     };
     let mut chosen = samples[i];
-    // Near the best radius with its best parts alone.
-    let near_best = looked[i].1.clone();
-    let mut tried = |r: f64, models: Models<'_>| (r, tried(on_radius(&near_best, r), models).0);
-    if sections > 0 {
+    let mut tried = |r: f64, models: Models<'_>| (r, tried(r, models).0);
+    if by_parts {
+        let mut picks: Vec<Pick> = vec![];
+        for pick in looked.into_iter().flat_map(|look| look.1) {
+            if !picks.contains(&pick) {
+                picks.push(pick);
+            }
+        }
+        chosen = along_radius(&picks, radius_mm.bounds(), &with, models, quiet).unwrap_or(chosen);
+    } else if sections > 0 {
         let mut found = refine(&samples, i, sections, |t| t.1, &mut |r| tried(r, roughly));
         if coarse {
             let (low, high) = radius_mm.bounds();
@@ -99,58 +108,54 @@ pub fn design_joint(
             found = refine(&near, i, NEAR - 3, |t| t.1, &mut |r| tried(r, models));
         }
         // A pulley in tenths of a millimetre.
-        let rounded = tried((found.0 * 10.0).round() / 10.0, models);
+        let rounded = tried((10.0 * found.0).round() / 10.0, models);
         chosen = if rounded.1.fits() || !found.1.fits() { rounded } else { found };
     }
-    let quiet = &CancelOnly(progress);
     let spec = with(chosen.0);
-    let outcome = design_with(&spec, models, quiet)?;
-    if sections > 0
-        && let Some(closest) = &outcome.closest
-        && let Some(radius_mm) = along_radius(&closest.picks, radius_mm.bounds(), &with, models, quiet)
-    {
-        let spec = with(radius_mm);
-        let outcome = design_with(&spec, models, quiet)?;
-        return Ok((spec, outcome));
-    }
-    Ok((spec, outcome))
+    design_with(&spec, models, quiet).map(|outcome| (spec, outcome))
 }
 
-/// Where no radius that was looked at has a muscle: each of the closest muscles alone over all radii, and the first radius at which one fits. Its window
-/// may be narrower than the step from sample to sample.
+/// Each muscle alone over all radii, as its windows may be narrower than the step from sample to sample: the radius of the best one.
 fn along_radius(
     picks: &[Pick],
     (low, high): (f64, f64),
     with: &(impl Fn(f64) -> Spec + Sync),
     models: Models<'_>,
     progress: &dyn Progress,
-) -> Option<f64> {
+) -> Option<Tried> {
     let spec = with(low);
     let search = Search::new(&spec, models, progress);
     let at = |radius_mm: f64, build: &Build<'_>, muscle: &Muscle| -> Sample {
-        let spec = searched(&with(radius_mm), models);
-        let probe = probe(&spec, build, muscle);
-        let excess = probe.map(|probe| probe.checks.iter().map(Check::excess).collect());
-        Sample { x: radius_mm, excess: excess.unwrap_or_default(), score: NO_SCORE }
+        let none = Sample { x: radius_mm, excess: vec![], score: NO_SCORE };
+        let probe = probe(&searched(&with(radius_mm), models), build, muscle);
+        probe.map_or(none, |probe| Sample {
+            x: radius_mm,
+            excess: probe.checks.iter().map(Check::excess).collect(),
+            score: probe.score,
+        })
     };
+    let merit = |s: &Sample| Merit::new(s.violation(), s.score);
     let about = |pick: &Pick| {
         let muscle = search.muscle(*pick).ok()?;
-        let found = along(low, high, true, |r| at(r, search.ranks(&muscle).0, &muscle));
-        let fits = found.fitting.first().map(|ends| (0.0, 0.5 * (ends.0 + ends.1)));
-        let (missed, radius_mm) = fits.or(found.best.map(|best| (best.violation(), best.x)))?;
-        Some((missed, radius_mm, muscle))
+        let mut at = |r: f64| at(r, search.ranks(&muscle).0, &muscle);
+        let found = along(low, high, false, &mut at);
+        let fits = found.fitting.iter().filter_map(|(from, to)| best_of(*from, *to, COARSE_STEPS, &mut at));
+        let all: Vec<Sample> = fits.chain(found.best).collect();
+        let best = &all[least(&all, merit)?];
+        Some((merit(best), best.x, muscle))
     };
-    let all = threads::map(&picks[..picks.len().min(CLOSEST.0)], about);
-    let mut all: Vec<(f64, f64, Muscle)> = all.into_iter().flatten().filter(|a| a.0 < NEARLY_SHORT).collect();
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let settled = |(_, radius_mm, muscle): &(f64, f64, Muscle)| {
+    let mut all: Vec<(Merit, f64, Muscle)> = threads::map(picks, about).into_iter().flatten().collect();
+    all.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal));
+    all.truncate(SETTLED);
+    let settled = |(_, radius_mm, muscle): &(Merit, f64, Muscle)| {
         let mut at = |r: f64| at(r.clamp(low, high), models.decides(), muscle);
         let samples = [1.0 / CLOSE, 1.0, CLOSE].map(|share| at(radius_mm * share));
-        let best = least(&samples, Sample::violation)?;
-        let merit = |s: &Sample| Merit::new(s.violation(), NO_SCORE);
-        let found = refine(&samples, best, NEAR, merit, &mut at);
-        // In tenths of a millimetre.
-        Some((found.x * 10.0).round() / 10.0).filter(|r| at(*r).fits())
+        let found = refine(&samples, least(&samples, merit)?, NEAR, merit, &mut at);
+        let tenths = [f64::floor, f64::ceil].map(|round| at(round(10.0 * found.x) / 10.0));
+        let rounded = &tenths[least(&tenths, merit)?];
+        let best = if rounded.fits() || !found.fits() { rounded } else { &found };
+        Some((best.x, merit(best)))
     };
-    threads::map(&all[..all.len().min(CLOSEST.1)], settled).into_iter().flatten().next()
+    let settled: Vec<Tried> = threads::map(&all, settled).into_iter().flatten().collect();
+    Some(settled[least(&settled, |t| t.1)?])
 }

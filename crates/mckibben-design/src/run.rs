@@ -49,7 +49,7 @@ pub struct Closest {
     /// Its measures and why it does not fit.
     pub rejected: Rejected,
     /// The muscles of the search, those that miss by least first.
-    pub(super) picks: Vec<Pick>,
+    picks: Vec<Pick>,
 }
 
 impl Closest {

@@ -16,7 +16,7 @@ use mckibben::units::Values;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Golden sections on a line whose best muscle another model looks for again.
-const COARSE_STEPS: usize = 4;
+pub(super) const COARSE_STEPS: usize = 4;
 /// More misses than are printed: others may be closer by the model that decides.
 pub(super) const SPARE: usize = 3;
 /// Muscles that are kept for the model that decides.
@@ -28,8 +28,6 @@ const SHORT: f64 = 3.0;
 const STEEP_DEG: f64 = 42.0;
 /// Tubes are screened by the thick-wall model: what misses its limits by more than this is not computed by another one.
 const FAR: f64 = 0.3;
-/// Muscles whose parts are looked at again near the best radius of a joint: so many of the best, and of those that miss by least.
-const BEST_PARTS: usize = 20;
 /// Least bore of a muscle in an interval of diameters, as a share of its outer diameter: half of that of the thickest tube that is sold.
 const LEAST_BORE: f64 = 0.25;
 /// Samples of an interval of walls, angles and lengths, and golden sections after them.
@@ -38,14 +36,14 @@ const ANGLES: (usize, usize) = (8, 6);
 const LENGTHS: (usize, usize) = (4, 4);
 
 /// A choice of rubber, braid and length; D0 and s are left.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 struct Choice {
     rubber: usize,
     braid: BraidRule,
     length_mm: f64,
 }
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum BraidRule {
     Angle(f64),
     PerTurn(f64),
@@ -53,7 +51,7 @@ enum BraidRule {
 }
 
 /// Where in the search space a muscle stands; the muscle is built again when it is needed.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Pick {
     choice: Choice,
     pub(super) d0: f64,
@@ -430,23 +428,6 @@ impl<'a> Search<'a> {
         // Tubes have their rubbers.
         let rubbers = if self.spec.tubes.is_empty() { self.rubbers.len() } else { 1 };
         self.gather((0..rubbers).map(|rubber| self.search_rubber(rubber)))
-    }
-
-    /// The specification with the tubes and sleeves of the best and nearest muscles alone, where parts are searched.
-    pub(super) fn of_parts(&self, result: &SearchResult) -> Spec {
-        let fits = result.fits.iter().take(BEST_PARTS).map(|f| f.1.choice);
-        let near: Vec<Choice> =
-            fits.chain(result.misses.iter().take(BEST_PARTS).map(|m| m.1.choice)).collect();
-        let BraidChoice::Sleeves(sleeves) = &self.spec.braid else { return self.spec.clone() };
-        let is_near =
-            |i: usize| near.iter().any(|c| matches!(c.braid, BraidRule::Sleeve(sleeve) if sleeve == i));
-        let sleeves = sleeves.iter().enumerate().filter(|(i, _)| is_near(*i)).map(|s| s.1.clone());
-        let tubes = self.spec.tubes.iter().enumerate().filter(|(i, _)| near.iter().any(|c| c.rubber == *i));
-        Spec {
-            tubes: tubes.map(|t| t.1.clone()).collect(),
-            braid: BraidChoice::Sleeves(sleeves.collect()),
-            ..self.spec.clone()
-        }
     }
 
     fn gather(&self, parts: impl Iterator<Item = SearchResult>) -> SearchResult {

@@ -168,7 +168,6 @@ function asked(of, best, across = ACROSS, up = UP) {
     outer_diameter_mm: D,
     wall_mm: S,
     model: "universal",
-    verify: "none",
     extrapolate: true,
     top: D.length * S.length,
   };

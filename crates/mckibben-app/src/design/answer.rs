@@ -52,8 +52,6 @@ pub struct DesignAnswer {
     pub uncertainty_words: Option<UncertaintyWords>,
     /// Near misses, or the muscles that come closest.
     pub rejected: Vec<RejectedAnswer>,
-    /// With another model: the best muscle by finite elements.
-    pub verification: Option<Verified>,
     /// Warnings about the best muscle; if nothing fits, whether burst was checked.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
@@ -202,31 +200,6 @@ pub struct ClosestAnswer {
     pub relaxations: Vec<RelaxationAnswer>,
     /// Contractions beyond every braid of the search, and the angle that reaches them.
     pub hint: Option<String>,
-}
-
-/// A winner computed again.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct Verified {
-    /// By which model.
-    pub model: String,
-    /// Whether it meets the specification with all limits.
-    pub holds: bool,
-    /// The operating points.
-    pub points: Vec<VerifiedPoint>,
-}
-
-/// The winner at one operating point by finite elements.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct VerifiedPoint {
-    /// What is required.
-    #[serde(flatten)]
-    pub wanted: OperatingPoint,
-    /// Pressure it takes, MPa, where there is one.
-    pub pressure_mpa: Option<f64>,
-    /// Pull at the maximum pressure, N.
-    pub force_at_max_pressure_n: Option<f64>,
-    /// Why there is none.
-    pub cause: Option<String>,
 }
 
 pub(super) fn muscle_file(place: usize, candidate: &Candidate) -> TextFile {

@@ -10,23 +10,22 @@ mod request;
 
 pub use answer::{
     CandidateAnswer, CandidateJoint, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer,
-    SearchedAnswer, Verified, VerifiedPoint,
+    SearchedAnswer,
 };
 pub use bought::BoughtAnswer;
 pub use bundle::{BundleAnswer, BundlePoint};
-pub use request::{Choice, DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted, Verify};
+pub use request::{Choice, DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted};
 
 use crate::{Model, Result, UncertaintyWords, Units, figure, not_measured};
 use answer::{muscle_file, not_checked, out_of_reach};
 use decision::Decision;
 use mckibben::analysis::Evaluation;
-use mckibben::answer::Options;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben_design::{
     Build, Candidate, CandidatePoint, Models, Outcome, SearchedMuscles, Spec, Spread, Tolerances,
-    design_joint, design_with, fits, spread,
+    design_joint, design_with, spread,
 };
 use mckibben_report::Figure;
 use remedies::{RelaxationAnswer, of_parts};
@@ -54,10 +53,6 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     let decide = |m: &Muscle| policy.model.bound(m);
     let tolerance = spreads(request.tolerance.as_ref(), &decide, &outcome)?;
     let winner = outcome.candidates.first();
-    let verification = match (request.verify, winner) {
-        (Verify::Fe, Some(winner)) if winner.model != Model::FE.name() => Some(verified(&spec, winner)?),
-        _ => None,
-    };
     let figure = match &request.figure {
         Some(unit) if winner.is_some() => Some(draw(&spec, &decide, &outcome, unit)?),
         _ => None,
@@ -120,7 +115,6 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, &spec)).collect(),
         uncertainty_words: words(&spec, &decide, winner),
         rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
-        verification,
         warnings,
         tolerance,
         to_be_sure,
@@ -191,30 +185,6 @@ fn spreads(tolerances: Option<&Tolerances>, build: &Build<'_>, outcome: &Outcome
     let one =
         |q: &CandidatePoint| spread(&winner.muscle, build, q.wanted, q.response.pressure_mpa, tolerances);
     Ok(winner.points.iter().map(one).collect::<Result<Vec<_>, _>>()?)
-}
-
-/// What finite elements say of the winner.
-fn verified(spec: &Spec, winner: &Candidate) -> Result<Verified> {
-    let fe = Model::FE.build(&winner.muscle)?;
-    let workspace = &mut Workspace::new();
-    let mut model = Evaluation::new(&*fe, workspace, Options { extrapolate: true, ..spec.options() });
-    let mut points = vec![];
-    for wanted in winner.points.iter().map(|q| q.wanted) {
-        let max = winner.highest_pressure_mpa;
-        let available = model.force_n(max, wanted.contraction);
-        let pressure = model.pressure_at(wanted.force_n, wanted.contraction);
-        points.push(VerifiedPoint {
-            wanted,
-            pressure_mpa: pressure.ok(),
-            force_at_max_pressure_n: available.as_ref().ok().copied(),
-            cause: available.err().map(|e| e.to_string()),
-        });
-    }
-    Ok(Verified {
-        model: fe.info().name.to_string(),
-        holds: fits(spec, &|m| Model::FE.build(m), &winner.muscle),
-        points,
-    })
 }
 
 fn draw(spec: &Spec, build: &Build<'_>, outcome: &Outcome, unit: &Units) -> Result<Figure> {

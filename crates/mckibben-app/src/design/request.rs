@@ -110,8 +110,6 @@ pub struct DesignRequest {
     pub model: ModelFields,
     /// Compute outside the model's range too, with a warning.
     pub extrapolate: bool,
-    /// Method that computes the best muscle again.
-    pub verify: Verify,
     /// How many candidates and rejected muscles to report; default 5.
     pub top: Option<usize>,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
@@ -133,17 +131,6 @@ pub enum Choice {
         /// Its upper end.
         high: f64,
     },
-}
-
-/// Method that computes the best muscle of a design again.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Verify {
-    /// Axisymmetric finite elements.
-    #[default]
-    Fe,
-    /// Nothing.
-    None,
 }
 
 /// A specification with the models that search it.

@@ -25,7 +25,7 @@ fn the_liquid_of_a_design_pushed_in_by_fill_gives_back_its_point() {
             request
         };
         let wanted = json!({ "force_n": 300, "contraction": 0.1, "max_pressure_mpa": 0.25, "model": model,
-            "outer_diameter_mm": 32, "wall_mm": 1.5, "verify": "none",
+            "outer_diameter_mm": 32, "wall_mm": 1.5,
             "muscle": { "name": "smooth.toml", "text": "[friction]\ncoefficient = 1e-9\nexponent = 0\n" } });
         let design = reply("design", with_liquid(wanted));
         let best = &design["candidates"][0];
@@ -54,7 +54,7 @@ fn a_bundle_shares_the_liquid() {
         reply(
             "design",
             json!({ "force_n": force_n, "contraction": 0.1, "max_pressure_mpa": 0.25, "model": "thick-wall",
-                "outer_diameter_mm": 32, "wall_mm": 1.5, "verify": "none", "liquid": "water", "count": bundle,
+                "outer_diameter_mm": 32, "wall_mm": 1.5, "liquid": "water", "count": bundle,
                 "max_liquid_volume_mm3": max }),
         )
     };

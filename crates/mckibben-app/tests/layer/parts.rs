@@ -88,7 +88,8 @@ fn every_part_that_is_listed_is_shown_and_makes_a_muscle() {
     }
 }
 
-const WANTED: &str = r#"{ "force_n": 300, "contraction": 0.1, "max_pressure_mpa": 0.25, "model": "thick-wall", "verify": "none" }"#;
+const WANTED: &str =
+    r#"{ "force_n": 300, "contraction": 0.1, "max_pressure_mpa": 0.25, "model": "thick-wall" }"#;
 
 fn designed(more: Value) -> Value {
     let mut request: Value = serde_json::from_str(WANTED).unwrap();

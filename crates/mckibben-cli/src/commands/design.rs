@@ -57,7 +57,7 @@ fn as_text(answer: &DesignAnswer, file: Option<&Path>, all: bool, u: &Units) -> 
         let words = words.filter(|_| all);
         out.extend(words.and_then(|w| w.text_in(u)).map(|text| format!("± of the first: {text}.\n")));
         out.extend(words.and_then(|w| w.bench_in(u)).map(|text| format!("{text}.\n")));
-        let parts = [bundle(answer, u), joint(answer, file, u), verified(answer, u)];
+        let parts = [bundle(answer, u), joint(answer, file, u)];
         out.extend(parts.into_iter().chain([spread_text(&answer.tolerance, u)]));
     }
     row["each"] = answer.candidates.first().map(|c| c.count).filter(|n| *n > 1).into();
@@ -202,23 +202,6 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, all: bool, u: &Units) -> 
         out.push_str(&format!("From the thick-wall model: {}.\n", first.from_thick_wall.join(", ")));
     }
     out
-}
-
-/// What finite elements say of the first candidate.
-fn verified(answer: &DesignAnswer, u: &Units) -> String {
-    let (Some(verified), Some(winner)) = (&answer.verification, answer.candidates.first()) else {
-        return String::new();
-    };
-    let holds = if verified.holds { "meets the specification" } else { "does NOT meet the specification" };
-    let rows = verified.points.iter().zip(&winner.candidate.points).map(|(c, q)| {
-        let mut row = value(c);
-        row["difference_n"] = c.force_at_max_pressure_n.map(|f| f - q.force_at_max_pressure_n).into();
-        row["cause"] = c.cause.as_deref().map(|cause| u.sentence(cause)).into();
-        row
-    });
-    let keys = "force_n=required contraction=at:% pressure_mpa=P_required force_at_max_pressure_n=F_at_max_P difference_n=difference:3 cause=no_answer";
-    let points = tabled(rows, keys, u);
-    format!("\nBy finite elements the first muscle {holds}\n{points}")
 }
 
 fn spread_text(spreads: &[Spread], u: &Units) -> String {

@@ -39,7 +39,7 @@ fn a_design_is_of_parts_and_its_muscle_file_has_its_digits() {
 fn a_guaranteed_design_meets_the_requirement_with_the_lower_end_of_its_uncertainty() {
     let dir = folder();
     for (share, widths) in [("", 1.0), ("=99%", 2.575_829 / 1.959_964)] {
-        let line = "design -F 300N -e 12% -p 2.5bar --model universal --verify none --overwrite -o sure.toml";
+        let line = "design -F 300N -e 12% -p 2.5bar --model universal --overwrite -o sure.toml";
         let design = json_in(dir.path(), &format!("{line} --guaranteed{share}"));
         let set_mpa = number(&design["candidates"][0], "pressure_mpa");
         let ask = format!("force sure.toml -p {set_mpa} -e 12% --model universal");
@@ -85,7 +85,7 @@ fn a_name_stands_for_its_muscle_file() {
     let [a, b] = ["libjoint.toml", "minejoint.toml"].map(|file| ask(&format!("joint {file} -p 3bar,2bar")));
     assert_eq!(a["points"], b["points"]);
     assert_eq!(number(&ask("force lib:dmsp-20-300 -L 400mm -p 5bar")["muscle"], "length_mm"), 400.0);
-    let paper = "design -F 700N -e 15% -p 2.5bar --model universal --verify none";
+    let paper = "design -F 700N -e 15% -p 2.5bar --model universal";
     let [a, b] = ["--continuous", "--muscle paper"].map(|more| json(&format!("{paper} {more}")));
     assert_eq!(a["candidates"][0]["outer_diameter_mm"], b["candidates"][0]["outer_diameter_mm"]);
 }
@@ -154,7 +154,8 @@ fn a_joint_gives_back_its_pressures_and_a_designed_one_is_a_joint_file() {
     assert_close(number(&back[0], "pressure_2_mpa"), 0.1, 1e-6);
     // What a design prints is a joint file that works beside its muscle file.
     let dir = folder();
-    let line = "design --joint 3Nm@30deg -p 4bar --length 250 --rubber dragon-skin-30 --model thick-wall --verify none -o el.toml";
+    let line =
+        "design --joint 3Nm@30deg -p 4bar --length 250 --rubber dragon-skin-30 --model thick-wall -o el.toml";
     let ran = run_in(dir.path(), line).ok();
     let text = ran.text().split("[joint]").nth(1).unwrap();
     let lines = text.lines().take_while(|l| !l.starts_with("Near") && !l.contains(" │ "));

@@ -80,11 +80,11 @@ fn a_file_that_claims_72_gigabytes_is_refused() {
     }
 }
 
-const DESIGN: &str = "design -F 300 -e 10% --max-pressure 2.5bar -D 40 -s 2 --model paper --verify none -o ";
+const DESIGN: &str = "design -F 300 -e 10% --max-pressure 2.5bar -D 40 -s 2 --model paper -o ";
 
 /// What every command writes, and where: the flag with its folder or file, and the file that is in its way.
 const WRITERS: [(&str, &str, &str); 36] = [
-    ("design -F 300 -e 10% -p 2.5bar -D 40 -s 2 --model paper --verify none", "-o w.toml", "w.toml"),
+    ("design -F 300 -e 10% -p 2.5bar -D 40 -s 2 --model paper", "-o w.toml", "w.toml"),
     ("force -p 0.1 --model ideal", "-o t.json", "t.json"),
     ("pressure -F 100N -e 5% --model ideal", "-o t.json", "t.json"),
     ("contraction -F 100N -p 0.1 --model ideal", "-o t.json", "t.json"),

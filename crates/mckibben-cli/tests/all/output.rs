@@ -192,8 +192,8 @@ const WIDE: [&str; 9] = [
     "force -p 2.5bar -e 10% --model thick-wall",
     "contraction -p 2.5bar --load mass:20kg --model thick-wall",
     "check -p 2bar --model thick-wall",
-    "design -F 700N -e 15% -p 2.5bar --model thick-wall --verify none --all",
-    "design -F 700N -e 15% -p 100bar -D 20,30 -s 1,2 --model thick-wall --verify none",
+    "design -F 700N -e 15% -p 2.5bar --model thick-wall --all",
+    "design -F 700N -e 15% -p 100bar -D 20,30 -s 1,2 --model thick-wall",
     "curve isobaric -p 0.5..2.5:0.25bar -e 0..30%:10% --model thick-wall",
     "joint examples/elbow.toml -p 2bar,1bar -p 3bar,1bar --model thick-wall",
     "rubber crates/mckibben-cli/tests/tension/zwick.csv --set gauge_length=25mm,area=8mm2",
@@ -241,7 +241,7 @@ fn every_case_of_validate_holds_and_its_tables_fit_80_columns() {
 #[test]
 fn in_a_terminal_no_progress_bar_appears_before_half_a_second() {
     let program = env!("CARGO_BIN_EXE_mckibben");
-    let words = "design -F 700N -e 15% -p 2.5bar --model thick-wall --verify none --all";
+    let words = "design -F 700N -e 15% -p 2.5bar --model thick-wall --all";
     let line = format!("stty rows 24 cols 80; {program} {words}");
     let output = std::process::Command::new("script")
         .args(["-qec", &line, "/dev/null"])
