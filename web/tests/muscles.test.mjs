@@ -144,7 +144,7 @@ for (const [name, { start, point: within, motion }] of engines({
         ask("motion", "--muscle", whole, "-p", p, "--load", step.load, "--valve", step.valve, "--damping", step.damping, "--until", step.until, "--model", model),
         maybe(engine.ask("motion", page.motion(text, { model, pressure_mpa: state.p, supply_mpa: 0.6, load: step.load, valve: step.valve, damping_n_s_per_m: 300, until_s: 0.3 }))),
       ]);
-      const ran = (/** @type {any} */ of) => of && Object.fromEntries([["end", of.series.contraction.at(-1)], ...["rise_time_s", "largest_speed", "air_normal_litres", "overshoot"].map((key) => [key, of[key]])]);
+      const ran = (/** @type {any} */ of) => of && Object.fromEntries([["end", of.series.contraction.at(-1)], ...["rise_time_s", "largest_velocity_mm_per_s", "air_normal_litres", "overshoot"].map((key) => [key, of[key]])]);
       same(ran(moved), ran(run), motion, `Motion ${seed}`);
       try { same(ran(moved), ran(run), SAME_STEPS, ""); } catch { otherSteps += 1; }
 

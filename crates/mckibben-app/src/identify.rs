@@ -264,7 +264,8 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         let sought: Vec<Parameter> = identified
             .parameters
             .iter()
-            .map(|p| free.iter().find(|q| q.target == p.target).copied().unwrap_or(Parameter::free(p.target)))
+            .filter_map(|p| p.target)
+            .map(|t| free.iter().find(|q| q.target == t).copied().unwrap_or(Parameter::free(t)))
             .collect();
         let trials = try_laws(&Request { free: &sought, ..input })?;
         let best = trials.first().map_or(0.0, |t| t.aicc);
@@ -323,7 +324,7 @@ impl IdentifyRequest {
             "it belongs to `data`",
         )?;
         let Some(file) = &self.log else { return Ok(None) };
-        let points = read_over_time(&file.text, OverTime::Pressure);
+        let points = read_over_time(&file.text, OverTime::Pressure, 1.0);
         let points = points.map_err(|error| Problem::of_table(&file.name, &error))?;
         Ok(Some(PressureLog { name: file.name.clone(), points, offset_s: self.log_offset_s }))
     }

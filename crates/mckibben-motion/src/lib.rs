@@ -69,7 +69,7 @@ pub use drive::{Actuated, Actuator, Drive, Supply, Target};
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use error::{MotionError, OnStop, Result};
 pub use events::{Event, EventKind};
-pub use file::{DriveFile, Names, Subject, Tables, drive_names, parse_drive, with_value};
+pub use file::{DriveFile, Names, Subject, Tables, drive_names, number_at, parse_drive, with_value};
 pub use fluid::Fluid;
 pub use hose::Hose;
 pub use linear::Linear;

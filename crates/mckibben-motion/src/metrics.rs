@@ -97,7 +97,7 @@ pub(crate) fn changes(drive: &Drive<'_>) -> Vec<f64> {
 }
 
 /// Fills in the figures of a motion, of everything that was passed: with a long run the points of its series lie far apart.
-pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed], cycle: Option<f64>) {
+pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed]) {
     let position = |p: &Passed| Spot { time: p.time_s, value: p.coordinate, slope: Some(p.velocity) };
     let pressures = passed.iter().map(|p| Spot { time: p.time_s, value: p.gauge_mpa, slope: None });
     let (positions, pressures) = (Track(passed.iter().map(position).collect()), Track(pressures.collect()));
@@ -132,13 +132,6 @@ pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Pas
     motion.rise_time_s = first.and_then(|f| f.rise_time_s);
     motion.settling_time_s = first.and_then(|f| f.settling_time_s);
     motion.overshoot = first.map(|f| f.overshoot);
-    let Some((from, muscle)) = cycle.zip(motion.series.muscles.first()) else { return };
-    let series = &motion.series;
-    let places = series.time_s.iter().zip(muscle.pressure_mpa.iter().zip(&series.coordinate));
-    let points: Vec<_> = places.filter(|(t, _)| **t >= from).map(|(_, (p, x))| (*p, *x)).collect();
-    // Trapezoids, closed from the last point to the first.
-    let closed = points.iter().zip(points.iter().cycle().skip(1));
-    motion.loop_area = Some(closed.map(|(a, b)| 0.5 * (a.0 + b.0) * (b.1 - a.1)).sum::<f64>().abs());
 }
 
 /// The share of the way within which a load rests.

@@ -22,9 +22,7 @@ pub struct Motion {
     /// Every step of the command that moved it.
     #[schemars(with = "Vec<serde_json::Value>")]
     pub steps: Vec<StepFigures>,
-    /// Largest speed, mm/s or °/s.
-    pub largest_speed: f64,
-    /// The same of a muscle's load, mm/s: of all that was integrated, not of the points of the series alone.
+    /// Largest speed of a muscle's load, mm/s: of all that was integrated, not of the points of the series alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub largest_velocity_mm_per_s: Option<f64>,
     /// The same of a joint, °/s.
@@ -54,9 +52,6 @@ pub struct Motion {
     /// The same over the last whole period of a periodic command.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub air_normal_litres_per_cycle: Option<f64>,
-    /// Area of the loop of position (mm or rad) over pressure in MPa, over that period.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub loop_area: Option<f64>,
     /// Energies, J.
     #[schemars(with = "serde_json::Value")]
     pub energies: Energies,

@@ -134,20 +134,18 @@ impl Integration<'_, '_> {
         if ended.is_none() {
             // A step before an event was taken twice, the second time up to the event.
             self.passed.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
-            step_figures(drive, &mut motion, &self.passed, cycle.map(|c| c.from_s));
+            step_figures(drive, &mut motion, &self.passed);
             let rest = rest(system, &self.passed);
             motion.end = rest.map(|(end, _)| end);
             equilibrium = rest.and_then(|(_, q)| q);
         }
         match drive.mechanism.coordinate() {
             Coordinate::Angle => {
-                motion.largest_speed = largest_speed.to_degrees();
-                motion.largest_velocity_deg_per_s = Some(motion.largest_speed);
+                motion.largest_velocity_deg_per_s = Some(largest_speed.to_degrees());
                 motion.equilibrium_angle_deg = equilibrium.map(f64::to_degrees);
             }
             Coordinate::Shortening { rest_length_mm } => {
-                motion.largest_speed = largest_speed;
-                motion.largest_velocity_mm_per_s = Some(motion.largest_speed);
+                motion.largest_velocity_mm_per_s = Some(largest_speed);
                 motion.equilibrium_contraction = equilibrium.map(|q| q / rest_length_mm);
             }
         }

@@ -35,10 +35,10 @@ export function wayChart(run) {
       colour: KINDS[1] }] };
 }
 
-/** Largest speed, of the motion itself; of what was recorded only where nothing else is known. @param {Run} run */
+/** Largest speed, of the motion itself. @param {Run} run */
 function speed(run) {
-  if (isJoint(run)) return `${number(run.largest_velocity_deg_per_s ?? run.largest_speed, 3)} °/s`;
-  const inside = run.largest_velocity_mm_per_s ?? run.largest_speed;
+  if (isJoint(run)) return `${number(run.largest_velocity_deg_per_s ?? 0, 3)} °/s`;
+  const inside = run.largest_velocity_mm_per_s ?? 0;
   return `${number(outside("length", inside), 3)} ${unitName("length")}/s`;
 }
 

@@ -1,8 +1,10 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
+mod identified;
 mod request;
 mod simulated;
 
+pub use identified::{IdentifiedDrive, LogErrors};
 pub use request::{MotionRequest, MotionSweep, StepFields};
 pub use simulated::SimulatedDrive;
 
@@ -19,6 +21,7 @@ use mckibben::{
     joint::Joint,
     model::{ForceModel, Workspace},
     muscle::Friction,
+    muscle::file::FileError,
     progress::Progress,
     uncertainty::UncertaintyParts,
     warning::Warning,
@@ -72,42 +75,60 @@ impl MotionRequest {
         }
     }
 
-    /// The drive, or those of the sweep with their values.
-    fn drives(&self, rest_length_mm: f64) -> Result<Vec<(Option<String>, DriveFile)>> {
+    /// The text of the drive file.
+    fn text(&self, rest_length_mm: f64) -> Result<String> {
+        match (&self.drive, &self.step) {
+            (Some(drive), _) => Ok(drive.text.clone()),
+            (None, Some(step)) => step.drive(&self.tables, rest_length_mm),
+            (None, None) => Ok(String::new()),
+        }
+    }
+
+    fn parsed(&self, text: &str, rest_length_mm: f64) -> Result<DriveFile> {
         let texts = self.tables.iter().map(|t| (t.name.clone(), t.text.clone())).collect();
-        let tables = Tables { texts, rest_length_mm };
-        let name = Path::new(self.drive.as_ref().map_or("the drive", |drive| &drive.name));
-        let text = match (&self.drive, &self.step) {
-            (Some(drive), _) => drive.text.clone(),
-            (None, Some(step)) => step.drive(&self.tables, rest_length_mm)?,
-            (None, None) => String::new(),
-        };
-        // With a value of a key of the drive file, or as it is.
-        let one = |changed: Option<(&str, &str)>| match changed {
-            Some((key, value)) => with_value(&text, key, value).and_then(|text| parse_drive(&text, &tables)),
-            None => parse_drive(&text, &tables),
-        };
-        let one = |changed| one(changed).map_err(|error| Problem::from(error.in_file(name)));
-        let Some(sweep) = &self.sweep else { return Ok(vec![(None, one(None)?)]) };
+        let drive = parse_drive(text, &Tables { texts, rest_length_mm });
+        drive.map_err(|error| self.in_drive(error))
+    }
+
+    fn in_drive(&self, error: FileError) -> Problem {
+        let name = self.drive.as_ref().map_or("the drive", |drive| &drive.name);
+        Problem::from(error.in_file(Path::new(name)))
+    }
+
+    /// The drive of a text, or those of the sweep with their values.
+    fn drives(&self, text: &str, rest_length_mm: f64) -> Result<Vec<(Option<String>, DriveFile)>> {
+        let Some(sweep) = &self.sweep else { return Ok(vec![(None, self.parsed(text, rest_length_mm)?)]) };
         if sweep.values.is_empty() || sweep.values.len() > MOST_RUNS {
             let message = format!("a sweep has 1 to {MOST_RUNS} values, not {}", sweep.values.len());
             return Err(Problem::new(ProblemKind::Range, message, "").in_field("sweep"));
         }
         let values = sweep.values.iter();
-        values.map(|value| Ok((Some(value.clone()), one(Some((&sweep.key, value)))?))).collect()
+        let one = |value: &String| {
+            let changed = with_value(text, &sweep.key, value).map_err(|error| self.in_drive(error))?;
+            Ok((Some(value.clone()), self.parsed(&changed, rest_length_mm)?))
+        };
+        values.map(one).collect()
     }
 }
 
 pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<MotionAnswer> {
+    let unused = ("free", request.log.is_none() && !request.free.is_empty());
+    Problem::refuse_unused(&[unused], "it belongs to `log`")?;
     let moved = request.moved()?;
-    let drives = request.drives(moved.length_mm())?;
+    let mut text = request.text(moved.length_mm())?;
+    let identify = |log| moved.identify(request, &text, log, progress);
+    let identified = request.log.as_ref().map(identify).transpose()?;
+    if let Some(identified) = &identified {
+        text.clone_from(&identified.drive_file);
+    }
+    let drives = request.drives(&text, moved.length_mm())?;
     let mut sized = None;
     let mut runs = vec![];
     let mut highest_mpa = vec![0.0_f64; moved.models.len()];
     let mut said = vec![];
     for (i, (value, drive)) in drives.iter().enumerate() {
         progress.report(i, drives.len());
-        let (motion, conductance) = moved.go(drive, request.rise_time_s, progress)?;
+        let (motion, conductance) = moved.with(drive, |drive| go(&drive, request.rise_time_s, progress))?;
         sized = sized.or(conductance);
         let wanted = match &drive.target {
             Target::Pressure(list) => list.iter().map(|c| c.bounds().1).collect(),
@@ -140,6 +161,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         others: runs.collect(),
         sonic_conductance_l_per_s_bar: sized,
         limits: PressureLimits::of_all(&bursts),
+        identified,
         warnings,
         figure: None,
     };
@@ -172,37 +194,26 @@ impl Moved {
         })
     }
 
-    fn mechanism<'a>(&'a self, single: Option<&'a SingleMuscle>) -> Result<&'a dyn Mechanism> {
-        match (single, &self.joint) {
-            (Some(single), _) => Ok(single),
-            (None, Some(joint)) => Ok(joint),
-            (None, None) => Err(Problem::missing("muscle", "what the drive moves")),
-        }
-    }
-
-    /// The drive of a file, under commands.
-    fn drive<'a>(
-        &'a self,
-        file: &DriveFile,
-        target: Target,
-        single: Option<&SingleMuscle>,
-        mechanism: &'a dyn Mechanism,
-    ) -> Drive<'a> {
+    /// Does something with the drive of a file.
+    fn with<T>(&self, file: &DriveFile, work: impl FnOnce(Drive<'_>) -> Result<T>) -> Result<T> {
+        let single = self.single(file)?;
+        let mechanism: &dyn Mechanism = match (&single, &self.joint) {
+            (Some(single), _) => single,
+            (None, Some(joint)) => joint,
+            (None, None) => return Err(Problem::missing("muscle", "what the drive moves")),
+        };
         let muscles = self.models.iter().map(|model| Actuated {
             fluid: file.fluid.clone(),
-            friction: model
-                .muscle()
-                .friction()
-                .map(|f| Friction { presliding_mm: file.presliding_mm.or(f.presliding_mm), ..*f }),
+            friction: friction(file, model.muscle().friction()),
             rubber: file.rubber.clone(),
             ..Actuated::new(&**model, file.actuator)
         });
-        Drive {
+        work(Drive {
             supply: file.supply,
             output_step_s: file.output_step_s,
-            initial_coordinate: single.zip(file.held).map(|(s, e)| e * s.length_mm),
-            ..Drive::new(mechanism, muscles.collect(), target, file.until_s)
-        }
+            initial_coordinate: single.as_ref().zip(file.held.or(file.start)).map(|(s, e)| e * s.length_mm),
+            ..Drive::new(mechanism, muscles.collect(), self.target(file), file.until_s)
+        })
     }
 
     /// The commands of a file. A joint with one muscle takes one.
@@ -214,35 +225,6 @@ impl Moved {
             list.truncate(1);
         }
         target
-    }
-
-    /// The motion, and the conductance that was sought.
-    fn go(
-        &self,
-        file: &DriveFile,
-        rise_time_s: Option<f64>,
-        progress: &dyn Progress,
-    ) -> Result<(Motion, Option<f64>)> {
-        let single = self.single(file)?;
-        let mechanism = self.mechanism(single.as_ref())?;
-        let drive = self.drive(file, self.target(file), single.as_ref(), mechanism);
-        let bandwidth_hz = match &drive.target {
-            Target::Pressure(list) if !list.is_empty() => {
-                let most = list.iter().map(|c| Command::Constant(c.bounds().1)).collect();
-                let held = Drive { target: Target::Pressure(most), ..drive.clone() };
-                Linear::new(&held).ok().and_then(|l| l.bandwidth_hz())
-            }
-            _ => None,
-        };
-        let (mut motion, conductance) = match rise_time_s {
-            None => (run_as_far(&drive, progress)?, None),
-            Some(wanted) => {
-                let sized = size(&drive, finite("rise_time_s", wanted)?, progress)?;
-                (sized.motion, Some(sized.conductance_l_per_s_bar))
-            }
-        };
-        motion.bandwidth_hz = bandwidth_hz;
-        motion.never_lifted.take().map_or(Ok((motion, conductance)), |error| Err(error.into()))
     }
 
     fn warnings(&self, motion: &Motion, file: &DriveFile) -> Vec<String> {
@@ -349,6 +331,38 @@ impl Moved {
     }
 }
 
+/// The motion of a drive, and the conductance that was sought.
+fn go(drive: &Drive<'_>, rise_time_s: Option<f64>, progress: &dyn Progress) -> Result<(Motion, Option<f64>)> {
+    let bandwidth_hz = match &drive.target {
+        Target::Pressure(list) if !list.is_empty() => {
+            let most = list.iter().map(|c| Command::Constant(c.bounds().1)).collect();
+            let held = Drive { target: Target::Pressure(most), ..drive.clone() };
+            Linear::new(&held).ok().and_then(|l| l.bandwidth_hz())
+        }
+        _ => None,
+    };
+    let (mut motion, conductance) = match rise_time_s {
+        None => (run_as_far(drive, progress)?, None),
+        Some(wanted) => {
+            let sized = size(drive, finite("rise_time_s", wanted)?, progress)?;
+            (sized.motion, Some(sized.conductance_l_per_s_bar))
+        }
+    };
+    motion.bandwidth_hz = bandwidth_hz;
+    motion.never_lifted.take().map_or(Ok((motion, conductance)), |error| Err(error.into()))
+}
+
+/// β where a drive states C of a muscle without friction (Tondu 2012 \[tondu2012\], 20°).
+const EXPONENT: f64 = 0.57;
+
+/// The friction of a muscle, with what the drive states of it.
+fn friction(file: &DriveFile, own: Option<&Friction>) -> Option<Friction> {
+    let stated = file.friction_coefficient.map(|c| Friction::power_law(c, EXPONENT));
+    let friction = *own.or(stated.as_ref())?;
+    let coefficient = file.friction_coefficient.unwrap_or(friction.coefficient);
+    Some(Friction { coefficient, presliding_mm: file.presliding_mm.or(friction.presliding_mm), ..friction })
+}
+
 impl From<MotionError> for Problem {
     fn from(error: MotionError) -> Self {
         let kind = match &error {
@@ -425,6 +439,9 @@ pub struct MotionAnswer {
     /// The pressures that its weakest muscle bears.
     #[serde(flatten)]
     pub limits: PressureLimits,
+    /// What was identified from a recorded motion.
+    #[serde(flatten)]
+    pub identified: Option<IdentifiedDrive>,
     /// Warnings.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,

@@ -29,6 +29,10 @@ pub struct MotionRequest {
     pub model: ModelFields,
     /// A key of the drive file and values that take its place, one run each: `valve.sonic_conductance`.
     pub sweep: Option<MotionSweep>,
+    /// A recorded motion of the drive: times, with pressures, contractions or shortenings, or angles. Constants are identified from the first half of its time.
+    pub log: Option<TextFile>,
+    /// What `log` is to determine, keys of the drive file: NAME or NAME=START. Default: those of `valve.sonic_conductance`, `air.dead_volume`, `load.damping` and `friction.coefficient` that the files state.
+    pub free: Vec<String>,
     /// Find the smallest valve with this rise time (10–90 %), s.
     pub rise_time_s: Option<f64>,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.

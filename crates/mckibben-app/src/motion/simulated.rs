@@ -3,7 +3,7 @@
 use super::{MotionRequest, Moved};
 use crate::{Problem, ProblemKind, Result, finite};
 use mckibben::progress::Progress;
-use mckibben_motion::{Coordinate, Drive, DriveFile, Motion, Simulation, SingleMuscle, Target};
+use mckibben_motion::{Coordinate, Drive, DriveFile, Motion, Simulation, Target};
 use std::sync::Arc;
 
 /// A drive that is stepped: each step holds its commands constant.
@@ -16,7 +16,6 @@ pub struct SimulatedDrive {
 struct Setup {
     moved: Moved,
     file: DriveFile,
-    single: Option<SingleMuscle>,
 }
 
 impl Setup {
@@ -27,31 +26,28 @@ impl Setup {
         outside: f64,
         work: impl FnOnce(&Drive<'_>) -> Result<T>,
     ) -> Result<T> {
-        let mechanism = self.moved.mechanism(self.single.as_ref())?;
-        let outside_force = match mechanism.coordinate() {
-            Coordinate::Angle => -1e3 * outside,
-            Coordinate::Shortening { .. } => outside,
-        };
-        let of_file = &self.file.target;
-        let target = match commands {
-            None => of_file.clone(),
-            Some(values) => {
-                let is_angle = mechanism.coordinate() == Coordinate::Angle;
-                let held = match of_file {
-                    Target::Position { .. } if is_angle => {
-                        of_file.constant(&values.iter().map(|v| v.to_radians()).collect::<Vec<_>>())
-                    }
-                    _ => of_file.constant(values),
-                };
-                held.ok_or_else(|| {
-                    let (wanted, given) = (of_file.commands().len(), values.len());
-                    let message = format!("the drive has {wanted} commands, not {given}");
-                    Problem::new(ProblemKind::Usage, message, "").in_field("command")
-                })?
-            }
-        };
-        let drive = self.moved.drive(&self.file, target, self.single.as_ref(), mechanism);
-        work(&Drive { outside_force, ..drive })
+        self.moved.with(&self.file, |drive| {
+            let is_angle = drive.mechanism.coordinate() == Coordinate::Angle;
+            let outside_force = if is_angle { -1e3 * outside } else { outside };
+            let of_file = drive.target.clone();
+            let target = match commands {
+                None => of_file,
+                Some(values) => {
+                    let held = match of_file {
+                        Target::Position { .. } if is_angle => {
+                            of_file.constant(&values.iter().map(|v| v.to_radians()).collect::<Vec<_>>())
+                        }
+                        _ => of_file.constant(values),
+                    };
+                    held.ok_or_else(|| {
+                        let (wanted, given) = (of_file.commands().len(), values.len());
+                        let message = format!("the drive has {wanted} commands, not {given}");
+                        Problem::new(ProblemKind::Usage, message, "").in_field("command")
+                    })?
+                }
+            };
+            work(&Drive { outside_force, target, ..drive })
+        })
     }
 }
 
@@ -59,14 +55,13 @@ impl SimulatedDrive {
     /// A drive at the start, at rest where its first commands hold it, with steps of a length in s.
     pub fn new(request: &MotionRequest, step_s: f64, progress: &dyn Progress) -> Result<Self> {
         let moved = request.moved()?;
-        let drives = request.drives(moved.length_mm())?;
+        let drives = request.drives(&request.text(moved.length_mm())?, moved.length_mm())?;
         let Some((_, mut file)) = drives.into_iter().next() else {
             return Err(Problem::missing("drive", "a drive file"));
         };
         file.output_step_s = finite("step_s", step_s)?;
         file.target = moved.target(&file);
-        let single = moved.single(&file)?;
-        let setup = Arc::new(Setup { moved, file, single });
+        let setup = Arc::new(Setup { moved, file });
         let simulation = setup.with(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
         Ok(Self { setup, simulation })
     }
@@ -102,7 +97,7 @@ impl SimulatedDrive {
 
     /// Whether a joint is moved, not a muscle with its load.
     pub fn is_joint(&self) -> bool {
-        self.setup.single.is_none()
+        self.setup.moved.joint.is_some()
     }
 
     /// Another one in the same state.

@@ -10,6 +10,7 @@ mod ended;
 mod expected;
 mod figures;
 mod file_schema;
+mod identified;
 mod liquid;
 mod many;
 mod measures;

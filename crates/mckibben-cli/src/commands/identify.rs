@@ -1,22 +1,43 @@
 //! `identify`: constants of a muscle from points.
 
 use crate::{
-    Args, Bar, Problem, Units, check_ending, listed, pairs, percent, place, save, table, tabled, understood,
-    value, values,
+    Args, Bar, Problem, Units, burst_first, check_ending, listed, pairs, percent, place, save, table, tabled,
+    understood, value, values,
 };
 use mckibben::{muscle::Bench, units::Dimension};
-use mckibben_app::{IdentifyAnswer, IdentifyRequest, with_error_bar};
-use mckibben_fit::identify::Identification;
+use mckibben_app::{IdentifyAnswer, IdentifyRequest, MotionRequest, TextFile, with_error_bar};
+use mckibben_fit::identify::{Identification, Identified};
 use serde_json::json;
+use std::path::Path;
 
 pub fn run(args: &Args) -> Result<u8, Problem> {
     let target = args.path("output");
     check_ending(target.as_deref(), &["toml"])?;
+    if let Some(log) = args.path("motion") {
+        return of_motion(args, &log, target.as_deref());
+    }
     let mut answer = mckibben_app::identify(&request(args)?, &Bar::new("points"))?;
     args.draw(&mut answer.figure)?;
     save(target.as_deref(), answer.muscle_file.as_bytes())?;
     let written = target.map(|path| format!("\nThe muscle is in {}.\n", place(&path)));
     args.print(&answer, "points", |answer, u| as_text(answer, u) + &written.unwrap_or_default())
+}
+
+/// Constants of a drive from a log of its motion.
+fn of_motion(args: &Args, log: &Path, target: Option<&Path>) -> Result<u8, Problem> {
+    let mut request: MotionRequest = mckibben_app::understood(&args.fields_without(&["muscle"])?.into())?;
+    super::motion::add_files(&mut request, &args.path("file").unwrap_or_default())?;
+    request.log = Some(TextFile::table(log)?);
+    let mut answer = mckibben_app::motion(&request, &Bar::new("motion"))?;
+    args.draw(&mut answer.figure)?;
+    let Some(identified) = &answer.identified else { return Ok(0) };
+    save(target, identified.drive_file.as_bytes())?;
+    let written = target.map(|path| format!("\nThe drive is in {}.\n", place(path)));
+    args.print(&answer, "series", |answer, u| {
+        let errors = tabled(&identified.errors, "of=log rms:3 held_out_rms=second_half,_predicted:3", u);
+        let table = format!("model {}\n\n{}\n{errors}", answer.model, constants(&identified.parameters, u));
+        burst_first(&answer.warnings) + &table + &written.unwrap_or_default()
+    })
 }
 
 fn request(args: &Args) -> Result<IdentifyRequest, Problem> {
@@ -47,21 +68,7 @@ fn as_text(answer: &IdentifyAnswer, u: &Units) -> String {
     let (points, muscle) = (answer.points.len(), answer.muscle.line(u));
     let mut out = understood(&answer.understood);
     out += &format!("model {}, {points} points of {}\n{muscle}\n\n", answer.model, answer.data);
-    let rows = identified.parameters.iter().map(|p| {
-        let mut row = value(p);
-        let (value, bar) = with_error_bar(p);
-        (row["shown"], row["bar"]) = (value.into(), bar.into());
-        row["determined"] = match p {
-            p if p.identifiable => "yes",
-            p if p.at_bound => "no (on its bound)",
-            p if p.implausible => "no (too much)",
-            p if !p.matters => "no (no effect)",
-            _ => "no",
-        }
-        .into();
-        row
-    });
-    out += &tabled(rows, PARAMETERS, u);
+    out += &constants(&identified.parameters, u);
     if identified.parameters.len() > 1 {
         out += &correlation(identified);
     }
@@ -79,6 +86,24 @@ fn as_text(answer: &IdentifyAnswer, u: &Units) -> String {
     }
     out.extend(answer.warnings.iter().map(|note| format!("- {note}\n")));
     out
+}
+
+fn constants(parameters: &[Identified], u: &Units) -> String {
+    let rows = parameters.iter().map(|p| {
+        let mut row = value(p);
+        let (value, bar) = with_error_bar(p);
+        (row["shown"], row["bar"]) = (value.into(), bar.into());
+        row["determined"] = match p {
+            p if p.identifiable => "yes",
+            p if p.at_bound => "no (on its bound)",
+            p if p.implausible => "no (too much)",
+            p if !p.matters => "no (no effect)",
+            _ => "no",
+        }
+        .into();
+        row
+    });
+    tabled(rows, PARAMETERS, u)
 }
 
 /// Where a bench was, and how far its pulls are known.

@@ -12,7 +12,7 @@ use serde_json::json;
 use std::path::Path;
 
 /// The files that a drive file names, in its request.
-fn add_files(request: &mut MotionRequest, path: &Path) -> Result<(), Problem> {
+pub(super) fn add_files(request: &mut MotionRequest, path: &Path) -> Result<(), Problem> {
     let drive = files::text(path)?;
     let beside = path.parent().unwrap_or(Path::new(""));
     let names = MotionRequest::names_of(&drive)?;
@@ -64,7 +64,7 @@ fn as_text(answer: &MotionAnswer, u: &Units) -> String {
     text
 }
 
-const KEYS: &str = "value=with rise_time_s=rise_time_(10–90_%) settling_time_s=settling_time_(2_%) fill_time_s vent_time_s overshoot:% largest_velocity_deg_per_s=largest_velocity largest_velocity_mm_per_s=largest_velocity largest_power_w=largest_power liquid_volume_mm3=liquid_pushed_in air_normal_litres=air_from_the_supply air_normal_litres_per_cycle=air_of_a_cycle energies.work_j=work energies.exergy_j=exergy_of_the_air,_or_work_on_the_liquid efficiency=work_over_exergy:% loop_area=loop_of_position_over_pressure_(MPa_times_mm_or_rad) bandwidth_hz=bandwidth_(−3_dB)";
+const KEYS: &str = "value=with rise_time_s=rise_time_(10–90_%) settling_time_s=settling_time_(2_%) fill_time_s vent_time_s overshoot:% largest_velocity_deg_per_s=largest_velocity largest_velocity_mm_per_s=largest_velocity largest_power_w=largest_power liquid_volume_mm3=liquid_pushed_in air_normal_litres=air_from_the_supply air_normal_litres_per_cycle=air_of_a_cycle energies.work_j=work energies.exergy_j=exergy_of_the_air,_or_work_on_the_liquid efficiency=work_over_exergy:% bandwidth_hz=bandwidth_(−3_dB)";
 
 fn one(of: &MotionRun, u: &Units) -> String {
     let run = &of.motion;

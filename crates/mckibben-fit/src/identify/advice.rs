@@ -256,7 +256,7 @@ fn unidentifiable(result: &Identification) -> Vec<String> {
             format!(
                 "{name} {value} {unit} gives an end displacement of more than 0.3 of the outer diameter, more than that of any known muscle: it is not determined; an error in another constant (length, angle, modulus) is more likely"
             )
-        } else if let Some(law) = never_locks(result, p.target) {
+        } else if let Some(law) = p.target.and_then(|target| never_locks(result, target)) {
             format!(
                 "{name} is not identifiable: no chains lock within these points, and with {value} the {law} law has no limit in a muscle; a law without one fits as well: law = \"neo-hookean\""
             )
@@ -268,7 +268,7 @@ fn unidentifiable(result: &Identification) -> Vec<String> {
             format!(
                 "{name} is at its bound, {at}: the best fit lies beyond it; widen the bound, or fix the parameter"
             )
-        } else if p.target == Target::Stiffness && p.value > 30.0 * p.start {
+        } else if p.target == Some(Target::Stiffness) && p.value > 30.0 * p.start {
             let stiffness = p.value;
             format!(
                 "{name} grows without limit ({stiffness:.1e} N/mm): inextensible strands fit these data equally well; set it to \"inextensible\""
@@ -290,7 +290,7 @@ fn unidentifiable(result: &Identification) -> Vec<String> {
 
 /// An identified modulus that no rubber has.
 fn no_rubber(result: &Identification) -> Option<String> {
-    let is_free = result.parameters.iter().any(|p| p.target.is_of_law());
+    let is_free = result.parameters.iter().any(|p| p.target.is_some_and(Target::is_of_law));
     let modulus_mpa = result.muscle.tube().rubber.law.shear_modulus_mpa();
     (is_free && !(MODULI.0..=MODULI.1).contains(&modulus_mpa)).then(|| {
         format!(

@@ -10,7 +10,7 @@
 use super::problem::Problem;
 use super::{Identification, PointFit, Request};
 use crate::least_squares::{Estimate, Unknown, slopes, t95};
-use crate::measured::{DataPoint, MeasuredPoint};
+use crate::measured::{DataPoint, MeasuredPoint, Section};
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Bench, Direction};
 use mckibben::units::plausible;
@@ -29,8 +29,11 @@ pub(super) struct Minimum<'a> {
 pub(super) fn bench(request: &Request<'_>, result: &Identification, minimum: &Minimum<'_>) -> Option<Bench> {
     let (candidate, covariance) = (&result.candidate, &minimum.estimate.covariance);
     let muscle = &candidate.muscle;
-    let is_of_muscle = |f: &&PointFit| candidate.section_muscle(&f.point.section).is_ok_and(|m| m == *muscle);
-    let points: Vec<&PointFit> = result.points.iter().filter(is_of_muscle).collect();
+    let is_of_muscle = |section: Section| candidate.section_muscle(&section).is_ok_and(|m| m == *muscle);
+    // In any of its lengths.
+    let points = result.points.iter();
+    let points = points.filter(|f| is_of_muscle(Section { length_mm: None, ..f.point.section }));
+    let points: Vec<&PointFit> = points.collect();
     let offset = candidate.contraction_offset;
     let range = |value: &dyn Fn(&PointFit) -> f64| {
         let list = points.iter().map(|f| value(f));
@@ -38,7 +41,7 @@ pub(super) fn bench(request: &Request<'_>, result: &Identification, minimum: &Mi
     };
     let pressure_mpa = range(&|f| f.point.at.pressure_mpa);
     let contraction = range(&|f| f.point.at.contraction + offset);
-    if points.is_empty() {
+    if !points.iter().any(|f| is_of_muscle(f.point.section)) {
         return None;
     }
     // The first row in time order may state none: the way of the others is known.

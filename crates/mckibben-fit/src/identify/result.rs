@@ -3,13 +3,14 @@
 use super::{Candidate, Target};
 use crate::measured::{DataPoint, Quantity};
 use mckibben::muscle::{Bench, Direction, Muscle};
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 /// One identified parameter.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Identified {
+    /// The constant of the muscle; `None` of a drive's.
     #[serde(skip)]
-    pub target: Target,
+    pub target: Option<Target>,
     /// Its name, as in the muscle file.
     pub name: String,
     /// Where the search began.
@@ -26,6 +27,7 @@ pub struct Identified {
     #[schemars(with = "Option<f64>")]
     pub half_width: f64,
     /// The half-width up to which it counts as identifiable.
+    #[serde(skip)]
     pub limit: f64,
     /// Whether the data determine it.
     pub identifiable: bool,
@@ -34,6 +36,7 @@ pub struct Identified {
     /// Whether the points change with it at all.
     pub matters: bool,
     /// Whether it is an end whose displacement is more than that of any known muscle: 0.3 of the outer diameter.
+    #[serde(skip)]
     pub implausible: bool,
 }
 
@@ -89,8 +92,7 @@ pub struct Identification {
     /// Residuals by branch, by measured quantity, and by table.
     pub spreads: Vec<Spread>,
     /// Points that were left out because the muscle was slack.
-    #[serde(rename = "slack_points", serialize_with = "count")]
-    #[schemars(with = "usize")]
+    #[serde(skip)]
     pub slack: Vec<DataPoint>,
     /// The points that counted.
     #[serde(skip)]
@@ -109,10 +111,6 @@ pub struct Identification {
     pub bench: Option<Bench>,
 }
 
-fn count<S: Serializer>(points: &[DataPoint], serializer: S) -> Result<S::Ok, S::Error> {
-    points.len().serialize(serializer)
-}
-
 impl Identification {
     /// The muscle with its bench, where it has one.
     pub fn with_bench(&self) -> Muscle {
@@ -121,7 +119,7 @@ impl Identification {
     }
 
     pub fn parameter(&self, target: Target) -> Option<&Identified> {
-        self.parameters.iter().find(|p| p.target == target)
+        self.parameters.iter().find(|p| p.target == Some(target))
     }
 }
 

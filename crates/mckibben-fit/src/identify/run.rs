@@ -300,7 +300,7 @@ fn parameters(problem: &Problem<'_>, minimum: &Minimum<'_>, muscle: &Muscle) -> 
         let displacement = end_displacement_mm(request, target, value, muscle);
         let implausible = displacement.is_some_and(|mm| mm > LONGEST_END * muscle.outer_diameter_mm());
         Identified {
-            target,
+            target: Some(target),
             name: target.name(request.muscle),
             start: unknowns[i].start,
             value,

@@ -41,7 +41,8 @@ pub enum Measurement {
 pub struct MuscleCase {
     /// What is known of it.
     pub facts: Facts,
-    /// The rms error over the blocked force that passes in the first fit: that of finite elements, rounded up. A regression.
+    /// The rms error over the blocked force that passes in the first fit: that of finite elements, rounded up. A regression. `None` of a set
+    /// whose lengths differ as specimens do: it is judged by the points that are left out of fits alone.
     pub rms_of_blocked: Option<f64>,
     /// The points that pull.
     pub points: Vec<DataPoint>,

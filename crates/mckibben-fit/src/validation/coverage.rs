@@ -14,7 +14,7 @@ pub const COVERAGE: f64 = 0.95;
 /// The share of the points of each set that the ± covers, of the means of the branches and of the single branches.
 pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
     let sets = match muscles() {
-        Ok(sets) => sets,
+        Ok(sets) => sets.into_iter().filter(|set| set.rms_of_blocked.is_some()).collect::<Vec<_>>(),
         // Measurements that are built in and cannot be read: a case that fails.
         Err(error) => {
             let name = format!("measured muscles: {error}");

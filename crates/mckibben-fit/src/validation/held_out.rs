@@ -44,7 +44,7 @@ fn held_out_residuals(set: &MuscleCase, fit: &CaseFit, by: Fitter<'_>) -> Result
     let (_, constants) = by.fitted(fit, &points)?;
     let mut fit = fit.clone();
     for free in &mut fit.free {
-        free.start = constants.iter().find(|p| p.target == free.target).map(|p| p.value).or(free.start);
+        free.start = constants.iter().find(|p| p.target == Some(free.target)).map(|p| p.value).or(free.start);
     }
     let mut all = vec![];
     for part in 0..PARTS {

@@ -86,7 +86,11 @@ fn specimens(build: &Build<'_>) -> Vec<VerificationRow> {
         let other = &to.fits.first()?.muscle;
         let is_product = from.facts.product.is_some();
         let is_sibling = is_product || muscle.tube().outer_diameter_mm == other.tube().outer_diameter_mm;
-        if from.facts.name == to.facts.name || from.facts.product != to.facts.product || !is_sibling {
+        if to.rms_of_blocked.is_none()
+            || from.facts.name == to.facts.name
+            || from.facts.product != to.facts.product
+            || !is_sibling
+        {
             return None;
         }
         let braid = if is_product { muscle.braid() } else { other.braid() };

@@ -104,8 +104,8 @@ mod tests {
     fn agrees(refit: &Identified, identified: &Muscle, kept: &Muscle) -> bool {
         let modulus = |m: &Muscle| m.tube().rubber.law.shear_modulus_mpa();
         let value = match refit.target {
-            Target::Modulus => Some(refit.value * modulus(kept) / modulus(identified)),
-            target => target.value(kept),
+            Some(Target::Modulus) => Some(refit.value * modulus(kept) / modulus(identified)),
+            target => target.and_then(|target| target.value(kept)),
         };
         let half = if refit.half_width.is_finite() { refit.half_width } else { 0.0 };
         value.is_some_and(|value| (value - refit.value).abs() <= (1e-4 * refit.value.abs()).max(1e-3 * half))

@@ -82,7 +82,6 @@ impl Table {
             columns,
             headings,
             heading_line: line,
-            units_line: None,
             separator,
             decimal: Decimal::Point,
             vocabulary,
@@ -141,7 +140,6 @@ impl Table {
                 _ => {}
             }
         }
-        self.units_line = Some(row.line);
         self.columns = columns;
         self.rows.remove(0);
         Ok(())

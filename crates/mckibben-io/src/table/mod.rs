@@ -26,7 +26,7 @@ mod workbook;
 pub use columns::Columns;
 pub use error::TableError;
 pub use load::read_load;
-pub use over_time::{OverTime, read_over_time};
+pub use over_time::{Log, OverTime, Series, read_log, read_over_time};
 #[cfg(feature = "import")]
 pub use text::read_text;
 pub use understood::{Understood, UnderstoodColumn};
@@ -52,7 +52,6 @@ pub struct Table {
     headings: Vec<String>,
     /// `None` where there is no heading.
     heading_line: Option<u64>,
-    units_line: Option<u64>,
     separator: Separator,
     decimal: Decimal,
     vocabulary: &'static vocabulary::Vocabulary,

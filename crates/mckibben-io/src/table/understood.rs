@@ -18,9 +18,6 @@ pub struct Understood {
     pub not_filled: usize,
     /// The line of the heading, from 1; null where columns were chosen by number.
     pub heading_line: Option<u64>,
-    /// The line of units below it, where there is one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub units_line: Option<u64>,
     /// What is between fields: comma, semicolon, tab, bar or spaces.
     pub separator: String,
     /// The decimal mark: point or comma.
@@ -113,7 +110,6 @@ impl Table {
             left_out: self.left_out,
             not_filled: self.not_filled,
             heading_line: self.heading_line,
-            units_line: self.units_line,
             separator: self.separator.name().into(),
             decimal: if self.decimal == Decimal::Comma { "comma" } else { "point" }.into(),
             columns: columns.collect(),

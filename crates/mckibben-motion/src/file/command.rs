@@ -99,7 +99,8 @@ fn read_command(
             let invalid = |e: String| wrong(format!("which is not valid: {e}"));
             let table = tables.texts.get(name.trim());
             let table = table.ok_or_else(|| wrong("which was not supplied".into()))?;
-            let points = read_over_time(table, what).map_err(|e| invalid(e.to_string()))?;
+            let points =
+                read_over_time(table, what, tables.rest_length_mm).map_err(|e| invalid(e.to_string()))?;
             return Command::table(points).map(Some).map_err(|e| invalid(e.to_string()));
         }
         spoken(text, dimension)

@@ -8,7 +8,8 @@ use crate::drive::{Actuator, Supply, Target};
 use crate::fluid::Fluid;
 use crate::viscoelastic::Prony;
 use mckibben::load::{Load, LoadTable};
-use mckibben::muscle::file::{FileError, Section, Source};
+use mckibben::muscle::file::{FileError, Section, Source, dimension, keys};
+use mckibben::units::Dimension;
 use mckibben_io::table::read_load;
 use std::collections::BTreeMap;
 
@@ -54,11 +55,15 @@ pub struct DriveFile {
     pub load: Option<Load>,
     /// The contraction at which both ends of a muscle are held, in place of a load.
     pub held: Option<f64>,
+    /// The contraction from which the load of a muscle is released at rest, in place of its equilibrium.
+    pub start: Option<f64>,
     /// Damper of a muscle's load in N s/m.
     pub damping_n_s_per_m: f64,
     /// Stops of a muscle's load: shortenings in mm.
     pub stops_mm: (f64, f64),
-    /// Presliding length of the friction in mm; that of the muscle, where there is none.
+    /// C of the friction in N/MPa^β; that of the muscle, where there is none.
+    pub friction_coefficient: Option<f64>,
+    /// Presliding length of the friction in mm, likewise.
     pub presliding_mm: Option<f64>,
     /// Viscoelasticity of the rubber.
     pub rubber: Prony,
@@ -113,8 +118,10 @@ pub fn parse_drive(text: &str, tables: &Tables) -> Result<DriveFile, FileError> 
         fluid,
         load: line(&load, tables)?,
         held: held(&load)?,
+        start: load.get("start"),
         damping_n_s_per_m: load.get("damping").unwrap_or(0.0),
         stops_mm: load.get("stops").unwrap_or((f64::NEG_INFINITY, f64::INFINITY)),
+        friction_coefficient: root.at("friction").get("coefficient"),
         presliding_mm: root.at("friction").get("presliding"),
         rubber: Prony(prony.branches),
         target: command::target(&command, &root.at("controller"), about_joint, tables)?,
@@ -184,6 +191,26 @@ pub fn with_value(text: &str, dotted: &str, value: &str) -> Result<String, FileE
     Ok(document.to_string())
 }
 
+/// The dimension of the number at a dotted key of a drive file, and the number in the unit used inside, where it is written.
+///
+/// # Errors
+/// [`FileError`] for a text that is no drive file, or a key that has no number.
+pub fn number_at(text: &str, dotted: &str) -> Result<(Dimension, Option<f64>), FileError> {
+    let (source, _) = source(text)?;
+    let (table, name) = dotted.split_once('.').unwrap_or(("", dotted));
+    let tables = keys("drive-file");
+    let inside = tables.iter().find(|key| key.name == table).and_then(|key| key.table(None));
+    let key = inside.into_iter().flatten().find(|key| key.name == name);
+    let dimension = key.and_then(|key| match key.kind.rsplit(' ').next()? {
+        "number" => Some(Dimension::Ratio),
+        word => dimension(word),
+    });
+    let dimension = dimension.ok_or_else(|| {
+        source.error(dotted, "is not a number of a drive file; one is valve.sonic_conductance")
+    })?;
+    Ok((dimension, source.root().at(table).get(name)))
+}
+
 fn supply(section: &Section<'_>) -> Result<Supply, FileError> {
     let default = Supply::default();
     let celsius: Option<f64> = section.get("temperature");
@@ -221,7 +248,7 @@ fn line(section: &Section<'_>, tables: &Tables) -> Result<Option<Load>, FileErro
 /// The contraction at which both ends are held; it goes with no other key of the load.
 fn held(section: &Section<'_>) -> Result<Option<f64>, FileError> {
     let Some(contraction) = section.get::<f64>("held") else { return Ok(None) };
-    let mut others = ["mass", "level", "line", "damping", "stops"].into_iter();
+    let mut others = ["mass", "level", "line", "damping", "stops", "start"].into_iter();
     if let Some(key) = others.find(|key| section.has(key)) {
         return Err(section.error(key, "conflicts with held: a muscle with fixed ends moves no load"));
     }

@@ -30,7 +30,7 @@
 //!   two laboratories, give. Of a law that locks, `rubber` then has what its limit makes, against a neo-Hookean rubber of the same modulus: the limit that
 //!   the pull of one muscle gives is not that of its rubber.
 //! - `length_transfer`, beside the others, of a muscle whose constants were identified at other lengths ([`Muscle::off_identified_lengths`]): a share of the
-//!   blocked force at the same pressure, in proportion to |Δ(D0/L0)|, which the three lengths of a DMSP-10 hose give.
+//!   blocked force at the same pressure, in proportion to |Δ(D0/L0)| up to a largest one, which three lengths of a DMSP-10 hose and five of a DMSP-20 hose give.
 //!
 //! Below the lowest pressure of the bench that the constants come from, the blocked force of `measured`, `transfer` and `length_transfer` is that at this
 //! pressure: what a sleeve takes up before it pulls is an error of the pressure, which does not vanish with it.
@@ -82,9 +82,11 @@ pub const STIFFNESS_WAY: f64 = 0.37;
 /// DMSP-10 muscles of one laboratory by the constants from the other one, in both directions.
 const TRANSFER: f64 = 0.24;
 
-/// What the constants of one length err by at another one, over the blocked force, for each unit of |Δ(D0/L0)|: with it the ± holds 95 % of the points
-/// of each length of a DMSP-10 hose by the constants of each other one.
-const LENGTH: f64 = 8.3;
+/// What the constants of one length err by at another one, over the blocked force, for each unit of |Δ(D0/L0)|, and at most: with it the ± holds 92 % of the
+/// points or more of each of three lengths of a DMSP-10 hose and of five of a DMSP-20 hose by the constants of each other one. The blocked force of the second
+/// scatters from length to length, as of specimens.
+const LENGTH: f64 = 13.0;
+const LENGTH_MOST: f64 = 0.38;
 
 /// What identification from 10 points leaves, over the blocked force: 4 to 10 % of four measured muscles.
 const IDENTIFIED: f64 = 0.06;
@@ -93,7 +95,7 @@ const IDENTIFIED: f64 = 0.06;
 const ELEMENTS: &str = "fe";
 
 /// What is known of every ± besides the model's own part, in a sentence.
-const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.42 times shear modulus times wall section, which cover 95 % of the points of each of five sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; braid: what the factor makes within which the stiffness of the strands is known, by thick-wall; data sheets: 20 % of the pressure's share of the pull, P ∂F/∂P, of a muscle in a named sleeve, by which pulls that were predicted from stated dimensions were off; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; on a selected branch of a muscle that does not, the estimated half-width, 0.085 of the pull of its strands along the axis, which covers 95 % of single branches of each of two braided muscles by the constant of the other one, of one laboratory; fit: in the place of all of these on the bench that the muscle was identified from, and nowhere below the scatter of its points, with friction beside it where they do not state both branches or their means; another length: 8.3 |Δ(D0/L0)| of the blocked force beside them where the muscle was identified at other lengths, which covers 95 % of the points of each of three lengths of one hose by the constants of each other one; another specimen: 24 % of the blocked force beside them where somebody else identified the muscle (`laboratory`), or it differs by more than its length, which covers 95 % of the points that two laboratories measured of one product, and, with what the limit of its rubber makes, of two hand-made muscles of 20° and 30° by the constants of each other; below the lowest pressure of the bench the shares are of the blocked force there; all parts add as squares; no muscle is known whose tube and sleeve are stated as sold and whose pull was published, so that no set tests a prediction from data sheets alone";
+const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.42 times shear modulus times wall section, which cover 95 % of the points of each of five sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; braid: what the factor makes within which the stiffness of the strands is known, by thick-wall; data sheets: 20 % of the pressure's share of the pull, P ∂F/∂P, of a muscle in a named sleeve, by which pulls that were predicted from stated dimensions were off; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; on a selected branch of a muscle that does not, the estimated half-width, 0.085 of the pull of its strands along the axis, which covers 95 % of single branches of each of two braided muscles by the constant of the other one, of one laboratory; fit: in the place of all of these on the bench that the muscle was identified from, and nowhere below the scatter of its points, with friction beside it where they do not state both branches or their means; another length: 13 |Δ(D0/L0)| of the blocked force, 38 % at most, beside them where the muscle was identified at other lengths, which covers 92 % of the points or more of each length of two hoses, of three and of five lengths, by the constants of each other one; another specimen: 24 % of the blocked force beside them where somebody else identified the muscle (`laboratory`), or it differs by more than its length, which covers 95 % of the points that two laboratories measured of one product, and, with what the limit of its rubber makes, of two hand-made muscles of 20° and 30° by the constants of each other; below the lowest pressure of the bench the shares are of the blocked force there; all parts add as squares; no muscle is known whose tube and sleeve are stated as sold and whose pull was published, so that no set tests a prediction from data sheets alone";
 
 /// How the parts of a ± are known, in a sentence.
 pub fn basis_of(accuracy: &Accuracy) -> String {
@@ -223,7 +225,7 @@ impl Evaluation<'_> {
         let own = Pull { evaluation: self, pressure_mpa, contraction, force_n }.of_specimen()?;
         let of_another = muscle.laboratory().is_some() || muscle.differs_from_identified();
         let transfer = of_another.then_some(TRANSFER);
-        let length = muscle.off_identified_lengths().map(|off| LENGTH * off);
+        let length = muscle.off_identified_lengths().map(|off| (LENGTH * off).min(LENGTH_MOST));
         // A formula of a bought muscle was held against measured pulls.
         if is_of_product(self.model) || transfer.is_none() && length.is_none() {
             return Some(own);

@@ -1,0 +1,241 @@
+//! Constants of a drive from a recorded motion.
+//!
+//! Least squares of what the log has over time (pressure of the first muscle, contraction, angle) in the first half of its time,
+//!
+//!   r = (y(t; θ) − y)/s,   s the rms of a quantity's residuals in the fit before, at first its scatter
+//!
+//! with y(t; θ) the motion of the drive. Residuals of neighbouring rows are alike where the model errs: with ρ their correlation the ± is larger by √((1 + ρ)/(1 − ρ)), as of
+//! a first-order autoregression. A constant that the log does not determine keeps the value of the file, and the others are fitted again. The second half is predicted.
+
+use super::{MotionRequest, Moved};
+use crate::{Problem, ProblemKind, Result, TextFile, with_error_bar};
+use mckibben::progress::Progress;
+use mckibben::units::{Dimension, parse_quantity};
+use mckibben_fit::identify::Identified;
+use mckibben_fit::least_squares::{Loss, Unknown, estimate};
+use mckibben_io::table::{Log, OverTime, Series, read_log};
+use mckibben_motion::{Command, Drive, number_at, run, with_value};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Constants of a drive that were identified from a recorded motion.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct IdentifiedDrive {
+    /// Of a recorded motion: the constants, with value and error.
+    pub parameters: Vec<Identified>,
+    /// Errors of the motion with them.
+    pub errors: Vec<LogErrors>,
+    /// The drive file with those that are identifiable.
+    pub drive_file: String,
+}
+
+/// Root mean squares of model − log, in MPa, degrees or as a contraction ratio.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct LogErrors {
+    /// The quantity.
+    pub of: String,
+    /// Of the first half of the log, to which the constants were fitted.
+    pub rms: f64,
+    /// Of the second half, which was predicted.
+    pub held_out_rms: f64,
+}
+
+/// What is free unless somebody says otherwise, and a start where the file has none: L/(s bar), mm³, N s/m, N/MPa^β.
+const USUAL: [(&str, f64); 4] = [
+    ("valve.sonic_conductance", 0.5),
+    ("air.dead_volume", 1e4),
+    ("load.damping", 100.0),
+    ("friction.coefficient", 50.0),
+];
+/// Relative tolerance of the integration: its error is small beside the steps of the derivatives.
+const TOLERANCE: f64 = 1e-8;
+/// Points of the series that the log is compared with, at least.
+const POINTS: f64 = 1000.0;
+/// Share of a quantity's scatter below which its residuals are rounding.
+const ROUNDING: f64 = 1e-6;
+
+/// A free constant of the drive.
+struct Free {
+    name: String,
+    dimension: Dimension,
+    start: f64,
+}
+
+/// A recorded motion, and the drive that is to move like it.
+struct Fit<'a> {
+    moved: &'a Moved,
+    request: &'a MotionRequest,
+    text: &'a str,
+    log: Log,
+    progress: &'a dyn Progress,
+}
+
+impl Moved {
+    /// The constants of the drive in `text` from a log of its motion.
+    pub(super) fn identify(
+        &self,
+        request: &MotionRequest,
+        text: &str,
+        log: &TextFile,
+        progress: &dyn Progress,
+    ) -> Result<IdentifiedDrive> {
+        let position = if self.joint.is_some() { OverTime::Angle } else { OverTime::Contraction };
+        let log = read_log(&log.text, &[OverTime::Pressure, position], self.length_mm())
+            .map_err(|error| Problem::of_table(&log.name, &error))?;
+        let times = || log.iter().flat_map(|(_, points)| points).map(|point| point.0);
+        let end_s = times().fold(0.0, f64::max);
+        let half_s = 0.5 * (times().fold(end_s, f64::min) + end_s);
+        let fit = Fit { moved: self, request, text, log, progress };
+        let mut free = fit.free()?;
+        let mut parameters = vec![];
+        while !free.is_empty() {
+            let mut fitted = fit.fitted(&free, half_s)?;
+            let doubtful = (0..fitted.len()).filter(|i| !fitted[*i].identifiable);
+            let doubt = |i: &usize| fitted[*i].half_width / fitted[*i].value.abs();
+            let Some(worst) = doubtful.max_by(|a, b| doubt(a).total_cmp(&doubt(b))) else {
+                parameters.extend(fitted);
+                break;
+            };
+            parameters.push(fitted.swap_remove(worst));
+            free.remove(worst);
+        }
+        let mut known = parameters.iter().filter(|p| p.identifiable);
+        let drive_file = known.try_fold(text.to_owned(), |text, p| {
+            with_value(&text, &p.name, format!("{} {}", with_error_bar(p).0, p.unit).trim_end())
+        })?;
+        let error = |(what, list): (OverTime, Series)| {
+            let half = |first| rms(list.iter().filter(|r| (r.0 <= half_s) == first).map(|r| r.1));
+            LogErrors { of: format!("{what:?}").to_lowercase(), rms: half(true), held_out_rms: half(false) }
+        };
+        let errors = fit.residuals(&drive_file, end_s)?.into_iter().map(error).collect();
+        Ok(IdentifiedDrive { parameters, errors, drive_file })
+    }
+}
+
+impl Fit<'_> {
+    /// What is free: as it was named, or the usual constants that the drive has.
+    fn free(&self) -> Result<Vec<Free>> {
+        let wrong =
+            |message: String, hint| Problem::new(ProblemKind::Parameter, message, hint).in_field("free");
+        let one = |text: &str| -> Result<Free> {
+            let (name, value) =
+                text.split_once('=').map_or((text, None), |(name, value)| (name, Some(value)));
+            let name = name.trim().to_owned();
+            let (dimension, written) = number_at(self.text, &name)?;
+            let value = value.map(|value| parse_quantity(value, dimension)).transpose();
+            let value = value.map_err(|error| wrong(error.to_string(), ""))?;
+            let usual = USUAL.iter().find(|usual| usual.0 == name).map(|usual| usual.1);
+            let start = value.or(written).filter(|value| *value > 0.0).or(usual);
+            let start = start.ok_or_else(|| wrong(format!("{name} has no start"), "write NAME=START"))?;
+            Ok(Free { name, dimension, start })
+        };
+        if !self.request.free.is_empty() {
+            return self.request.free.iter().map(|text| one(text)).collect();
+        }
+        let mut free = vec![];
+        for (name, _) in USUAL {
+            let friction = || self.moved.models.iter().any(|m| m.muscle().friction().is_some());
+            let written = number_at(self.text, name)?.1.is_some();
+            if written || name == "friction.coefficient" && friction() {
+                free.push(one(name)?);
+            }
+        }
+        let message = "the drive file states no constant that is usually free";
+        if free.is_empty() { Err(wrong(message.into(), "name some in `free`")) } else { Ok(free) }
+    }
+
+    /// Times and model less log of each quantity, up to a time.
+    fn residuals(&self, text: &str, until_s: f64) -> Result<Log> {
+        let mut file = self.request.parsed(text, self.moved.length_mm())?;
+        file.until_s = until_s;
+        file.output_step_s = file.output_step_s.min(until_s / POINTS);
+        let series = self.moved.with(&file, |drive| {
+            let drive = Drive { tolerance: TOLERANCE, ..drive };
+            Ok(run(&drive, self.progress)?.series)
+        })?;
+        let one = |(what, points): &(OverTime, Series)| {
+            let muscle = series.muscles.first();
+            let values = match what {
+                OverTime::Angle => series.degrees().map(|[angle, _]| angle),
+                OverTime::Pressure => muscle.map(|m| m.pressure_mpa.clone()),
+                _ => muscle.map(|m| m.contraction.clone()),
+            };
+            let times = series.time_s.iter().copied();
+            let model = Command::Ramps(times.zip(values.unwrap_or_default()).collect());
+            let until = points.iter().filter(|p| p.0 <= until_s);
+            (*what, until.map(|p| (p.0, model.value(p.0) - p.1)).collect())
+        };
+        Ok(self.log.iter().map(one).collect())
+    }
+
+    /// The constants of the first half of the log.
+    fn fitted(&self, free: &[Free], half_s: f64) -> Result<Vec<Identified>> {
+        let at = |x: &[f64]| -> Result<Vec<Vec<f64>>> {
+            let mut changed = free.iter().zip(x);
+            let text = changed.try_fold(self.text.to_owned(), |text, (free, value)| {
+                with_value(&text, &free.name, &value.to_string())
+            });
+            let lists = self.residuals(&text?, half_s)?.into_iter();
+            Ok(lists.map(|(_, list)| list.into_iter().map(|r| r.1).collect()).collect())
+        };
+        let scatter = |(_, points): &(OverTime, Series)| {
+            let first = || points.iter().filter(|p| p.0 <= half_s).map(|p| p.1);
+            let mean = first().sum::<f64>() / first().count().max(1) as f64;
+            rms(first().map(|v| v - mean))
+        };
+        let mut scales: Vec<f64> = self.log.iter().map(scatter).collect();
+        let least: Vec<f64> = scales.iter().map(|scale| ROUNDING * scale).collect();
+        let mut x: Vec<f64> = free.iter().map(|free| free.start).collect();
+        // What is wrong with the drive itself is an error here.
+        let weights = vec![1.0; at(&x)?.iter().map(Vec::len).sum()];
+        let scaled = |lists: Vec<Vec<f64>>, scales: &[f64]| -> Vec<Vec<f64>> {
+            let one = |(list, scale): (Vec<f64>, &f64)| list.into_iter().map(|r| r / scale).collect();
+            lists.into_iter().zip(scales).map(one).collect()
+        };
+        let mut found = None;
+        for _ in 0..2 {
+            let unknowns = free.iter().zip(&x).map(|(free, x)| Unknown::above(*x, 0.0, free.start));
+            let residuals = |x: &[f64]| Some(scaled(at(x).ok()?, &scales).concat());
+            let estimated = estimate(&residuals, &Vec::from_iter(unknowns), &weights, Loss::Squares);
+            self.progress.check()?;
+            let estimated = estimated.map_err(|error| {
+                let hint = "give better starts (`free` NAME=START), or free less";
+                Problem::new(ProblemKind::NotConverged, error.to_string(), hint)
+            })?;
+            x.clone_from(&estimated.x);
+            let of = |(list, least): (&Vec<f64>, &f64)| rms(list.iter().copied()).max(*least);
+            scales = at(&x)?.iter().zip(&least).map(of).collect();
+            found = Some(estimated);
+        }
+        let Some(found) = found else { return Ok(vec![]) };
+        let lists = scaled(at(&x)?, &scales);
+        let products = lists.iter().flat_map(|list| list.windows(2)).map(|pair| pair[0] * pair[1]);
+        let squares = lists.iter().flatten().map(|r| r * r).sum::<f64>();
+        let alike = (products.sum::<f64>() / squares).clamp(0.0, 0.9999);
+        let wider = ((1.0 + alike) / (1.0 - alike)).sqrt();
+        let one = |(i, free): (usize, &Free)| {
+            let (value, at_bound) = (x[i], found.at_bound[i]);
+            let (half_width, limit) = (wider * found.half_widths[i], 0.5 * value.abs());
+            Identified {
+                target: None,
+                name: free.name.clone(),
+                start: free.start,
+                value,
+                unit: free.dimension.unit_inside().name,
+                standard_error: wider * found.standard_errors[i],
+                half_width,
+                limit,
+                identifiable: !at_bound && half_width <= limit,
+                at_bound,
+                matters: at_bound || half_width.is_finite(),
+                implausible: false,
+            }
+        };
+        Ok(free.iter().enumerate().map(one).collect())
+    }
+}
+
+fn rms(values: impl Iterator<Item = f64>) -> f64 {
+    let (squares, count) = values.fold((0.0, 0.0_f64), |(sum, count), v| (sum + v * v, count + 1.0));
+    (squares / count.max(1.0)).sqrt()
+}
