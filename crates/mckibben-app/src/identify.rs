@@ -1,13 +1,12 @@
-//! `identify`: constants of rubber, braid and friction from measured or published points.
+//! `identify`: constants of rubber, braid and friction from measured points.
 
 use crate::{
-    DataFields, MeshFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
-    TextFile, UnderstoodTable, Units, check_count, contractions, figure, finite, list, number, steps,
-    warnings::largest_stretch,
+    DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result, TextFile,
+    UnderstoodTable, Units, figure, finite, number, warnings::largest_stretch,
 };
 use mckibben::analysis::{Evaluation, Options};
+use mckibben::muscle::Muscle;
 use mckibben::muscle::file::{parse_muscle, to_toml};
-use mckibben::muscle::{Direction, Muscle};
 use mckibben::{model::Workspace, progress::Progress, warning::Warning};
 use mckibben_fit::identify::{
     Identification, Identified, LawTrial, Parameter, PointFit, Request, Target, identify_default, try_laws,
@@ -39,17 +38,7 @@ pub struct IdentifyRequest {
     pub log: Option<TextFile>,
     /// What the times of `log` lack to those of `data`, s; default: found where the pull follows the pressure.
     pub log_offset_s: Option<f64>,
-    /// A published formula as data: the name of a model, or of one of `formulas`.
-    pub formula: Option<String>,
-    /// Pressures P of `formula` in MPa; default 0.05 to 0.25 by 0.05.
-    pub pressures_mpa: Option<Vec<f64>>,
-    /// Contraction ratios ε of `formula`; default 0 to 0.2 by 0.05.
-    pub contractions: Option<Vec<f64>>,
-    /// Outer diameters D0 of `formula` in mm; default that of the muscle.
-    pub outer_diameters_mm: Option<Vec<f64>>,
-    /// Walls s of `formula` in mm; default that of the muscle.
-    pub walls_mm: Option<Vec<f64>>,
-    /// Weight of each of `data`, then of `formula`; default 1.
+    /// Weight of each of `data`; default 1.
     pub weights: Vec<f64>,
     /// Treatment of the branches of the hysteresis.
     pub branches: Branches,
@@ -212,15 +201,13 @@ impl From<&PointFit> for IdentifiedPoint {
 }
 
 /// The muscle with the identified values as a muscle file.
-fn muscle_file(data: &str, model: &str, identified: &Identification, measured: bool) -> Result<String> {
-    // Points of a formula are no bench.
-    let muscle = if measured { identified.with_bench() } else { identified.muscle.clone() };
+fn muscle_file(data: &str, model: &str, identified: &Identification) -> Result<String> {
     let text = format!(
         "# Identified from {} with the model {}:\n# {}\n{}",
         line(data),
         line(model),
         in_one_line(&identified.parameters),
-        to_toml(&muscle)
+        to_toml(&identified.with_bench())
     );
     readable(text)
 }
@@ -283,7 +270,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     });
     Ok(IdentifyAnswer {
         model: model.name().into(),
-        muscle_file: muscle_file(&origin, model.name(), &identified, request.formula.is_none())?,
+        muscle_file: muscle_file(&origin, model.name(), &identified)?,
         data: origin,
         understood,
         muscle: summary,
@@ -331,15 +318,11 @@ impl IdentifyRequest {
 
     /// All points, and where they come from.
     fn points(&self, muscle: &Muscle) -> Result<Data> {
-        let (mut sets, understood): (Vec<Vec<DataPoint>>, _) =
+        let (sets, understood): (Vec<Vec<DataPoint>>, _) =
             measured_points(&self.tables, self.pressure_log()?, muscle)?.into_iter().unzip();
-        let mut origin: Vec<String> = self.tables.data.iter().map(|file| file.name.clone()).collect();
-        if let Some(name) = &self.formula {
-            sets.push(self.formula_points(name, muscle)?);
-            origin.push(format!("the formula {name}"));
-        }
+        let origin: Vec<String> = self.tables.data.iter().map(|file| file.name.clone()).collect();
         if sets.is_empty() {
-            let hint = "give `data` with pressures, contractions and forces, or `formula` paper";
+            let hint = "give `data` with pressures, contractions and forces";
             return Err(Problem::new(ProblemKind::MissingInput, "there are no data to identify from", hint));
         }
         self.check_weights(sets.len())?;
@@ -354,43 +337,12 @@ impl IdentifyRequest {
         Ok(Data { points, origin: origin.join(", "), understood })
     }
 
-    /// A formula's pulls as if they had been measured.
-    fn formula_points(&self, name: &str, muscle: &Muscle) -> Result<Vec<DataPoint>> {
-        let model = Model::named(name, &self.model.formulas, &MeshFields::default())?;
-        let pressures = list("pressures_mpa", &self.pressures_mpa, || steps(5, 0.05, 0.25))?;
-        let contractions = contractions(&self.contractions, || steps(5, 0.0, 0.2))?;
-        let measures = |field: &str, values: &Option<Vec<f64>>| -> Result<Vec<Option<f64>>> {
-            let Some(_) = values else { return Ok(vec![None]) };
-            Ok(list(field, values, Vec::new)?.into_iter().map(Some).collect())
-        };
-        let diameters = measures("outer_diameters_mm", &self.outer_diameters_mm)?;
-        let walls = measures("walls_mm", &self.walls_mm)?;
-        check_count(&[pressures.len(), contractions.len(), diameters.len(), walls.len()], MOST_POINTS)?;
-        let sections = diameters.iter().flat_map(|&outer_diameter_mm| {
-            let of = move |&wall_mm| Section { outer_diameter_mm, wall_mm, ..Section::default() };
-            walls.iter().map(of)
-        });
-        let at: Vec<(f64, f64)> =
-            contractions.iter().flat_map(|&e| pressures.iter().map(move |&p| (p, e))).collect();
-        let mut points = vec![];
-        for section in sections {
-            let (model, mut workspace) = (model.build(&section.apply(muscle)?)?, Workspace::new());
-            for &(pressure_mpa, contraction) in &at {
-                let force_n = model.force_n(&mut workspace, pressure_mpa, contraction)?;
-                let branch = Some(Direction::Mean);
-                let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
-                points.push(DataPoint { section, line: points.len() as u64 + 2, ..DataPoint::new(at) });
-            }
-        }
-        Ok(points)
-    }
-
     fn check_weights(&self, sets: usize) -> Result<()> {
         let wrong =
             |message: String, hint| Err(Problem::new(ProblemKind::Usage, message, hint).in_field("weights"));
         if !self.weights.is_empty() && self.weights.len() != sets {
             let message = format!("{} numbers for {sets} sets of data", self.weights.len());
-            return wrong(message, "one for each of `data`, then one for `formula`");
+            return wrong(message, "one for each of `data`");
         }
         for &w in &self.weights {
             if finite("weights", w)? < 0.0 {

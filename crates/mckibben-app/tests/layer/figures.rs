@@ -51,10 +51,6 @@ fn figures() -> Vec<(String, Figure)> {
         ("compare", json!({ "models": ["universal", "thick-wall"], "muscle": bench, "data": [points] })),
         ("identify", json!({ "muscle": bench, "data": [points], "model": "thick-wall" })),
         (
-            "identify",
-            json!({ "formula": "paper", "pressures_mpa": nine, "contractions": nine, "model": "thick-wall", "free": ["tube.material.c10"] }),
-        ),
-        (
             "joint",
             with(
                 joint(),

@@ -2,12 +2,11 @@
 
 use crate::{
     Args, Bar, Problem, Units, burst_first, check_ending, listed, pairs, percent, place, save, table, tabled,
-    understood, value, values,
+    understood, value,
 };
-use mckibben::{muscle::Bench, units::Dimension};
+use mckibben::muscle::Bench;
 use mckibben_app::{IdentifyAnswer, IdentifyRequest, MotionRequest, TextFile, with_error_bar};
 use mckibben_fit::identify::{Identification, Identified};
-use serde_json::json;
 use std::path::Path;
 
 pub fn run(args: &Args) -> Result<u8, Problem> {
@@ -41,18 +40,7 @@ fn of_motion(args: &Args, log: &Path, target: Option<&Path>) -> Result<u8, Probl
 }
 
 fn request(args: &Args) -> Result<IdentifyRequest, Problem> {
-    // -D and -s may be lists of a formula's muscles.
-    let mut lists = vec![];
-    for (field, flag, list) in
-        [("outer_diameter_mm", "--outer-diameter", "outer_diameters_mm"), ("wall_mm", "--wall", "walls_mm")]
-    {
-        let Some(text) = args.text(field).filter(|_| args.text("formula").is_some()) else { continue };
-        let several = values(flag, &text, Dimension::Length)?.sampled(4);
-        lists.extend((several.len() > 1).then_some((field, list, several)));
-    }
-    let without: Vec<&str> = lists.iter().map(|l| l.0).collect();
-    let mut fields = args.fields_without(&without)?;
-    fields.extend(lists.into_iter().map(|(_, list, several)| (list.to_owned(), json!(several))));
+    let mut fields = args.fields()?;
     if args.is("robust") {
         fields.insert("loss".into(), "huber".into());
     }
