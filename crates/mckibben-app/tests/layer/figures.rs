@@ -16,6 +16,12 @@ fn figures() -> Vec<(String, Figure)> {
     let nine: Vec<f64> = (1..=9).map(|i| 0.025 * f64::from(i)).collect();
     let bench = text_file("examples/bench.toml");
     let points = text_file("examples/bench.csv");
+    let rows = (0..81).map(|k| {
+        let (p, e) = (0.02 * f64::from(k / 9 + 1), 0.02 * f64::from(k % 9));
+        format!("{p},{e},{}\n", 1500.0 * p * (1.0 - 3.0 * e))
+    });
+    let table = String::from("pressure_mpa,contraction,force_n\n") + &rows.collect::<String>();
+    let of_nine = json!({ "name": "nine.csv", "text": table });
     let joint = || {
         let muscle = text_file("examples/biceps.toml");
         json!({ "joint": text_file("examples/elbow.toml"), "muscles": [muscle, muscle], "model": "universal" })
@@ -50,6 +56,7 @@ fn figures() -> Vec<(String, Figure)> {
         ),
         ("compare", json!({ "models": ["universal", "thick-wall"], "muscle": bench, "data": [points] })),
         ("identify", json!({ "muscle": bench, "data": [points], "model": "thick-wall" })),
+        ("identify", json!({ "muscle": bench, "data": [of_nine], "model": "thick-wall" })),
         (
             "joint",
             with(
