@@ -17,7 +17,7 @@ type Whole = Seated<dyn Simulation>;
 
 /// An error of the muscle between its ends, which are displaced by `displacement_mm`, with contractions of the whole muscle.
 fn for_whole_muscle(muscle: &Whole, displacement_mm: f64, mut error: FemError) -> FemError {
-    let whole = |x: f64| muscle.ends().whole(x, displacement_mm);
+    let whole = |x: f64| muscle.ends.whole(x, displacement_mm);
     match &mut error {
         FemError::Path { contraction, last, .. } => {
             *contraction = whole(*contraction);
@@ -33,13 +33,13 @@ fn for_whole_muscle(muscle: &Whole, displacement_mm: f64, mut error: FemError) -
 
 /// One equilibrium of the muscle between its ends.
 fn inner(muscle: &Whole, w: &mut Workspace, p: f64, x: f64, detail: Detail) -> Result<CurvePoint> {
-    let points = muscle.inner().run(w, Test::Isometric(x), &[p], detail);
+    let points = muscle.inner.run(w, Test::Isometric(x), &[p], detail);
     points.into_iter().next().unwrap_or(Err(FemError::Question { pressure_mpa: p, contraction: x }))
 }
 
 /// x of the ends at a pressure and a contraction of the whole.
 fn between(muscle: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<f64> {
-    let ends = muscle.ends();
+    let ends = &muscle.ends;
     if ends.slip_mm_per_n == 0.0 {
         return Ok(ends.between(e, ends.seating_mm));
     }
@@ -53,14 +53,14 @@ fn between(muscle: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<f64> {
 
 /// x at which a pull is reached: pressure and load of the ends are solved together, by secants.
 fn between_at_pull(muscle: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> Result<f64> {
-    let ends = muscle.ends();
+    let ends = &muscle.ends;
     let at = |p: f64| ends.between(e, ends.end_displacement_mm(p, force_n));
     if ends.slip_mm_per_n == 0.0 {
         return Ok(at(0.0));
     }
     let mut miss = |p: f64| {
         let x = at(p);
-        let reached = muscle.inner().reach(w, Given::ContractionAndPull { contraction: x, force_n });
+        let reached = muscle.inner.reach(w, Given::ContractionAndPull { contraction: x, force_n });
         reached
             .map(|point| point.pressure_mpa - p)
             .map_err(|error| for_whole_muscle(muscle, ends.displacement_between_mm(e, x), error))
@@ -81,7 +81,7 @@ fn between_at_pull(muscle: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> R
 
 /// What is given of the muscle between its ends, their displacement in mm, and the contraction of the whole where it is given.
 fn given_between(muscle: &Whole, w: &mut Workspace, given: Given) -> Result<(Given, f64, Option<f64>)> {
-    let ends = muscle.ends();
+    let ends = &muscle.ends;
     Ok(match given {
         Given::PressureAndContraction { pressure_mpa, contraction: e } => {
             let x = between(muscle, w, pressure_mpa, e)?;
@@ -100,7 +100,7 @@ fn given_between(muscle: &Whole, w: &mut Workspace, given: Given) -> Result<(Giv
 
 /// A response of the muscle between its ends, and its sensitivities, as those of the whole at a contraction, which follows where it is not given.
 fn whole(muscle: &Whole, given: Option<f64>, r: Response, list: &mut [Sensitivity]) -> Response {
-    let ends = muscle.ends();
+    let ends = &muscle.ends;
     let displacement = ends.end_displacement_mm(r.pressure_mpa, r.force_n);
     let state = EndState {
         pressure_mpa: r.pressure_mpa,
@@ -118,7 +118,7 @@ fn whole(muscle: &Whole, given: Option<f64>, r: Response, list: &mut [Sensitivit
 
 /// A point of the muscle between its ends as one of the whole.
 fn whole_point(muscle: &Whole, given: Option<f64>, mut point: CurvePoint) -> CurvePoint {
-    let ends = muscle.ends();
+    let ends = &muscle.ends;
     let slip_mm = ends.slip_mm_per_n * ends.load_n(point.pressure_mpa, point.force_n);
     let contraction = given.unwrap_or_else(|| ends.whole(point.contraction, ends.seating_mm + slip_mm));
     point.response = point.response.map(|r| whole(muscle, given, r, &mut point.sensitivities));
@@ -129,10 +129,10 @@ fn whole_point(muscle: &Whole, given: Option<f64>, mut point: CurvePoint) -> Cur
 impl Simulation for Whole {
     fn solve(&self, workspace: &mut Workspace, given: Given) -> Result<Solution> {
         let (given, displacement, e) = given_between(self, workspace, given)?;
-        let solved = self.inner().solve(workspace, given);
+        let solved = self.inner.solve(workspace, given);
         let mut solution = solved.map_err(|error| for_whole_muscle(self, displacement, error))?;
         solution.response = whole(self, e, solution.response, &mut solution.sensitivities);
-        let (ends, r) = (self.ends(), &solution.response);
+        let (ends, r) = (&self.ends, &solution.response);
         let load_n = ends.load_n(r.pressure_mpa, r.force_n);
         let slip_mm = ends.slip_mm_per_n * load_n;
         solution.energies.ends_n_mm = 0.5 * slip_mm * load_n;
@@ -142,14 +142,14 @@ impl Simulation for Whole {
 
     fn reach(&self, workspace: &mut Workspace, given: Given) -> Result<CurvePoint> {
         let (given, displacement, e) = given_between(self, workspace, given)?;
-        let reached = self.inner().reach(workspace, given);
+        let reached = self.inner.reach(workspace, given);
         let point = reached.map_err(|error| for_whole_muscle(self, displacement, error))?;
-        let e = e.unwrap_or_else(|| self.ends().whole(point.contraction, displacement));
+        let e = e.unwrap_or_else(|| self.ends.whole(point.contraction, displacement));
         Ok(whole_point(self, Some(e), point))
     }
 
     fn run(&self, workspace: &mut Workspace, test: Test, values: &[f64], detail: Detail) -> Curve {
-        let ends = self.ends();
+        let ends = &self.ends;
         if ends.slip_mm_per_n > 0.0 && !matches!(test, Test::Isotonic(_)) {
             // Each with its end state: in the order of the test, as the elements go from one to the next.
             let mut out: Curve = vec![Err(Cancelled.into()); values.len()];
@@ -181,7 +181,7 @@ impl Simulation for Whole {
             Test::Isometric(e) => Some(e),
             Test::Isobaric(_) => values.get(i).copied(),
         };
-        let points = self.inner().run(workspace, between, &at, detail);
+        let points = self.inner.run(workspace, between, &at, detail);
         let one = |(i, point): (usize, Result<CurvePoint>)| {
             let point = point.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
             Ok(whole_point(self, whole(i), point))

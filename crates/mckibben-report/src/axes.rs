@@ -91,10 +91,6 @@ struct Gutters {
     bottom: f64,
 }
 
-fn y_wanted(height: f64) -> usize {
-    ((height / 40.0).round() as usize).clamp(2, 8)
-}
-
 /// The drawn parts of a plot.
 fn room_of(panel: &Panel, axes: &Axes) -> Room {
     let frame = axes.frame();
@@ -153,7 +149,7 @@ impl<'a> Grid<'a, '_> {
             h: (cell.h - gutters.top - gutters.bottom).max(1.0),
         };
         let x = self.x_scale(panel, x_data, plot.w)?;
-        let y = ticks::scale(&panel.y, y_data, y_wanted(plot.h))?;
+        let y = ticks::scale(&panel.y, y_data, ((plot.h / 40.0).round() as usize).clamp(2, 8))?;
         let x_label = self.wrapped(&panel.x.label, plot.w);
         let y_label = self.wrapped(&panel.y.label, plot.h);
         Ok(Axes { plot, x, y, x_label, y_label, y_label_x: cell.x + LABEL_ROW / 2.0 })

@@ -23,7 +23,7 @@ pub(crate) fn reaches_edge(line: &[Spot], plot: &Rect) -> bool {
 
 /// Places the texts of the lines.
 pub(crate) fn for_lines(lines: Vec<Ended>, metrics: &Metrics, room: &mut Room) -> Vec<Label> {
-    let plot = room.plot();
+    let plot = room.plot;
     let (edge, inner): (Vec<_>, Vec<_>) =
         lines.into_iter().filter(|l| !l.line.is_empty()).partition(|l| reaches_edge(&l.line, &plot));
     let mut labels = beside_plot(edge, &plot);
@@ -71,7 +71,7 @@ fn spread(wanted: &[f64], step: f64, low: f64, high: f64) -> Vec<f64> {
 
 /// A text beside its line, as near to its end as there is room.
 fn along(line: Ended, metrics: &Metrics, room: &mut Room) -> Option<Label> {
-    let within = room.plot().grown(-2.0);
+    let within = room.plot.grown(-2.0);
     let w = metrics.width(&line.text, SIZE);
     let mut best: Option<(f64, Spot)> = None;
     for number in 0..=STATIONS {

@@ -7,7 +7,8 @@ const CELL: f64 = 3.0;
 
 /// A coarse picture of the drawn lines and points, and the boxes of placed texts.
 pub(crate) struct Room {
-    plot: Rect,
+    /// The plot this is about.
+    pub plot: Rect,
     columns: usize,
     rows: usize,
     /// Whether something is drawn in the cell.
@@ -20,11 +21,6 @@ impl Room {
         let columns = (plot.w / CELL).ceil().max(1.0) as usize;
         let rows = (plot.h / CELL).ceil().max(1.0) as usize;
         Self { plot, columns, rows, cells: vec![false; columns * rows], boxes: Vec::new() }
-    }
-
-    /// The plot this is about.
-    pub fn plot(&self) -> Rect {
-        self.plot
     }
 
     /// Notes a drawn line.

@@ -100,7 +100,6 @@ impl WallFit {
 /// The results of all steps of the method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PaperMethod {
-    pub rules: Rules,
     /// Steps 1–2.
     pub curves: Vec<CurveFit>,
     /// Step 3.
@@ -142,7 +141,7 @@ pub fn paper_method(points: &[FitPoint], rules: Rules) -> Result<PaperMethod> {
         walls.push(parabolas(d, &lines[start..])?);
     }
     let (coefficients, r2) = over_diameters(&walls)?;
-    Ok(PaperMethod { rules, curves, lines, walls, r2, coefficients })
+    Ok(PaperMethod { curves, lines, walls, r2, coefficients })
 }
 
 fn enough(quantity: &'static str, count: usize, needed: usize, place: impl Fn() -> String) -> Result<()> {

@@ -8,7 +8,7 @@ use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
 use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
 use crate::{FemError, Result};
-use mckibben::muscle::{Bulk, Crimp, Muscle, Parts, StrandLay};
+use mckibben::muscle::{Bulk, Crimp, Parts, StrandLay};
 use mckibben::rubber::over_time::OgdenRoxburgh;
 use mckibben::rubber::{Law, RubberLaw};
 
@@ -61,11 +61,6 @@ pub struct Problem {
 
 impl Problem {
     /// Rubber and braid of a muscle between bonded terminals.
-    pub fn from_muscle(muscle: &Muscle) -> Self {
-        Self::from_parts(muscle.parts())
-    }
-
-    /// The same of its parts.
     pub fn from_parts(parts: &Parts) -> Self {
         let Parts { tube, braid, .. } = parts;
         let rubber = tube.rubber_at_temperature();

@@ -53,7 +53,7 @@ impl Axisymmetric {
         let division = spec.resolve(tube.outer_radius_mm(), tube.wall_mm, half)?;
         let mesh = Mesh::tube(tube.inner_radius_mm(), tube.outer_radius_mm(), half, division);
         let thick_wall = Arc::new(ThickWall::new(muscle));
-        let mut discretisation = Discretisation::new(mesh, Problem::from_muscle(muscle))?;
+        let mut discretisation = Discretisation::new(mesh, Problem::from_parts(muscle.parts()))?;
         discretisation.memory = match muscle.rubber().conditioned_alike() {
             Some((softening, seen_mpa)) => {
                 let mut memory = Memory::new(softening, &discretisation);

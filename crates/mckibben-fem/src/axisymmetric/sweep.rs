@@ -66,11 +66,12 @@ impl Sweep {
     }
 }
 
-/// The law number `kind` with a shear modulus at rest.
-fn law(kind: usize, mu: f64, random: &mut Random) -> Law {
+/// The law number `kind` with a shear modulus at rest: Mooney–Rivlin with a share of C01 up to 0.3, neo-Hookean, Yeoh, Gent with a jm from
+/// `least_jm` to 80, Ogden. `unit` gives a number below one where the law has one more constant.
+pub fn law(kind: usize, mu: f64, least_jm: f64, unit: impl FnOnce() -> f64) -> Law {
     match kind {
         0 => {
-            let share = random.between(0.0, 0.3);
+            let share = 0.3 * unit();
             Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.5 * mu * (1.0 - share), c01_mpa: 0.5 * mu * share })
         }
         1 => Law::NeoHookean(NeoHookean { mu_mpa: mu }),
@@ -78,7 +79,7 @@ fn law(kind: usize, mu: f64, random: &mut Random) -> Law {
             let c10 = 0.5 * mu;
             Law::Yeoh(Yeoh { c10_mpa: c10, c20_mpa: -0.007 * c10, c30_mpa: 2e-4 * c10 })
         }
-        3 => Law::Gent(Gent { mu_mpa: mu, jm: random.between(20.0, 80.0) }),
+        3 => Law::Gent(Gent { mu_mpa: mu, jm: least_jm + (80.0 - least_jm) * unit() }),
         _ => {
             // Ogden 1972 [ogden1972], Treloar's rubber: μ = ½ Σ μi αi = 0.4143 MPa.
             let scale = mu / 0.414_319;
@@ -97,7 +98,7 @@ pub fn case(seed: u64, index: usize) -> Option<SweepCase> {
     let length_mm = outer_diameter_mm * r.log(3.0, 25.0);
     let angle_deg = r.log(15.0, 45.0);
     let mu = r.log(0.05, 1.5);
-    let rubber = Rubber::new(law(index % 5, mu, &mut r));
+    let rubber = Rubber::new(law(index % 5, mu, 20.0, || r.unit()));
     let stiffness = if r.unit() < 0.2 {
         BraidStiffness::Inextensible
     } else {

@@ -22,7 +22,7 @@ fn bonded(law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Continuatio
     let muscle = changed(|tube, braid| {
         (tube.rubber.law, tube.rubber.bulk, braid.stiffness) = (law, bulk, stiffness);
     })?;
-    at_rest(Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)), Problem::from_muscle(&muscle))
+    at_rest(Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)), Problem::from_parts(muscle.parts()))
 }
 
 /// The rows of J.

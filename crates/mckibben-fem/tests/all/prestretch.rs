@@ -45,7 +45,7 @@ fn a_slice_of_a_long_muscle_is_the_thick_wall() {
     for law in [ogden(), Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: 0.004, c30_mpa: 0.0 })] {
         for stretch in [0.85, 1.2] {
             let m = muscle(law.clone(), stretch);
-            let problem = Problem { ends: Ends::Sliding, ..Problem::from_muscle(&m) };
+            let problem = Problem { ends: Ends::Sliding, ..Problem::from_parts(m.parts()) };
             let d = Discretisation::new(Mesh::tube(8.0, 9.5, 6.0, (3, 2, 1.0)), problem).unwrap();
             let mut slice = Continuation::new(Body::new(d));
             for (p, e) in [(0.2, 0.0), (0.3, 0.1), (0.1, -0.01)] {

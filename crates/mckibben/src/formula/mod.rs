@@ -43,20 +43,17 @@ pub enum Body {
 }
 
 /// Where a formula was fitted; both ends belong to it.
+#[serde_with_macros::apply(crate = "serde_with_macros", (f64, f64) => #[serde(deserialize_with = "interval")])]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct FormulaRange {
     /// D0 in mm.
-    #[serde(deserialize_with = "interval")]
     pub outer_diameter_mm: (f64, f64),
     /// s in mm.
-    #[serde(deserialize_with = "interval")]
     pub wall_mm: (f64, f64),
     /// P in MPa.
-    #[serde(deserialize_with = "interval")]
     pub pressure_mpa: (f64, f64),
     /// ε
-    #[serde(deserialize_with = "interval")]
     pub contraction: (f64, f64),
 }
 

@@ -5,20 +5,17 @@ use super::file::check::positive;
 use serde::{Deserialize, Serialize};
 
 /// What the variables of a `global` formula are divided by.
+#[serde_with_macros::apply(crate = "serde_with_macros", f64 => #[serde(deserialize_with = "positive")])]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct Scales {
     /// Of x = s/D0.
-    #[serde(deserialize_with = "positive")]
     pub wall_ratio: f64,
     /// Of p = P, in MPa.
-    #[serde(deserialize_with = "positive")]
     pub pressure_mpa: f64,
     /// Of e = ε.
-    #[serde(deserialize_with = "positive")]
     pub contraction: f64,
     /// Of d = D0, in mm.
-    #[serde(deserialize_with = "positive")]
     pub outer_diameter_mm: f64,
 }
 

@@ -3,7 +3,6 @@
 //! A formula of a few multiply-adds takes less than a nanosecond a point, and a pass over memory as long again: what is looked at here
 //! is looked at while a formula's pull is still in a register (`Section::pulls_within`).
 
-use super::paper_batch::BatchPath;
 use super::{ForceModel, Workspace};
 
 /// What a list of pulls is held to.
@@ -52,7 +51,7 @@ pub fn pulls_within(
     out: &mut [f64],
 ) -> bool {
     if let Some(batch) = model.lists() {
-        return batch.pulls_within(BatchPath::widest(), bounds, lists, out);
+        return batch.pulls_within(bounds, lists, out);
     }
     let [pressures_mpa, contractions] = lists;
     let mut points = pressures_mpa.iter().zip(contractions);

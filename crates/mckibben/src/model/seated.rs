@@ -14,10 +14,12 @@ use std::sync::Arc;
 
 /// A model of a muscle whose ends yield.
 pub struct Seated<M: ForceModel + ?Sized> {
-    inner: Box<M>,
+    /// The model of the muscle between its ends.
+    pub inner: Box<M>,
     id: ModelId,
     info: ModelInfo,
-    ends: Ends,
+    /// The ends.
+    pub ends: Ends,
 }
 
 /// The model of a whole muscle: `build` makes that of the muscle between its ends, which is the model itself where nothing is said of them.
@@ -48,16 +50,6 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         let muscle = Arc::new(muscle.clone());
         let info = ModelInfo { muscle, range, ..of_inner.clone() };
         Self { id: ModelId::new(), info, inner, ends }
-    }
-
-    /// The model of the muscle between its ends.
-    pub fn inner(&self) -> &M {
-        &self.inner
-    }
-
-    /// The ends.
-    pub fn ends(&self) -> &Ends {
-        &self.ends
     }
 
     /// What the whole muscle answers where the muscle between its ends answers `inner`.

@@ -45,7 +45,7 @@ impl Opened {
         if u64::try_from(actual) != Ok(rows) {
             return Err(CampaignError::damaged(path, format!("it has {actual} rows instead of {rows}")));
         }
-        let fields = provenance.layout.fields().into();
+        let fields = provenance.layout.fields();
         Ok(Self { provenance, which, path: path.into(), fields, reader })
     }
 
@@ -81,7 +81,7 @@ impl Opened {
     fn group(&self, index: usize) -> Result<Table> {
         let columns = self.fields.iter().map(|field| (field.name.as_str(), field.kind()));
         let (columns, rows) = self.reader.group(index, columns).map_err(|error| failed(error, &self.path))?;
-        Ok(Table::from_columns(&self.fields, columns, rows))
+        Ok(Table { fields: self.fields.clone(), columns, rows })
     }
 }
 

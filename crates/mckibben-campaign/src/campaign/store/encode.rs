@@ -30,7 +30,7 @@ pub(crate) fn write(
     let fields: Vec<_> = provenance.layout.fields().iter().map(|f| f.parquet()).collect();
     let (pairs, program) = (provenance.write(which), format!("mckibben {VERSION}"));
     let mut out = Writer::new(file, "campaign", &program, &fields, pairs).map_err(failed)?;
-    let mut group = Table::new(&provenance.layout);
+    let mut group = Table::new(provenance.layout.fields());
     for table in tables {
         let (table, mut from) = (table?, 0);
         while from < table.rows {
@@ -39,7 +39,7 @@ pub(crate) fn write(
             from = to;
             if group.rows == GROUP {
                 out.group(&group.columns).map_err(failed)?;
-                group = group.emptied();
+                group = Table::new(group.fields);
             }
         }
     }

@@ -4,6 +4,7 @@ use crate::PointRow;
 use crate::campaign::Plan;
 use crate::columns::{COLUMNS, Column, Role, Slot};
 use mckibben_io::parquet::{Column as Values, Packing};
+use std::sync::Arc;
 
 /// Which columns a table has.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -69,7 +70,7 @@ impl Layout {
         Self { constants: plan.constants(), measures: plan.measures(), sensitivities: plan.sensitivities() }
     }
 
-    pub(crate) fn fields(&self) -> Vec<Field> {
+    pub(crate) fn fields(&self) -> Arc<[Field]> {
         let columns = |column: &'static Column| {
             let alone = [column.name.to_owned()];
             let (keys, before) = match (column.slot)(&mut PointRow::default()) {
@@ -86,6 +87,6 @@ impl Layout {
 
     /// The first of its columns that is not among some names.
     pub(crate) fn lacks(&self, names: &[&str]) -> Option<String> {
-        self.fields().into_iter().map(|f| f.name).find(|name| !names.contains(&name.as_str()))
+        self.fields().iter().find(|f| !names.contains(&f.name.as_str())).map(|f| f.name.clone())
     }
 }

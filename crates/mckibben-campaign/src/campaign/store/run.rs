@@ -221,7 +221,7 @@ impl Run<'_> {
     /// One part; `None` where the run is to end.
     fn compute(&self, number: u64, halted: &impl Fn() -> bool) -> Option<Result<Done>> {
         let provenance = self.provenance;
-        let mut table = Table::new(&provenance.layout);
+        let mut table = Table::new(provenance.layout.fields());
         let (mut points, mut failed) = (0, 0);
         for muscle in provenance.muscles_of(number) {
             if halted() {

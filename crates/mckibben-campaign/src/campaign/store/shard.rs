@@ -31,13 +31,12 @@ impl Shard {
     }
 
     pub(in crate::campaign) fn file_name(self) -> String {
-        format!("{}-of-{}", self.index, self.count)
+        self.to_string().replace('/', "-of-")
     }
 
     /// The share of a file's name.
     pub(in crate::campaign) fn from_file_name(name: &str) -> Option<Self> {
-        let (index, count) = name.split_once("-of-")?;
-        Self::new(index.parse().ok()?, count.parse().ok()?)
+        name.replace("-of-", "/").parse().ok()
     }
 }
 

@@ -81,7 +81,7 @@ impl Summary {
 
     fn add_file(&mut self, opened: Opened, path: &Path) -> Result<()> {
         let fields = opened.provenance.layout.fields();
-        let fields: Vec<Field> = fields.into_iter().filter(|f| f.column.role != Role::Note).collect();
+        let fields: Vec<Field> = fields.iter().filter(|f| f.column.role != Role::Note).cloned().collect();
         if self.ranges.is_empty() {
             let (smallest, largest) = (f64::INFINITY, f64::NEG_INFINITY);
             let range = |f: &Field| Extent { name: f.name.clone(), smallest, largest };

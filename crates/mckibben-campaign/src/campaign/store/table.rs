@@ -1,7 +1,6 @@
 //! Rows as columns in memory.
 
 use super::Field;
-use super::layout::Layout;
 use crate::PointRow;
 use crate::columns::Slot;
 use mckibben_io::parquet::{Column, Text};
@@ -51,27 +50,14 @@ fn fill(column: &Column, i: usize, field: &Field, row: &mut PointRow) -> Option<
 /// Some rows of a campaign.
 #[derive(Debug, Clone)]
 pub(crate) struct Table {
-    fields: Arc<[Field]>,
+    pub(super) fields: Arc<[Field]>,
     pub(crate) columns: Vec<Column>,
     pub(crate) rows: usize,
 }
 
 impl Table {
-    pub(crate) fn new(layout: &Layout) -> Self {
-        Self::empty(layout.fields().into())
-    }
-
-    fn empty(fields: Arc<[Field]>) -> Self {
+    pub(crate) fn new(fields: Arc<[Field]>) -> Self {
         Self { columns: fields.iter().map(Field::kind).collect(), fields, rows: 0 }
-    }
-
-    pub(super) fn from_columns(fields: &Arc<[Field]>, columns: Vec<Column>, rows: usize) -> Self {
-        Self { fields: fields.clone(), columns, rows }
-    }
-
-    /// The same without rows.
-    pub(super) fn emptied(&self) -> Self {
-        Self::empty(self.fields.clone())
     }
 
     pub(crate) fn push(&mut self, mut row: PointRow) {

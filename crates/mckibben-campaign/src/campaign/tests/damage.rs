@@ -123,7 +123,7 @@ fn another_plan_or_version_is_refused_with_a_hint() {
 }
 
 fn table_of(plan: &Plan, muscle: u64) -> Table {
-    let mut table = Table::new(&Layout::for_plan(plan));
+    let mut table = Table::new(Layout::for_plan(plan).fields());
     crate::campaign::solve::rows(plan, muscle).into_iter().for_each(|row| table.push(row));
     table
 }

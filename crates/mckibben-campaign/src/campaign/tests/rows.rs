@@ -109,7 +109,7 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
     let mut files = vec![];
     for cut in [1000, 33_333] {
         let tables = (0..77_000_u64).step_by(cut).map(|from| {
-            let mut table = Table::new(&Layout::for_plan(&plan));
+            let mut table = Table::new(Layout::for_plan(&plan).fields());
             (from..77_000.min(from + cut as u64)).for_each(|i| table.push(row(i)));
             Ok(table)
         });

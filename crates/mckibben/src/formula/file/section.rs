@@ -49,16 +49,13 @@ pub struct GlobalTerm {
 }
 
 /// Powers of x, p, e, d; those of zero are omitted.
+#[serde_with_macros::apply(crate = "serde_with_macros", u8 => #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<20, _>")])]
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default, deny_unknown_fields, expecting = "an object")]
 struct Powers {
-    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<20, _>")]
     wall_ratio: u8,
-    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<20, _>")]
     pressure: u8,
-    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<20, _>")]
     contraction: u8,
-    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<20, _>")]
     outer_diameter: u8,
 }
 

@@ -37,22 +37,16 @@ struct EndTerm {
 }
 
 /// Powers of the variables of both forms; those of zero are omitted.
+#[serde_with_macros::apply(crate = "serde_with_macros", u8 => #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")])]
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default, deny_unknown_fields, expecting = "an object")]
 struct EndPowers {
-    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
     wall: u8,
-    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
     angle: u8,
-    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
     slope: u8,
-    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
     bulge: u8,
-    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
     modulus: u8,
-    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
     strain: u8,
-    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
     shortening: u8,
 }
 

@@ -64,7 +64,6 @@ const PLUG: f64 = 0.7;
 #[derive(Debug, Clone)]
 pub struct Universal {
     info: ModelInfo,
-    formula: Arc<UniversalFormula>,
     zone: EndZone,
     deficit: Bound,
     /// 4 sin²θ0
@@ -92,12 +91,7 @@ impl Universal {
         let wall_modulus = wall_modulus(ro, zone.wall.section(), mu);
         let (length, id) = (muscle.length_mm(), ModelId::new());
         let info = info(&formula, &zone.wall.info().muscle, angle);
-        Self { info, zone, deficit, angle, length, wall_modulus, id, formula }
-    }
-
-    /// The formula.
-    pub fn formula(&self) -> &Arc<UniversalFormula> {
-        &self.formula
+        Self { info, zone, deficit, angle, length, wall_modulus, id }
     }
 }
 
