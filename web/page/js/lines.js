@@ -245,7 +245,7 @@ export class Lines {
   /** To the next point with a value, of this curve or another one. @param {number} curve @param {number} along */
   walk(curve, along) {
     const series = this.spec?.series ?? [];
-    const readable = series.map((_, i) => i).filter((i) => !series[i].band && series[i].x.length);
+    const readable = series.map((_, i) => i).filter((i) => !series[i].band && !series[i].silent && series[i].x.length);
     if (!readable.length) return;
     const [was, i] = this.read ?? [readable[0], -1];
     const which = readable[(Math.max(0, readable.indexOf(was)) + curve + readable.length) % readable.length];

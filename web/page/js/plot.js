@@ -4,14 +4,17 @@ import { number } from "./units.js";
 /**
  * `half`: half-widths of the ± at each point, drawn as a band; `band`: the points are the outline of one; `end`: a
  * label at the curve's end, or at its start; `z`: a third number of each point, for tables; `strong`: the curve of the
- * state among its family.
+ * state among its family; `silent`: nobody reads it off.
  * @typedef {{ name: string, x: number[], y: (number | null)[], half?: (number | null | undefined)[], z?: number[],
  *   end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot",
  *   mode?: "lines" | "markers", width?: number, legend?: string, band?: boolean,
- *   strong?: boolean }} Series
+ *   strong?: boolean, silent?: boolean }} Series
  * @typedef {{ range?: number[], rangemode?: string }} Axis
- * @typedef {{ x: string, y: string, series: Series[], marks?: { x: number, y: number, text: string }[],
- *   xaxis?: Axis, yaxis?: Axis }} Curves
+ * @typedef {{ href: string, x: [number, number], y: [number, number] }} Picture below the curves, between these values
+ * @typedef {{ x: number, y: number, text: string }} Place
+ * What a chart shows: curves, rings, words at places, a picture; `rows` of its table where those are not the curves'.
+ * @typedef {{ x: string, y: string, z?: string, series: Series[], marks?: Place[], notes?: Place[], picture?: Picture,
+ *   rows?: (string | number | null)[][], xaxis?: Axis, yaxis?: Axis }} Curves
  * @typedef {{ ink: string, line: string, faint: string, paper: string }} Colours
  * @typedef {{ x: [number, number], y: [number, number] }} Reach
  */
@@ -142,7 +145,8 @@ function legends(spec, left, width) {
  */
 export function drawing(spec, at, colours, file = false) {
   const { width, height, left, top, w, h } = at;
-  const inner = [...spec.series.map((s, i) => band(s, i, at)), ...spec.series.map((s, i) => curve(s, i, at))].join("");
+  const inner = image(spec.picture, at) +
+    [...spec.series.map((s, i) => band(s, i, at)), ...spec.series.map((s, i) => curve(s, i, at))].join("");
   const marks = (spec.marks ?? [])
     .map(
       (m) =>
@@ -158,9 +162,22 @@ export function drawing(spec, at, colours, file = false) {
     `fill="${colours.ink}"${file ? "" : ' aria-hidden="true"'}>${paper}` +
     `${axes(spec, at, colours)}<svg x="${left - 4}" y="${top - 4}" width="${w + 8}" height="${h + 8}" ` +
     `viewBox="${left - 4} ${top - 4} ${w + 8} ${h + 8}" overflow="hidden">${inner}</svg>` +
-    `${marks}${labels(spec, at, colours)}${legend(spec, at)}</svg>`
+    `${marks}${labels(spec, at, colours)}${notes(spec, at, colours)}${legend(spec, at)}</svg>`
   );
 }
+
+/** @param {Picture | undefined} picture @param {Frame} at */
+function image(picture, { px, py }) {
+  if (!picture) return "";
+  const { href, x: [x0, x1], y: [y0, y1] } = picture;
+  return `<image href="${href}" x="${short(px(x0))}" y="${short(py(y1))}" width="${short(px(x1) - px(x0))}" ` +
+    `height="${short(py(y0) - py(y1))}" preserveAspectRatio="none"/>`;
+}
+
+/** @param {Curves} spec @param {Frame} at @param {Colours} colours */
+const notes = ({ notes: list = [] }, { px, py }, { ink, paper }) =>
+  list.map(({ x, y, text }) => `<text x="${short(px(x))}" y="${short(py(y))}" text-anchor="middle" fill="${ink}" ` +
+    `stroke="${paper}" stroke-width="3" paint-order="stroke">${escaped(text)}</text>`).join("");
 
 /** @param {Curves} spec @param {Frame} at @param {Colours} colours */
 function axes(spec, { left, top, w, h, along, across, px, py }, { line, faint }) {
@@ -324,7 +341,7 @@ export function nearest(spec, at, x, y) {
   };
   const value = at.x(x);
   spec.series.forEach((s, which) => {
-    if (s.band) return;
+    if (s.band || s.silent) return;
     if (s.mode?.includes("markers"))
       s.x.forEach((vx, i) => {
         const vy = s.y[i];

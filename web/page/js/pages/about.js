@@ -72,9 +72,7 @@ export function mount(main) {
     models,
     el("div", { class: "prose" }, el("h2", {}, "Sources and licence"),
       el("p", {},
-        "mckibben is free software under MIT or Apache 2.0. Maps and surfaces are drawn by plotly.js (MIT). "
-          + "The documentation "
-          + "lists the sources and terms of formulas, rubbers and measured muscles. ",
+        "mckibben is free software under MIT or Apache 2.0. The documentation lists the sources and terms of formulas, rubbers and measured muscles. ",
         DOCUMENTATION && el("a", { href: DOCUMENTATION }, "Read it.")),
       el("p", { class: "small soft" },
         "The command line, Rust, Python and HTTP offer the same commands under the same names: `mckibben --help`.")),
