@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import axe from "axe-core";
-import { alive, pull, soon, trapping } from "./browser.mjs";
+import { alive, openFiles, pull, soon, trapping } from "./browser.mjs";
 import { ask, inBrowser, root, shots } from "./sites.mjs";
 
 const PAGES = ["muscle", "design", "joint", "motion", "data", "formula", "compare", "parts", "sweep", "rubber", "files", "about"];
@@ -44,7 +44,7 @@ inBrowser(({ name, url, open, blank }) => {
     const said = ask("force", "-D", "38", "-s", "1", "-p", "2.3bar", "-e", "12%");
     const decimals = Math.max(0, 1 - Math.floor(Math.log10(said.uncertainty_n)));
     await soon(async () => assert.equal(await pull(page), `${said.force_n.toFixed(decimals)} ± ${said.uncertainty_n.toFixed(decimals)} N`));
-    await page.waitForFunction(() => /starts at\s*[\d.]/.test(document.querySelector(".numbers")?.textContent ?? ""));
+    await page.waitForFunction(() => /Threshold pressure\s*[\d.]/.test(document.querySelector(".numbers")?.textContent ?? ""));
     const numbers = await page.locator(".numbers").innerText();
     assert.ok(numbers.includes(`${Number((10 * said.start_pressure_mpa).toPrecision(3))} bar`), numbers);
     await context.close();
@@ -81,10 +81,12 @@ inBrowser(({ name, url, open, blank }) => {
     await field.fill("30");
     await field.press("Enter");
     await page.waitForFunction((id) => !document.getElementById(id)?.hasAttribute("aria-invalid"), await field.getAttribute("id"));
-    await page.goBack();
-    await page.goBack();
-    await alive(page);
-    await page.goForward();
+    const undo = page.getByRole("button", { name: "Undo", exact: true });
+    await undo.click();
+    await soon(async () => assert.equal(await field.inputValue(), "4000"));
+    await page.keyboard.press("Control+z");
+    await soon(async () => assert.equal(await field.inputValue(), "30.48"));
+    await soon(async () => assert.equal(await page.getByRole("button", { name: "Redo", exact: true }).getAttribute("title"), "Redo: Outer diameter 4000 mm (Ctrl+Y)"));
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -149,25 +151,24 @@ inBrowser(({ name, url, open, blank }) => {
   test("muscle files, good and broken", async () => {
     const { page, context } = await open("#muscle");
     await alive(page);
-    await page.getByText("Muscle file", { exact: true }).click();
-    const input = page.locator("input[type=file]");
-    await input.setInputFiles({ name: "mine.toml", mimeType: "text/plain", buffer: readFileSync(`${root}examples/festo-dmsp-20.toml`) });
+    const file = (/** @type {string} */ name, /** @type {Buffer} */ buffer) => openFiles(page, { name, mimeType: "text/plain", buffer });
+    await file("mine.toml", readFileSync(`${root}examples/festo-dmsp-20.toml`));
     await page.waitForFunction(() => location.hash.includes("file="));
     await alive(page);
-    await input.setInputFiles({ name: "broken.toml", mimeType: "text/plain", buffer: Buffer.from("[tube]\nouter_diametre = \"3 mm\"\n") });
-    await page.waitForSelector(".problem");
-    await soon(async () => assert.match(await page.locator(".problem").innerText(), /outer_diamet/));
-    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Download this muscle" }).click()]);
-    assert.equal(download.suggestedFilename(), "muscle.toml");
+    for (const [name, text, said] of [["broken.toml", "[tube]\nouter_diametre = \"3 mm\"\n", /broken\.toml.*outer_diamet/], ["empty.toml", "\n", /empty\.toml is empty/]]) {
+      await file(/** @type {string} */ (name), Buffer.from(/** @type {string} */ (text)));
+      await soon(async () => assert.match(await page.locator("#notice").innerText(), /** @type {RegExp} */ (said)));
+    }
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save", exact: true }).click()]);
+    assert.match(download.suggestedFilename(), /\.toml$/);
     await page.reload();
     await alive(page);
     await context.close();
   });
 
   test("a muscle is built: its files as downloads", async () => {
-    const { page, context } = await open("#muscle");
-    await alive(page);
-    await page.getByRole("button", { name: "Build it" }).click();
+    const { page, context } = await open("#files");
+    await page.getByRole("button", { name: "Make the build sheet" }).click();
     for (const [file, begin] of /** @type {[string, RegExp][]} */ ([["README.md", /^# McKibben muscle/], ["air-plug.stl", /^mckibben build/], ["drawing.svg", /^<svg /]])) {
       const button = page.getByRole("button", { name: file, exact: true });
       await button.waitFor({ timeout: 60_000 });
@@ -281,6 +282,10 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, context } = await open("#design?F=900N&e=38%25&pmax=2bar&D=10..40mm");
     await page.getByText("Nothing fits.").waitFor({ timeout: 60_000 });
     await soon(async () => assert.ok((await page.locator(".middle li").count()) > 0));
+    const target = page.getByRole("region", { name: "design target" });
+    await soon(async () => assert.deepEqual([await target.locator(".ring:visible").count(), await target.locator("svg.curves circle").count()], [1, 0]));
+    const along = await target.locator("svg.curves > text[text-anchor=middle]").allTextContents();
+    assert.ok(along.includes("40"), String(along));
     await context.close();
   });
 

@@ -11,7 +11,7 @@ import { files, listed } from "../offline.mjs";
 import { nameIn, named } from "../page/js/name.js";
 import { PAGES } from "../page/js/pages.js";
 import { thinned } from "../page/js/thin.js";
-import { alive, launch, meter, pull, served, soon } from "./browser.mjs";
+import { alive, go, launch, meter, pull, served, soon } from "./browser.mjs";
 import { ask, inBrowser, program, root, shots } from "./sites.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -30,10 +30,6 @@ const reads = (page, of, text, timeout = 30_000) =>
 const PULL = ".stage .say b", NAME = "Name of the muscle";
 /** Until a page is there. @param {Page} page @param {string} where */
 const there = (page, where) => page.locator(`main[data-shown=${where.toLowerCase()}]`).waitFor({ timeout: 20_000 });
-const go = async (/** @type {Page} */ page, /** @type {string} */ where) => {
-  await page.getByRole("navigation").getByRole("link", { name: where, exact: true }).click();
-  await there(page, where);
-};
 const type = async (/** @type {Page} */ page, /** @type {string} */ label, /** @type {string} */ text) => {
   const field = page.getByRole("textbox", { name: label, exact: true });
   await field.fill(text);
@@ -140,7 +136,7 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, context } = await open("#muscle?D=45&L=200");
     await alive(page);
     await type(page, "Wall s", "2.5");
-    const links = page.getByRole("navigation").getByRole("link");
+    const links = page.locator("#pages a, #views a");
     for (let i = 0; i < await links.count(); i++) {
       await links.nth(i).focus();
       const href = String(await links.nth(i).getAttribute("href")), other = await context.newPage();
@@ -282,7 +278,7 @@ inBrowser(({ name, url, open, blank }) => {
   test("a project with several muscles, data and what was typed is saved and opened in one file", async () => {
     const { page, errors, context } = await open("#muscle?D=45&name=Calf");
     await alive(page);
-    const project = page.getByRole("button", { name: "Project", exact: true });
+    const project = page.getByRole("button", { name: "Open", exact: true });
     await project.click();
     await page.getByRole("button", { name: "Add this muscle" }).click();
     await page.getByRole("listitem").filter({ hasText: "Calf" }).waitFor();
@@ -307,7 +303,7 @@ inBrowser(({ name, url, open, blank }) => {
     await again.page.waitForFunction(() => /r=30/.test(location.hash));
     await go(again.page, "Data");
     await reads(again.page, ".middle", "bench.csv: 10 points");
-    await again.page.getByRole("button", { name: "Project", exact: true }).click();
+    await again.page.getByRole("button", { name: "Open", exact: true }).click();
     await again.page.getByRole("button", { name: "Show Calf" }).click();
     await reads(again.page, ".muscle-bar", "D0 45 mm");
     assert.deepEqual([...errors, ...again.errors], []);
@@ -397,6 +393,62 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
+  test("a card keeps the units, sliders run around its muscle, and it opens below the pressure that it may have", async () => {
+    const { page, errors, context } = await open("#muscle?u=psi");
+    await alive(page);
+    const card = async (/** @type {string} */ title) => {
+      await page.getByRole("button", { name: "Open", exact: true }).click();
+      await page.locator("dialog .card", { hasText: title }).first().click();
+    };
+    await card("A thin muscle");
+    await reads(page, ".muscle-bar", "D0 2 mm");
+    await page.waitForFunction(() => /u=psi/.test(location.hash) && /p=1bar/.test(location.hash));
+    const slider = page.getByRole("slider", { name: "Outer diameter", exact: true });
+    await soon(async () => assert.ok(Math.abs(Number(await slider.inputValue()) - 500) < 100, await slider.inputValue()));
+    await slider.focus();
+    await page.keyboard.press("ArrowRight");
+    await page.waitForFunction(() => /D=2\.1(&|$)/.test(location.hash));
+    await soon(async () => assert.equal(await page.locator(".stage .problem").count(), 0));
+    await card("Festo DMSP-10");
+    await soon(async () => assert.match(await page.getByRole("textbox", { name: NAME }).inputValue(), /^Festo DMSP-10/));
+    const rubber = page.getByRole("combobox", { name: "Rubber" });
+    await soon(async () => assert.match(await rubber.locator("option:checked").innerText(), /neo-hookean/));
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("a number of a computer is none, and a number alone is in the unit of its field", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    await type(page, "Outer diameter D0", "0x10");
+    await page.getByText('"0x10" has the unknown unit').waitFor();
+    await type(page, "Pressure p", "abc");
+    await page.getByText("(a number alone is in bar)").waitFor();
+    assert.doesNotMatch(page.url(), /D=16/);
+    await context.close();
+  });
+
+  test("the theme is kept, and paper is light: muscle and curves are whole on it", async () => {
+    const { page, context } = await open("#muscle?D=38");
+    await alive(page);
+    await page.getByRole("button", { name: "Dark", exact: true }).click();
+    await page.reload();
+    await alive(page);
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+    await page.setViewportSize({ width: 794, height: 1123 });
+    await page.emulateMedia({ media: "print" });
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    await page.locator(".sheet img").waitFor();
+    const paper = await page.evaluate(() => {
+      const curves = /** @type {SVGElement} */ (document.querySelector("main svg.curves")), box = curves.getBoundingClientRect();
+      return { ink: curves.getAttribute("fill"), wide: box.right - document.documentElement.clientWidth, ground: getComputedStyle(document.body).backgroundColor };
+    });
+    assert.ok(paper.wide <= 0 && /#000|#1d2126/.test(paper.ink ?? "") && paper.ground === "rgb(255, 255, 255)", JSON.stringify(paper));
+    await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+    await context.close();
+  });
+
   test("fields have a drawing of their symbol, on focus and under the pointer, and Escape hides it", async () => {
     for (const [where, waits] of [["muscle", ".numbers dl"], ["joint", ".numbers dl"], ["design", "tr.pick"]]) {
       const { page, context } = await open(`#${where}`);
@@ -430,7 +482,7 @@ inBrowser(({ name, url, open, blank }) => {
     assert.equal(sentences.size, 9);
     for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       await page.emulateMedia({ colorScheme });
-      for (const button of ["Help", "Open", "Project"]) {
+      for (const button of ["Help", "Open"]) {
         await page.getByRole("button", { name: button, exact: true }).click();
         await page.locator("dialog[open]").waitFor();
         if (button === "Open") {
@@ -663,7 +715,7 @@ inBrowser(({ name, url, open, blank }) => {
   test("printing makes one sheet of paper with muscle, inputs and numbers", async () => {
     const { page, context } = await open("#muscle?D=38&name=Calf");
     await alive(page);
-    await page.waitForFunction(() => /starts at\s*[\d.]/.test(document.querySelector(".numbers")?.textContent ?? ""));
+    await page.waitForFunction(() => /Threshold pressure\s*[\d.]/.test(document.querySelector(".numbers")?.textContent ?? ""));
     const shown = await pull(page);
     await page.emulateMedia({ media: "print" });
     const pdf = await page.pdf({ format: "A4", path: `${shots}/sheet-${name}.pdf` });
@@ -727,7 +779,7 @@ inBrowser(({ name, url, open, blank }) => {
     await soon(async () => assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth)));
     await page.screenshot({ path: `${shots}/welcome-400-${name}.png` });
     await page.getByRole("textbox", { name: NAME }).focus();
-    for (const button of ["Save", "Open", "Share", "Project", "Print"]) {
+    for (const button of ["Open", "Save", "Share", "Print"]) {
       await page.keyboard.press("Tab");
       if (await page.evaluate(() => document.activeElement?.textContent) !== button) await page.keyboard.press("Tab");
       await soon(async () => assert.equal(await page.evaluate(() => document.activeElement?.textContent), button));

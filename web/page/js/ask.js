@@ -1,7 +1,7 @@
 // The one engine of the page, and questions of which only the newest counts.
 import { Engine } from "./kind.js";
 import { problemOf } from "./engine/problem.js";
-import { kindOf, takeUnits } from "./units.js";
+import { bareIn, kindOf, takeUnits } from "./units.js";
 
 /** @typedef {import("../../types/commands").Commands["quantities"]["answer"]["readings"][number]} Reading */
 /**
@@ -23,7 +23,10 @@ export async function loadUnits() {
 export async function understood(texts) {
   if (!texts.length) return [];
   const asked = texts.map(({ kind, ...rest }) => ({ ...rest, kind: kindOf(kind) }));
-  return (await engine().ask("quantities", { texts: asked }, { lane: "read" })).readings;
+  const { readings } = await engine().ask("quantities", { texts: asked }, { lane: "read" });
+  // A number alone is in the unit that is shown, which the engine does not know.
+  return /** @type {Readings} */ (readings).map(({ problem, ...rest }, i) => ({ ...rest,
+    problem: problem && { message: bareIn(problem.message, texts[i].kind) } }));
 }
 
 /**

@@ -17,7 +17,7 @@ const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp:
  * `clears` may be emptied, and then has the usual value.
  * @typedef {{ key?: string, field?: string, label: string, symbol?: string, about?: string,
  *   kind: import("./units.js").Kind, unit?: string, value?: number, above?: number, minimum?: number, maximum?: number,
- *   usual?: number, low?: number, high?: number, clears?: boolean,
+ *   usual?: number, low?: number, high?: number, around?: boolean, clears?: boolean,
  *   change: (value: number | undefined, settled: boolean) => void }} Spec
  */
 
@@ -79,6 +79,11 @@ class Quantity {
     [this.#low, this.#high] = [low, high];
     this.#paint(!this.#typing());
   }
+  /** Ends from 0.3 to 3 times its value, within limits. @param {number} [least] @param {number} [most] */
+  anchor(least = 0, most = Infinity) {
+    const { spec: { around }, value } = this;
+    if (around && value) this.reach(Math.max(least, 0.3 * value), Math.min(most, 3 * value));
+  }
   /** @param {boolean} on */
   enable(on) {
     this.slider.disabled = !on;
@@ -102,10 +107,17 @@ class Quantity {
     const { kind } = this.spec;
     return 10 ** Math.floor(Math.log10(Math.abs(outside(kind, this.#high) - outside(kind, this.#low)) / 100));
   }
+  /** By its logarithm where its ends are around a value. */
   #fromSlider() {
-    const { kind } = this.spec, v = this.#low + (Number(this.slider.value) / 1000) * (this.#high - this.#low);
+    const { kind, around } = this.spec, share = Number(this.slider.value) / 1000, [low, high] = [this.#low, this.#high];
+    const v = outside(kind, around ? low * (high / low) ** share : low + share * (high - low));
+    if (around) return inside(kind, Number(v.toPrecision(v < 3 * 10 ** Math.floor(Math.log10(v)) ? 3 : 2)));
     const step = this.#step();
-    return inside(kind, Number((Math.round(outside(kind, v) / step) * step).toPrecision(12)));
+    return inside(kind, Number((Math.round(v / step) * step).toPrecision(12)));
+  }
+  #share(/** @type {number} */ now) {
+    const [low, high] = [this.#low, this.#high];
+    return this.spec.around ? Math.log(Math.max(now, 1e-12) / low) / Math.log(high / low) : (now - low) / (high - low);
   }
 
   #listen() {
@@ -116,7 +128,8 @@ class Quantity {
       const by = STEPS[event.key];
       if (by === undefined) return;
       event.preventDefault();
-      const next = Number((outside(kind, this.#now ?? this.#low) + by * this.#step()).toPrecision(12));
+      const now = outside(kind, this.#now ?? this.#low), step = this.spec.around ? 10 ** Math.floor(Math.log10(now / 20)) : this.#step();
+      const next = Number((now + by * step).toPrecision(12));
       this.#take(Math.min(this.#high, Math.max(this.#low, inside(kind, next))), true);
     });
     field.addEventListener("change", () => {
@@ -161,7 +174,7 @@ class Quantity {
 
   #paint(fieldToo = true) {
     const { slider, unit, spec: { kind, unit: own } } = this, now = this.#now;
-    slider.value = now === undefined ? "0" : String((1000 * (now - this.#low)) / (this.#high - this.#low));
+    slider.value = now === undefined ? "0" : String(1000 * this.#share(now));
     if (fieldToo) this.#write(now === undefined ? "" : this.#asText(now));
     unit.textContent = kind === "ratio" ? "" : own ?? unitName(kind);
     slider.setAttribute("aria-valuetext",

@@ -25,8 +25,10 @@ export function designTarget(act) {
 
   function draw() {
     if (!target) return;
+    // Without a muscle the target has room.
+    const room = (/** @type {number} */ v) => (series.length ? {} : { range: [0, 1.5 * v] });
     chart.show({ x: "contraction ε [%]", y: `pull F [${unitName("force")}]`, series,
-      marks: [{ x: 0, y: 1.15 * outside("force", target.force_n), text: "" }].slice(series.length ? 1 : 0) });
+      xaxis: room(100 * target.contraction || 10), yaxis: series.length ? undefined : room(outside("force", target.force_n)) });
     mark();
   }
   function mark() {

@@ -48,7 +48,7 @@ async function take(files) {
   const muscles = files.filter((file) => file.kind === "muscle"), wanted = namedIn(joint?.text ?? drive?.text ?? "");
   const own = muscles.find((file) => file.name === wanted[0]) ?? muscles[0];
   const second = muscles.find((file) => file.name === wanted[1] && file !== own);
-  if (own) await muscle.take(own.text);
+  if (own) await muscle.take(own.text, own.name);
   if (data) measured.set({ name: data.name, text: data.text });
   if (plan) keepFile("plan", plan.text);
   if (rubber) keepFile("rubber", { name: rubber.name, text: rubber.text });
@@ -76,6 +76,7 @@ export async function takeFiles(files) {
     for (const file of files) {
       if (file.size > MOST) throw new Error(`${file.name} is larger than 60 MB.`);
       const text = await file.text();
+      if (!text.trim()) throw new Error(`${file.name} is empty.`);
       read.push({ name: file.name, text, kind: kindOfFile(file.name, text) });
     }
     const other = read.find(({ kind }) => kind === "other");

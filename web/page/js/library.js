@@ -1,17 +1,18 @@
 // Muscles of the library: identified from measured points, each a button that opens it.
+import { address } from "./address.js";
 import { engine } from "./ask.js";
 import { el } from "./dom.js";
 import { muscle } from "./muscle.js";
 import { show } from "./units.js";
-import { visit } from "./visit.js";
 
 /** @typedef {import("../../types/commands").Commands["parts-list"]["answer"]["muscles"][number]} Entry */
 
-/** Opens one on the page Muscle. @param {string} name */
-async function open(name) {
+/** Opens one on the page Muscle. @param {string} name @param {Record<string, string>} [at] words of its point */
+export async function openPart(name, at = {}) {
   const { muscle: found } = await engine().ask("parts-show", { name });
-  await muscle.take(found?.muscle_file.text ?? "");
-  return visit("muscle", {});
+  const called = found?.product ? `${found.product} (${found.title})` : found?.title;
+  await muscle.take(found?.muscle_file.text ?? "", name, called);
+  location.hash = address("muscle", { ...muscle.params(), ...at });
 }
 
 /** @param {Entry} entry @param {() => void} opened @param {(problem: unknown) => void} fail */
@@ -22,7 +23,7 @@ function card(entry, opened, fail) {
     : "";
   const size = `D0 ${show("length", entry.outer_diameter_mm, 3)}, L0 ${show("length", entry.length_mm)}`;
   return el("button", { type: "button", class: "card", title: `${entry.source}; ${entry.terms}`,
-    onclick: () => open(name).then(opened, fail) }, el("b", {}, entry.product ?? entry.title),
+    onclick: () => openPart(name).then(opened, fail) }, el("b", {}, entry.product ?? entry.title),
     el("span", { class: "small soft" }, `${name}: ${size}${pull}`));
 }
 

@@ -1,10 +1,12 @@
 // Curves on the page: crosshair, zoom, and drags in values of the axes. The drawing itself is in plot.js.
 import { el, say, token } from "./dom.js";
 import { colourOf, drawing, frame, nearest, reachOf } from "./plot.js";
-import { number } from "./units.js";
+import { number, plusMinus } from "./units.js";
 
 /** Farther away than this in pixels nothing is read off. */
 const NEAR = 48;
+/** So long the pointer rests before what is below it is computed, in milliseconds. */
+const REST = 200;
 const colours = () => ({
   ink: token("--ink"),
   line: token("--line"),
@@ -26,6 +28,7 @@ export class Lines {
     /** @type {import("./plot.js").Frame | undefined} */ this.at = undefined;
     /** @type {import("./plot.js").Reach | undefined} */ this.zoomed = undefined;
     /** What the keyboard reads: curve and point. @type {[number, number] | undefined} */ this.read = undefined;
+    this.resting = 0;
     /** Where the pointer rests on the plot. @type {[number, number] | undefined} */ this.pointer = undefined;
     this.drawn = el("div", {});
     this.dot = el("i", { class: "dot", hidden: true });
@@ -99,8 +102,7 @@ export class Lines {
   /** What lies at a place, in words. @param {{ which: number, x: number, y: number, half?: number }} found */
   words({ which, x, y, half }) {
     const spec = /** @type {import("./plot.js").Curves} */ (this.spec);
-    const value = half === undefined ? number(y, 4) : `${number(y, 4)} ± ${number(half, 2)}`;
-    return `${spec.series[which].name}: ${number(x, 4)}${unit(spec.x)}, ${value}${unit(spec.y)}`;
+    return `${spec.series[which].name}: ${number(x, 4)}${unit(spec.x)}, ${plusMinus(y, half)}${unit(spec.y)}`;
   }
 
   /** @param {{ which: number, x: number, y: number, half?: number }} found */
@@ -122,6 +124,7 @@ export class Lines {
   }
 
   clear() {
+    clearTimeout(this.resting);
     this.read = undefined;
     [this.dot, this.hair, this.tip, this.box].forEach((part) => { part.hidden = true; });
   }
@@ -190,8 +193,18 @@ export class Lines {
     if (!at || !spec) return;
     this.host.style.cursor = py > at.top + at.h ? "ew-resize" : px < at.left ? "ns-resize" : "crosshair";
     const found = px >= at.left && py <= at.top + at.h ? nearest(spec, at, px, py) : undefined;
-    if (found && found.far < NEAR) this.show(found);
-    else this.clear();
+    if (!found || found.far >= NEAR) return this.clear();
+    this.show(found);
+    clearTimeout(this.resting);
+    if (spec.exact) this.resting = window.setTimeout(() => this.compute(found), REST);
+  }
+
+  /** What is below the pointer that rests, computed. @param {{ which: number, x: number, y: number, half?: number }} found */
+  compute(found) {
+    const { spec, pointer } = this;
+    spec?.exact?.(spec.series[found.which], found.x, (y, half) => {
+      if (this.spec === spec && this.pointer === pointer) this.show({ ...found, y, half: half ?? undefined });
+    });
   }
 
   /**

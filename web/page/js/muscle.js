@@ -6,7 +6,7 @@ import { canonical, fields, fromWords, keys, missing, opened, prototype, say, sh
   MEASURES } from "./state.js";
 import { nameIn, named } from "./name.js";
 import { show, typed, unitsFromAddress, unitsInAddress } from "./units.js";
-import { learn } from "./words.js";
+import { braidName, learn, partName } from "./words.js";
 
 const measure = (/** @type {string} */ key) => MEASURES.find((m) => m.key === key);
 
@@ -51,7 +51,7 @@ export class MuscleState {
   }
   set state(next) {
     this.#state = next;
-    this.#changed();
+    this.touch();
   }
   /** What the engine read of file and fields, the last time that it could. */
   get shown() {
@@ -59,14 +59,15 @@ export class MuscleState {
   }
   set shown(next) {
     this.#shown = next;
-    this.#changed();
+    this.touch();
   }
 
   /** Is called some time after it changed. @param {() => void} tell */
   onChange(tell) {
     this.#listeners.add(tell);
   }
-  #changed() {
+  /** Tells it soon. */
+  touch() {
     this.#telling ||= window.setTimeout(() => this.tell(), 120);
   }
   /** Tells at once that it changed. */
@@ -79,12 +80,12 @@ export class MuscleState {
   /** Its name. */
   get name() {
     const { file, said } = this.state;
-    return this.called || nameIn(file) || (file || Object.keys(said).length ? "My muscle" : "Prototype of the paper");
+    return this.called || nameIn(file) || (file || Object.keys(said).length ? "My muscle" : "Reference muscle (Antonelli 2018)");
   }
   /** @param {string} text empty for that of its file */
   rename(text) {
     this.called = text === nameIn(this.state.file) ? "" : text;
-    this.#changed();
+    this.touch();
   }
 
   get p() {
@@ -148,7 +149,7 @@ export class MuscleState {
     return s
       ? `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${
         show("length", s.length_mm)
-      }, θ0 ${show("angle", s.angle_deg)}, rubber ${s.rubber}, braid ${s.braid}`
+      }, θ0 ${show("angle", s.angle_deg)}, ${partName(s.rubber)}, ${braidName(s.braid)}`
       : "none yet";
   }
 
@@ -209,12 +210,15 @@ export class MuscleState {
     return this.shown;
   }
 
-  /** A muscle file in place of everything else; refused as a whole where it is none. @param {string} text */
-  async take(text) {
-    const next = opened(this.state, text);
-    const shown = await engine().ask("check", { ...fields(next), only_data: true }, { lane: "read" });
+  /**
+   * A muscle file in place of everything else; refused as a whole where it is none.
+   * @param {string} text @param {string} [name] of the file @param {string} [called] what people call the muscle
+   */
+  async take(text, name = "muscle.toml", called = "") {
+    const next = opened(this.state, text), request = { ...fields(next), muscle: { name, text }, only_data: true };
+    const shown = await engine().ask("check", request, { lane: "read" });
     await pack(text);
-    Object.assign(this, { state: next, shown, called: "", wrong: new Map() });
+    Object.assign(this, { state: next, shown, called: called === nameIn(text) ? "" : called, wrong: new Map() });
     return shown;
   }
 }

@@ -4,17 +4,20 @@ import { number } from "./units.js";
 /**
  * `half`: half-widths of the ± at each point, drawn as a band; `band`: the points are the outline of one; `end`: a
  * label at the curve's end, or at its start; `z`: a third number of each point, for tables; `strong`: the curve of the
- * state among its family; `silent`: nobody reads it off.
+ * state among its family; `silent`: nobody reads it off; `smooth`: a cubic between its points; `fixed`: what does not
+ * change along it.
  * @typedef {{ name: string, x: number[], y: (number | null)[], half?: (number | null | undefined)[], z?: number[],
  *   end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot",
  *   mode?: "lines" | "markers", width?: number, legend?: string, band?: boolean,
- *   strong?: boolean, silent?: boolean }} Series
+ *   strong?: boolean, silent?: boolean, smooth?: boolean,
+ *   fixed?: number }} Series
  * @typedef {{ range?: number[], rangemode?: string }} Axis
  * @typedef {{ href: string, x: [number, number], y: [number, number] }} Picture below the curves, between these values
  * @typedef {{ x: number, y: number, text: string }} Place
  * What a chart shows: curves, rings, words at places, a picture; `rows` of its table where those are not the curves'.
  * @typedef {{ x: string, y: string, z?: string, series: Series[], marks?: Place[], notes?: Place[], picture?: Picture,
- *   rows?: (string | number | null)[][], xaxis?: Axis, yaxis?: Axis }} Curves
+ *   rows?: (string | number | null)[][], xaxis?: Axis, yaxis?: Axis,
+ *   exact?: (s: Series, x: number, take: (y: number, half?: number | null) => void) => void }} Curves
  * @typedef {{ ink: string, line: string, faint: string, paper: string }} Colours
  * @typedef {{ x: [number, number], y: [number, number] }} Reach
  */
@@ -239,8 +242,17 @@ function curve(s, which, { px, py }) {
   const known = (/** @type {number} */ i) => finite(s.x[i]) && finite(s.y[i]);
   const place = (/** @type {number} */ i) => `${short(px(s.x[i]))} ${short(py(/** @type {number} */ (s.y[i])))}`;
   const all = runs(s, known);
+  const bent = (/** @type {number[]} */ run) => {
+    const [x, y] = [run.map((i) => s.x[i]), run.map((i) => /** @type {number} */ (s.y[i]))], m = slopes(x, y);
+    const at = (/** @type {number} */ vx, /** @type {number} */ vy) => `${short(px(vx))} ${short(py(vy))}`;
+    return x.map((v, i) => {
+      const h = (v - x[i - 1]) / 3;
+      return i ? `C${at(x[i - 1] + h, y[i - 1] + m[i - 1] * h)} ${at(v - h, y[i] - m[i] * h)} ${at(v, y[i])}` : `M${at(v, y[i])}`;
+    }).join("");
+  };
+  const straight = (/** @type {number[]} */ run) => `M${run.map(place).join("L")}`;
   const lines = mode.includes("lines")
-    ? `<path d="${all.map((run) => `M${run.map(place).join("L")}`).join("")}" fill="none" stroke="${colour}" ` +
+    ? `<path d="${all.map(s.smooth ? bent : straight).join("")}" fill="none" stroke="${colour}" ` +
       `stroke-width="${s.width ?? (s.strong ? 3 : 1.75)}" stroke-linejoin="round"${DASHES[s.dash ?? "solid"]}/>`
     : "";
   const ring = "m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0";
@@ -309,7 +321,25 @@ function legend(spec, { named }) {
 }
 
 /**
- * A curve at a value of the lower axis: between its points by a line.
+ * Slopes of a cubic through points that rises and falls with them (Fritsch and Carlson 1980); at rest in a turn.
+ * @param {number[]} x @param {number[]} y
+ */
+export function slopes(x, y) {
+  if (x.length < 3) return x.map(() => (x.length < 2 ? 0 : (y[1] - y[0]) / (x[1] - x[0])));
+  const h = x.slice(1).map((v, i) => v - x[i]), d = h.map((w, i) => (y[i + 1] - y[i]) / w), n = d.length;
+  // Of the parabola through three points.
+  const end = (/** @type {number} */ a, /** @type {number} */ b) => ((2 * h[a] + h[b]) * d[a] - h[a] * d[b]) / (h[a] + h[b]);
+  const m = x.map((_, i) => i === 0 ? end(0, 1) : i === n ? end(n - 1, n - 2) : d[i - 1] * d[i] <= 0 ? 0
+    : (h[i] * d[i - 1] + h[i - 1] * d[i]) / (h[i - 1] + h[i]));
+  d.forEach((slope, i) => {
+    const far = slope === 0 ? Infinity : Math.hypot(m[i] / slope, m[i + 1] / slope);
+    if (far > 3) for (const k of [i, i + 1]) m[k] *= 3 / far;
+  });
+  return m;
+}
+
+/**
+ * A curve at a value of the lower axis: between its points by a line, or by its cubic.
  * @param {Series} s @param {number} x @param {"y" | "half"} [of]
  */
 export function valueAt(s, x, of = "y") {
@@ -318,7 +348,12 @@ export function valueAt(s, x, of = "y") {
     const [a, b, ya, yb] = [s.x[i - 1], s.x[i], list[i - 1], list[i]];
     if (typeof ya !== "number" || typeof yb !== "number" || Math.min(a, b) > x || Math.max(a, b) < x || a === b)
       continue;
-    return ya + ((yb - ya) * (x - a)) / (b - a);
+    const t = (x - a) / (b - a);
+    if (of === "half" || !s.smooth) return ya + t * (yb - ya);
+    const run = runs(s, (k) => finite(s.y[k])).find((list) => list.includes(i)) ?? [], k = run.indexOf(i);
+    const m = slopes(run.map((j) => s.x[j]), run.map((j) => /** @type {number} */ (s.y[j])));
+    const [p, q] = [m[k - 1] * (b - a), m[k] * (b - a)], back = 1 - t;
+    return ya * back * back * (1 + 2 * t) + p * t * back * back + yb * t * t * (3 - 2 * t) - q * t * t * back;
   }
   return undefined;
 }

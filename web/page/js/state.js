@@ -8,19 +8,21 @@
  * values that it may have and the one where nothing is stated, and the ends of its slider, where it has one.
  * @typedef {{ key: string, field: string, filed?: string, group?: string, kind: import("./units.js").Kind, unit?:
  *   string, label: string, symbol?: string, about?: string,
- *   above?: number, minimum?: number, maximum?: number, usual?: number, low?: number, high?: number }} Measure
+ *   above?: number, minimum?: number, maximum?: number, usual?: number, low?: number, high?: number, around?: boolean
+ * }} Measure
  */
 /**
- * What the page adds to measures of the program, by their fields: short keys of the address, and sliders.
- * @type {Record<string, { key: string, low: number, high: number }>}
+ * What the page adds to measures of the program, by their fields: short keys of the address, and sliders; of those
+ * `around` the muscle's own value the ends are where there is none.
+ * @type {Record<string, { key: string, low: number, high: number, around?: boolean }>}
  */
 const OWN = {
-  outer_diameter_mm: { key: "D", low: 6, high: 80 },
-  wall_mm: { key: "s", low: 0.3, high: 10 },
-  length_mm: { key: "L", low: 60, high: 900 },
+  outer_diameter_mm: { key: "D", low: 9, high: 90, around: true },
+  wall_mm: { key: "s", low: 0.9, high: 9, around: true },
+  length_mm: { key: "L", low: 85, high: 850, around: true },
   angle_deg: { key: "angle", low: 12, high: 45 },
-  strand_modulus_mpa: { key: "sE", low: 500, high: 200000 },
-  stiffness: { key: "k", low: 20, high: 2000 },
+  strand_modulus_mpa: { key: "sE", low: 500, high: 200000, around: true },
+  stiffness: { key: "k", low: 20, high: 2000, around: true },
   seating_mm: { key: "seating", low: 0, high: 10 },
   slip_mm_per_n: { key: "slip", low: 0, high: 0.02 },
   grip_mm: { key: "grip", low: 0, high: 40 },
@@ -77,7 +79,7 @@ export const LOAD =
     low: 0, high: 1000 });
 
 /** @type {readonly Measure[]} */
-const POINT = [PRESSURE, CONTRACTION, LOAD];
+export const POINT = [PRESSURE, CONTRACTION, LOAD];
 /** Words of the address that are no quantities. */
 const NAMES = ["rubber", "braid"];
 /** Stiffnesses that have a name. */

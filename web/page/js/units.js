@@ -47,9 +47,10 @@ export function takeUnits(answer) {
 }
 
 /** What may be typed; a number alone has the unit that is shown. @param {string} kind */
-export const expectation = (kind) =>
-  (kinds.get(kind)?.expectation ?? "").replace(/\(a bare number is [^)]*\)$/, () =>
-    `(a number alone is in ${unitName(kind)})`);
+export const expectation = (kind) => bareIn(kinds.get(kind)?.expectation ?? "", kind);
+/** With what a number alone means on the page. @param {string} text @param {string} kind */
+export const bareIn = (text, kind) =>
+  text.replace(/\(a bare number is [^)]*\)$/, () => `(a number alone is in ${unitName(kind)})`);
 /** Names of its units. @param {string} kind */
 export const unitsOf = (kind) => (kinds.get(kind)?.units ?? []).map((u) => u.name);
 /** The unit inside. @param {string} kind */
@@ -133,8 +134,7 @@ function pointed(text) {
  */
 export function meant(kind, typed) {
   const text = pointed(typed), comma = text === typed ? {} : { note: `${typed} was read as ${text}.` };
-  const bare = text !== "" && Number.isFinite(Number(text));
-  if (!bare) return { text, ...comma };
+  if (!/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) || !Number.isFinite(Number(text))) return { text, ...comma };
   const value = Number(text);
   if (kind !== "ratio") return { text, value: inside(kind, value), ...comma };
   if (value === 0) return { text, value };
@@ -154,18 +154,15 @@ export function withUnit(kind, text) {
   return `${text} ${writtenUnit(kind)}`;
 }
 
-/**
- * A pull to the digits that its ± leaves.
- * @param {string} kind
- * @param {number} value
- * @param {number | null | undefined} half
- */
-export function withUncertainty(kind, value, half) {
-  if (!half) return show(kind, value);
-  const [v, u] = [outside(kind, value), outside(kind, half)];
-  const decimals = Math.min(8, Math.max(0, 1 - Math.floor(Math.log10(u))));
-  return `${v.toFixed(decimals).replace("-", "−")} ± ${u.toFixed(decimals)} ${unitName(kind)}`;
+/** A number to the digits that its ± leaves. @param {number} value @param {number | null | undefined} half */
+export function plusMinus(value, half) {
+  if (!half) return number(value);
+  const decimals = Math.min(8, Math.max(0, 1 - Math.floor(Math.log10(half))));
+  return `${value.toFixed(decimals).replace("-", "−")} ± ${half.toFixed(decimals)}`;
 }
+/** The same of a quantity. @param {string} kind @param {number} value @param {number | null | undefined} half */
+export const withUncertainty = (kind, value, half) =>
+  half ? `${plusMinus(outside(kind, value), outside(kind, half))} ${unitName(kind)}` : show(kind, value);
 
 /** Changes a unit everywhere, to the next one or to one by name. @param {string} kind @param {string} [name] */
 export function changeUnit(kind, name) {

@@ -73,6 +73,9 @@ export function reach(list) {
  * @typedef {{ outer: Piece, inner: Piece, walls: Piece[] }} Mesh
  */
 
+/** What gives a picture of a view, by its canvas: it is drawn for it. @type {WeakMap<HTMLCanvasElement, () => string>} */
+export const pictures = new WeakMap();
+
 export class View {
   /**
    * @param {HTMLElement} stage
@@ -103,6 +106,7 @@ export class View {
       this.prepare(gl);
       stage.prepend(this.canvas);
       this.listen();
+      pictures.set(this.canvas, () => { this.draw(true); return this.canvas.toDataURL(); });
       this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
       this.canvas.addEventListener("webglcontextrestored", () => { this.prepare(gl); this.upload(); this.draw(); });
     }
@@ -111,6 +115,8 @@ export class View {
     this.height = stage.clientHeight;
     this.rest = 0;
     this.sized = new ResizeObserver(() => {
+      // On paper the stage has no place, and its picture is made.
+      if (!stage.clientWidth) return;
       this.width = stage.clientWidth;
       this.height = stage.clientHeight;
       this.draw(true);

@@ -1,29 +1,21 @@
 // The first view: muscles to begin with; until somebody hides it.
 import { byId, el } from "./dom.js";
 import { gallery } from "./gallery.js";
+import { remembered } from "./kept.js";
 import { noticeProblem } from "./notice.js";
 
-const HIDDEN = "mckibben:welcomed";
-const seen = () => {
-  try {
-    return Boolean(localStorage.getItem(HIDDEN));
-  } catch {
-    return false;
-  }
-};
+const seen = remembered("welcomed");
 
 /** @param {boolean} on the address is bare: somebody has just arrived */
 export function welcome(on) {
   const box = byId("welcome");
-  if (!on || seen()) {
+  if (!on || seen.get()) {
     box.hidden = true;
     return;
   }
   const hide = () => {
     box.hidden = true;
-    try {
-      localStorage.setItem(HIDDEN, "1");
-    } catch { /* Then it comes again. */ }
+    seen.set("1");
   };
   if (!box.childElementCount) {
     box.append(

@@ -1,6 +1,11 @@
 // What the engine says, in the words of the page: names of fields as their labels, pressures in the unit that is shown.
 import { number, outside, unitName } from "./units.js";
 
+/** A part as people call it: those of the reference muscle by their source. @param {string | null | undefined} name */
+export const partName = (name) => (name === "paper" ? "silicone (Antonelli 2018)" : name ?? "");
+/** The same of a braid. @param {string | null | undefined} name */
+export const braidName = (name) => (name === "paper" ? "braid (Antonelli 2018)" : name ?? "");
+
 /**
  * Fields of requests and keys of muscle files, and what the page calls them; those of measures are added.
  * @type {Record<string, string>}

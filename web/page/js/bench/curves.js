@@ -19,7 +19,7 @@ export class Curves {
   constructor(store) {
     this.store = store;
     const slot = () => new Slot({ lane: "curves" });
-    this.slots = { family: slot(), own: slot(), over: slot() };
+    this.slots = { family: slot(), own: slot(), over: slot(), exact: slot() };
     /** @type {{ test: string, answer: Answer, top: number } | undefined} */ this.family = undefined;
     /** @type {{ test: string, answer: Answer } | undefined} */ this.own = undefined;
     /** @type {Answer[]} */ this.overlays = [];
@@ -121,8 +121,25 @@ export class Curves {
     if (test === "isobaric") series.push(...this.overlays.map(overlay), ...points.series(top));
     const [pressure, force] = [`pressure p [${unitName("pressure")}]`, `pull F [${unitName("force")}]`];
     const ratio = "contraction ε [%]";
-    chart.show({ x: test === "isobaric" ? ratio : pressure, y: test === "isotonic" ? ratio : force, series });
+    chart.show({ x: test === "isobaric" ? ratio : pressure, y: test === "isotonic" ? ratio : force, series,
+      exact: (s, x, take) => this.exact(s, x, take) });
     this.mark();
+  }
+
+  /**
+   * A curve by finite elements where the pointer rests.
+   * @param {import("../chart.js").Series} s @param {number} x @param {(y: number, half?: number | null) => void} take
+   */
+  exact({ fixed }, x, take) {
+    const { test } = this.store.wanted, fields = muscle.fields(), { exact } = this.slots;
+    if (fixed === undefined) return;
+    const pressure = x / outside("pressure", 1);
+    if (test === "isotonic")
+      return exact.ask("contraction", { ...fields, force_n: fixed, pressure_mpa: pressure }, (a) =>
+        take(100 * a.contraction, a.contraction_uncertainty && 100 * a.contraction_uncertainty));
+    const at = test === "isobaric" ? { pressure_mpa: fixed, contraction: x / 100 } : { pressure_mpa: pressure, contraction: fixed };
+    exact.ask("force", { ...fields, ...at }, (a) =>
+      take(outside("force", a.force_n), a.uncertainty_n && outside("force", a.uncertainty_n)));
   }
 
   mark() {

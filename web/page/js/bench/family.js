@@ -11,8 +11,8 @@ import { niceUp, twoDigits } from "./round.js";
 export const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
 /** Points of a curve of the family, and of that of the state. */
 export const FAMILY = 13, FINE = 21;
-const steps = (/** @type {number} */ count, /** @type {number} */ end) =>
-  Array.from({ length: count }, (_, i) => (i * end) / (count - 1));
+/** Closer where curves bend: at the beginning. @param {number} count @param {number} end */
+const steps = (count, end) => Array.from({ length: count }, (_, i) => end * (i / (count - 1)) * (0.4 + (0.6 * i) / (count - 1)));
 
 /** Contractions up to a little beyond the free one. @param {Store} store @param {number} count */
 export function reachOf(store, count) {
@@ -96,13 +96,8 @@ export function familySeries(answer, test, top, own) {
     const name = named(fixed, test),
       colour = test === "isobaric" ? pressureColour(fixed, top) : hue(i);
     return [
-      /** @type {import("../chart.js").Series} */ ({
-        name,
-        end: name,
-        at: test === "isobaric" ? "start" : "end",
-        colour,
-        ...line(answer.points.slice(i * count, (i + 1) * count), test),
-      }),
+      /** @type {import("../chart.js").Series} */ ({ name, end: name, at: test === "isobaric" ? "start" : "end", colour,
+        smooth: true, fixed, ...line(answer.points.slice(i * count, (i + 1) * count), test) }),
     ];
   });
 }
@@ -122,14 +117,8 @@ export function ownSeries(answer, test, top) {
       branch === "contraction" ? " while it shortens" : branch === "elongation" ? " while it lengthens" : "";
     const label = i ? {} : { end: name, at: /** @type {"start" | "end"} */ (test === "isobaric" ? "start" : "end") };
     const curve = line(list, test);
-    return /** @type {import("../chart.js").Series} */ ({
-      name: name + words,
-      ...label,
-      colour,
-      strong: true,
-      dash: branch === "elongation" ? "dash" : "solid",
-      ...curve,
-    });
+    return /** @type {import("../chart.js").Series} */ ({ name: name + words, ...label, colour, strong: true, smooth: true,
+      fixed: branches.length > 1 ? undefined : answer.fixed[0], dash: branch === "elongation" ? "dash" : "solid", ...curve });
   });
 }
 
@@ -137,10 +126,6 @@ export function ownSeries(answer, test, top) {
 export function overlay(answer) {
   const colour = KINDS[OVERLAYS.indexOf(answer.model) + 1] ?? KINDS[6];
   const { half, ...curve } = isobar(answer.points);
-  return /** @type {import("../chart.js").Series} */ ({
-    name: `${answer.model} at ${show("pressure", answer.fixed[0], 3)}`,
-    dash: "dash",
-    colour,
-    ...curve,
-  });
+  return /** @type {import("../chart.js").Series} */ ({ name: `${answer.model} at ${show("pressure", answer.fixed[0], 3)}`,
+    dash: "dash", colour, smooth: true, ...curve });
 }

@@ -39,7 +39,7 @@ export function numbersView(store) {
         values.push(value);
         return [el("dt", {}, name), value];
       });
-      const head = [el("dt", { class: "head" }, "pull"), el("dd", { class: "head" }, pull, " ", half)];
+      const head = [el("dt", { class: "head" }, "Pull"), el("dd", { class: "head" }, pull, " ", half)];
       const basis = `Model ${point.model}; ± covers 95 % against a measured muscle. ${engine().about}.`;
       element.replaceChildren(
         el("dl", {}, ...head, ...lines),
@@ -76,20 +76,17 @@ const put = (element, text) => { if (element.textContent !== text) element.textC
 function rows({ facts }, point) {
   const c = facts.characteristics;
   return [
-    ["stiffness", point.stiffness_n_per_mm === undefined ? "–" : `${number(point.stiffness_n_per_mm, 3)} N/mm`],
-    ["contraction", contraction(point)],
-    ["bulged diameter", show("length", point.bulged_diameter_mm)],
-    [
-      "cavity",
-      point.volume_mm3 === undefined || point.volume_mm3 === null ? "–" : `${number(point.volume_mm3 / 1e3, 3)} cm³`,
-    ],
-    ["starts at", show("pressure", facts.start, 3)],
-    ["blocked force", show("force", c?.blocked_force_n)],
-    ["free contraction", show("ratio", c?.free_contraction, 3)],
-    ["bursts at", c?.burst_pressure_mpa ? show("pressure", c.burst_pressure_mpa, 3) : "not known"],
-    ["allowed", c?.allowed_pressure_mpa ? show("pressure", c.allowed_pressure_mpa, 3) : "not known"],
-    ["work to there", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
-    ["air to there", c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–"],
+    ["Stiffness", show("stiffness", point.stiffness_n_per_mm, 3)],
+    ["Contraction", contraction(point)],
+    ["Bulged diameter", show("length", point.bulged_diameter_mm)],
+    ["Cavity", point.volume_mm3 ? show("volume", point.volume_mm3, 3) : "–"],
+    ["Threshold pressure", show("pressure", facts.start, 3)],
+    ["Blocked force", show("force", c?.blocked_force_n)],
+    ["Free contraction", show("ratio", c?.free_contraction, 3)],
+    ["Burst pressure", c?.burst_pressure_mpa ? show("pressure", c.burst_pressure_mpa, 3) : "not known"],
+    ["Allowed pressure", c?.allowed_pressure_mpa ? show("pressure", c.allowed_pressure_mpa, 3) : "not known"],
+    ["Work over the full stroke", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
+    ["Air over the full stroke", c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–"],
   ];
 }
 
@@ -105,9 +102,9 @@ function contraction(point) {
 function margins({ facts }, point) {
   const c = facts.characteristics;
   return [
-    meter("stretch of the rubber", point.max_stretch, facts.fitted_to_stretch, (x) => number(x, 3), 1),
-    meter("pull", point.force_n, c?.blocked_force_n, (x) => show("force", x, 3)),
-    meter("contraction", point.contraction, c?.free_contraction, (x) => show("ratio", x, 3)),
+    meter("Stretch of the rubber", point.max_stretch, facts.fitted_to_stretch, (x) => number(x, 3), 1),
+    meter("Pull", point.force_n, c?.blocked_force_n, (x) => show("force", x, 3)),
+    meter("Contraction", point.contraction, c?.free_contraction, (x) => show("ratio", x, 3)),
   ].filter((m) => m !== null);
 }
 

@@ -147,7 +147,7 @@ class DataPage {
   #dim(parts, on) { parts.forEach((part) => part.classList.toggle("stale", on)); }
   #place() {
     const own = { ...this.what.texts(), columns: this.columns.text() };
-    write(address("data", { ...muscle.params(), ...own }), true);
+    write(address("data", { ...muscle.params(), ...own }));
   }
 
   /** @param {string} name @param {string} text */

@@ -150,12 +150,12 @@ export function mount(main) {
   main.replaceChildren(which,
     el("div", { class: "cards-of-files" }, report.element, out.element, elements.element, workshopCard()));
 
-  const place = (replace = false) => {
+  const place = () => {
     if (!main.contains(which)) return;
     const own = { target: out.state.target === "c" ? "" : out.state.target,
       elements: elements.state.model === "fe" ? "" : elements.state.model };
     const texts = Object.assign({}, ...forms.map((f) => f.texts()));
-    write(address("files", { ...muscle.params(), ...texts, ...own }), replace);
+    write(address("files", { ...muscle.params(), ...texts, ...own }));
   };
   const paint = () => {
     which.textContent = `The muscle: ${muscle.line()}, at ${show("pressure", muscle.p)} and `
@@ -164,7 +164,7 @@ export function mount(main) {
   };
   atEnd(onUnits(() => {
     paint();
-    place(true);
+    place();
   }));
   return {
     /** @param {URLSearchParams} params */

@@ -95,7 +95,7 @@ export function mount(main) {
         + "used a hundred simulations; here they run while you watch."));
 
   const place = () => {
-    if (main.contains(plan)) write(address("formula", { ...muscle.params(), ...how.texts() }), true);
+    if (main.contains(plan)) write(address("formula", { ...muscle.params(), ...how.texts() }));
   };
   async function paint() {
     place();

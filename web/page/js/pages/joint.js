@@ -209,7 +209,7 @@ class JointPage {
     atEnd(onUnits(() => {
       this.#paint();
       this.#mapped(this.#reached);
-      this.#place(true);
+      this.#place();
     }));
   }
 
@@ -247,8 +247,8 @@ class JointPage {
     this.asks.ask(this.#request(), v, settled);
     if (settled) this.#place();
   }
-  #place(replace = false) {
-    write(address("joint", { ...muscle.params(), ...this.joint.words() }), replace);
+  #place() {
+    write(address("joint", { ...muscle.params(), ...this.joint.words() }));
   }
 
   /** @param {Answer} answer */

@@ -167,8 +167,8 @@ export function mount(main) {
 
   /** What is shown belongs to the last step that had an answer. @param {boolean} on */
   const stale = (on) => [shown.stage, numbers, charts.element].forEach((part) => part.classList.toggle("stale", on));
-  const place = (replace = false) =>
-    write(address("motion", { ...muscle.params(), ...fields.texts(), [DRIVE]: drive }), replace);
+  const place = () =>
+    write(address("motion", { ...muscle.params(), ...fields.texts(), [DRIVE]: drive }));
 
   async function request() {
     const read = await fields.read();
@@ -203,7 +203,7 @@ export function mount(main) {
   atEnd(onUnits(() => {
     paint();
     shown.again();
-    place(true);
+    place();
   }));
   return {
     /** @param {URLSearchParams} params */

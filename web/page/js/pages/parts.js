@@ -143,13 +143,13 @@ export function mount(main) {
   const line = el("div", { class: "parts-filter" }, kind.element, filter, find, fits.row, cast.row);
   main.replaceChildren(line, which, count, list);
 
-  const place = (replace = false) => {
+  const place = () => {
     const own = { kind: state.kind === "tubes" ? "" : state.kind, find: state.find };
     const ticks = { fits: fits.box.checked ? "1" : "", sold: cast.box.checked ? "1" : "" };
-    write(address("parts", { ...muscle.params(), ...own, ...ticks }), replace);
+    write(address("parts", { ...muscle.params(), ...own, ...ticks }));
   };
   function changed() {
-    place(true);
+    place();
     paint();
   }
 
@@ -179,7 +179,7 @@ export function mount(main) {
 
   atEnd(onUnits(() => {
     paint();
-    place(true);
+    place();
   }));
   return {
     /** @param {URLSearchParams} params */

@@ -71,8 +71,8 @@ export function mount(main) {
   );
   const stale = (/** @type {boolean} */ on) =>
     [laws, figures.element].forEach((part) => part.classList.toggle("stale", on));
-  const place = (replace = false) => {
-    if (main.contains(laws)) write(address("rubber", { ...muscle.params(), ...fields.texts() }), replace);
+  const place = () => {
+    if (main.contains(laws)) write(address("rubber", { ...muscle.params(), ...fields.texts() }));
   };
 
   /** @param {string} name @param {string} text */
@@ -104,7 +104,7 @@ export function mount(main) {
   }
   atEnd(onUnits(() => {
     paint();
-    place(true);
+    place();
   }));
   return {
     /** @param {URLSearchParams} params */

@@ -69,7 +69,7 @@ class SweepPage {
     atEnd(onUnits(() => {
       this.#usual();
       this.#paint();
-      this.#place(true);
+      this.#place();
     }));
   }
 
@@ -96,9 +96,9 @@ class SweepPage {
     this.#fields();
     this.#run();
   }
-  #place(replace = false) {
+  #place() {
     const own = { x: this.state.x === "p" ? "" : this.state.x, y: this.state.y === "F" ? "" : this.state.y };
-    write(address("sweep", { ...muscle.params(), ...this.#range?.texts(), ...own }), replace);
+    write(address("sweep", { ...muscle.params(), ...this.#range?.texts(), ...own }));
   }
 
   /** The values, or nothing where a text cannot be read. */
