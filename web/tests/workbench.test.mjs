@@ -363,9 +363,9 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, errors, context } = await blank();
     await page.goto(url());
     await alive(page);
-    const cards = page.locator("#welcome .card");
+    const cards = page.locator("#welcome .gallery .card");
     await soon(async () => assert.equal(await cards.count(), 8));
-    await page.waitForFunction(() => document.querySelectorAll("#welcome .card svg rect").length >= 8 * 4);
+    await page.waitForFunction(() => document.querySelectorAll("#welcome .gallery .card svg g").length >= 8);
     await page.screenshot({ path: `${shots}/welcome-${name}.png` });
     const titles = await cards.locator("b").allTextContents();
     for (const [i, title] of titles.entries()) {
@@ -389,6 +389,39 @@ inBrowser(({ name, url, open, blank }) => {
     await page.reload();
     await alive(page);
     await soon(async () => assert.ok(await page.locator("#welcome").isHidden()));
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("the start asks one question: three candidates with the command line's width, pressure and ±, and a click lands on the muscle", async () => {
+    const { page, errors, context } = await blank();
+    await page.goto(url());
+    const cards = page.locator("#welcome .candidates button");
+    await soon(async () => assert.equal(await cards.count(), 3));
+    const began = Date.now();
+    await type(page, "It pulls", "500 N");
+    const { candidates: [best], decision } = ask("design", "-F", "500N", "-e", "15%", "-p", "2.5bar");
+    const [wide, set] = [best.bulged_diameter_mm, 10 * best.pressure_mpa].map((v) => Number(v.toPrecision(3)));
+    await cards.first().filter({ hasText: `${wide} mm wide at ${set} bar` }).waitFor();
+    console.log(`candidates: ${Date.now() - began} ms with the command line's`);
+    await cards.first().filter({ hasText: `500 ± ${Math.round(best.uncertainty_n)} N` }).waitFor();
+    await reads(page, "#welcome .decision", decision[0].split(",")[0]);
+    await soon(async () => assert.equal(await page.locator("#welcome .candidates svg clipPath").count(), 3));
+    await page.screenshot({ path: `${shots}/start-${name}.png` });
+    await type(page, "or by a stroke of", "30 mm");
+    const stroke = ask("design", "-F", "500N", "--stroke", "30mm", "-p", "2.5bar").candidates[0];
+    await cards.first().filter({ hasText: `${Number(stroke.bulged_diameter_mm.toPrecision(3))} mm wide` }).waitFor();
+    await cards.first().click();
+    await there(page, "muscle");
+    await alive(page);
+    await soon(async () => assert.ok(await page.locator("#welcome").isHidden()));
+    await reads(page, ".muscle-bar", `D0 ${Number(stroke.outer_diameter_mm.toPrecision(4))} mm`);
+    // What moves: it is filled, shortens and lets go, and is as it was.
+    const before = await pull(page);
+    await page.getByRole("button", { name: "Pump" }).click();
+    await soon(async () => assert.notEqual(await pull(page), before));
+    await page.getByRole("button", { name: "Pump" }).waitFor();
+    await soon(async () => assert.equal(await pull(page), before));
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -486,7 +519,7 @@ inBrowser(({ name, url, open, blank }) => {
         await page.getByRole("button", { name: button, exact: true }).click();
         await page.locator("dialog[open]").waitFor();
         if (button === "Open") {
-          await page.waitForFunction(() => document.querySelectorAll("dialog .card svg rect").length >= 8 * 4);
+          await page.waitForFunction(() => document.querySelectorAll("dialog .card svg g").length >= 8);
           await page.getByRole("button", { name: /lib:dmsp-20-300/ }).waitFor();
         }
         const { violations } = await page.evaluate(() =>

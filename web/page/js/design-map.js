@@ -1,6 +1,7 @@
 // The map of a design: what fits over diameter and wall, by `universal`: the pressure that each muscle needs, and the
 // limit that others miss.
 import { Slot, engine } from "./ask.js";
+import { picture as drawnMuscle } from "./candidates.js";
 import { border, extended, inside } from "./border.js";
 import { Chart, KINDS } from "./chart.js";
 import { el, token } from "./dom.js";
@@ -124,7 +125,7 @@ function hovering(chart, of) {
     if (!one) return;
     const size = `D0 ${show("length", one.outer_diameter_mm, 3)}, s ${show("length", one.wall_mm, 2)}`;
     const [needs, bulge] = [show("pressure", one.pressure_mpa, 3), show("length", one.bulged_diameter_mm, 3)];
-    card.innerHTML = section(one);
+    card.innerHTML = drawnMuscle(one, one.length_mm, Math.max(one.outer_diameter_mm, Number(one.bulged_diameter_mm)));
     card.append(el("span", {}, `${size}: requires ${needs}, bulges to ${bulge}`));
     const wide = plot.clientWidth, aside = px > wide / 2 ? `right:${wide - px + 14}px` : `left:${px + 14}px`;
     card.style.cssText = `top:${plot.offsetTop + py + 14}px;${aside}`;
@@ -238,19 +239,4 @@ function place(limit, nodes, x, y) {
   const [ci, cj] = [middle(0), middle(1)], far = (/** @type {number[]} */ [i, j]) => Math.hypot(i - ci, j - cj);
   const near = hit.reduce((a, b) => (far(b) < far(a) ? b : a));
   return [{ x: x[near[0]], y: y[near[1]], text: `misses ${words(limit)}` }];
-}
-
-/** At rest (dashed) and bulged, from the side. @param {Candidate} one */
-function section({ outer_diameter_mm: D, length_mm: L, bulged_diameter_mm, points }) {
-  const r = D / 2,
-    b = Number(bulged_diameter_mm ?? D) / 2,
-    now = L * (1 - Number(points[0]?.contraction ?? 0)),
-    most = Math.max(r, b) * 1.15;
-  const bulged = `M0 ${-r}C${0.08 * now} ${-b} ${0.1 * now} ${-b} ${0.2 * now} ${-b}H${0.8 * now}C${0.9 * now} ` +
-    `${-b} ${0.92 * now} ${-b} ${now} ${-r}V${r}C${0.92 * now} ${b} ${0.9 * now} ${b} ${0.8 * now} ` +
-    `${b}H${0.2 * now}C${0.1 * now} ${b} ${0.08 * now} ${b} 0 ${r}Z`;
-  return `<svg viewBox="${-0.04 * L} ${-most} ${1.08 * L} ${2 * most}" width="150" ` +
-    `height="${Math.min(90, (300 * most) / (1.08 * L)).toFixed(0)}" aria-hidden="true"><path d="${bulged}" ` +
-    `fill="var(--accent)" opacity="0.5"/><path d="M0 ${-r}H${L}V${r}H0Z" fill="none" stroke="currentColor" ` +
-    `stroke-dasharray="4 4" vector-effect="non-scaling-stroke"/></svg>`;
 }

@@ -1,4 +1,5 @@
 // The answer of a design as people read it: the best muscle, the table of all, what is not sure, and what would fit.
+import { picture } from "./candidates.js";
 import { capital, download, el } from "./dom.js";
 import { table, warnings } from "./form.js";
 import { number, outside, show, unitName, withUncertainty } from "./units.js";
@@ -70,7 +71,8 @@ const filled = (candidates) => candidates.some((c) => c.liquid_volume_mm3);
  * @param {Prices} prices
  */
 function shownColumns(candidates, prices) {
-  const same = { rubber: candidates.every((c) => c.tube),
+  const named = candidates.every((c) => c.tube), sleeved = candidates.every((c) => c.sleeve);
+  const same = { rubber: named, s: named, θ0: sleeved,
     L0: candidates.every((c) => c.length_mm === candidates[0].length_mm), tube: candidates.every((c) => !c.tube),
     sleeve: candidates.every((c) => !c.sleeve) };
   return columns(prices, filled(candidates)).filter(([name]) => !(/** @type {Record<string, boolean>} */ (same))[name]);
@@ -139,6 +141,13 @@ function details(answer) {
   return out;
 }
 
+/** A candidate in use, to the scale of all. @param {Candidate} c @param {Candidate[]} all */
+function inUse(c, all) {
+  const most = (/** @type {(one: Candidate) => number} */ of) => Math.max(...all.map(of)), box = el("span", { class: "thumbnail" });
+  box.innerHTML = picture(c, most((one) => one.length_mm), most((one) => Number(one.bulged_diameter_mm ?? one.outer_diameter_mm)));
+  return box;
+}
+
 /**
  * What was found.
  * @param {Answer} answer
@@ -147,8 +156,8 @@ function details(answer) {
  */
 export function foundView(answer, prices, { open, ask }) {
   const list = shownColumns(answer.candidates, prices),
-    rows = answer.candidates.map((c) => list.map(([, , cell]) => cell(c)));
-  const text = list.flatMap(([name], i) => (["tube", "sleeve", "rubber", "price"].includes(name) ? [i] : []));
+    rows = answer.candidates.map((c) => [inUse(c, answer.candidates), ...list.map(([, , cell]) => cell(c))]);
+  const text = list.flatMap(([name], i) => (["tube", "sleeve", "rubber", "price"].includes(name) ? [i + 1] : []));
   const save = () => download("design.csv", csv(answer.candidates, prices), "text/csv");
   const assumed = answer.assumptions?.length
     ? el("details", { class: "small" }, el("summary", {}, "What was assumed"),
@@ -157,7 +166,7 @@ export function foundView(answer, prices, { open, ask }) {
   return [
     ...head(answer, ask),
     warnings(answer.warnings),
-    table(list.map(([name]) => name), rows, { text, pick: (i) => open(answer.candidates[i]),
+    table(["", ...list.map(([name]) => name)], rows, { text, pick: (i) => open(answer.candidates[i]),
       label: "Muscles that fit, best first" }),
     el("p", { class: "row small soft" },
       el("span", { class: "grow" },

@@ -3,6 +3,7 @@ import { address } from "./address.js";
 import { engine } from "./ask.js";
 import { el } from "./dom.js";
 import { muscle } from "./muscle.js";
+import { thumbnail } from "./thumbnail.js";
 import { show } from "./units.js";
 
 /** @typedef {import("../../types/commands").Commands["parts-list"]["answer"]["muscles"][number]} Entry */
@@ -23,7 +24,8 @@ function card(entry, opened, fail) {
     : "";
   const size = `D0 ${show("length", entry.outer_diameter_mm, 3)}, L0 ${show("length", entry.length_mm)}`;
   return el("button", { type: "button", class: "card", title: `${entry.source}; ${entry.terms}`,
-    onclick: () => openPart(name).then(opened, fail) }, el("b", {}, entry.product ?? entry.title),
+    onclick: () => openPart(name).then(opened, fail) },
+    el("span", { class: "picture" }, thumbnail(entry)), el("b", {}, entry.product ?? entry.title),
     el("span", { class: "small soft" }, `${name}: ${size}${pull}`));
 }
 
@@ -38,5 +40,5 @@ export function library(fail, opened) {
     ({ muscles }) => box.replaceChildren(...muscles.map((entry) => card(entry, opened, fail))),
     fail,
   );
-  return el("div", {}, el("h3", {}, "Identified from measured points"), box);
+  return el("div", {}, el("h2", {}, "Identified from measured points"), box);
 }

@@ -61,14 +61,19 @@ const bar = muscleBar(walk);
 byId("tools").append(help.element, themeButton());
 byId("bar").append(bar.element);
 
+/** Steps that are being gone back to: the muscle on the way there is none. */
+let walking = 0;
 /** Undo and redo of the muscle, on the page that is shown. @param {-1 | 1} by */
-function walk(by) {
+async function walk(by) {
   const words = step(by), { name } = pageOf(location.hash.slice(1).split("?")[0]);
   if (!words) return;
   const query = { ...words, u: muscle.params().u };
   history.replaceState(null, "", OWN_WORDS.includes(name)
     ? address(name, { ...wordsOf(name), m: address("", query).slice(2) }) : linked(name, query));
-  route();
+  walking++;
+  await route();
+  walking--;
+  bar.paint();
 }
 
 /** @param {string} name */
@@ -143,7 +148,7 @@ async function start() {
 /** The muscle after a gesture is a step; not while a pointer is down. */
 let down = false;
 function changed() {
-  if (!down) record();
+  if (!down && !walking) record();
   link();
   bar.paint();
 }

@@ -128,19 +128,21 @@ function contracting(store) {
   };
 }
 
-/** The pressure rises in two seconds. @param {Store} store */
+/** The pressure rises, the muscle shortens, and both go back. @param {Store} store */
 function pumping(store) {
   let running = 0;
-  const button = el("button", { type: "button", onclick: start }, "Pump");
+  const button = el("button", { type: "button", title: "Fills it, lets it shorten, and lets go", onclick: start }, "Pump");
   function start() {
     if (running) return stop();
-    const to = muscle.p, began = performance.now();
+    const { p, e } = muscle, began = performance.now();
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     button.textContent = "Stop";
     const step = () => {
-      const share = Math.min(1, (performance.now() - began) / 2000);
+      const share = Math.min(1, (performance.now() - began) / 4500);
       // Three stills where motion is not wanted.
-      store.ask(to * (still ? Math.ceil(share * 3) / 3 : share));
+      const t = 3 * (still ? Math.ceil(share * 3) / 3 : share), part = (/** @type {number} */ x) => Math.min(1, Math.max(0, x));
+      if (share < 1) store.ask({ pressure_mpa: p * (part(t) - part(t - 2)), contraction: e * (part(t - 1) - part(t - 2)) });
+      else store.ask();
       if (share < 1) running = still ? window.setTimeout(step, 660) : requestAnimationFrame(step);
       else stop();
     };

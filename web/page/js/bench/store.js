@@ -72,15 +72,14 @@ export class Store {
     write(address("muscle", { ...muscle.params(), ...own }));
   }
 
-  /** The point and its shape. @param {number} [pressure] in place of the state's */
-  ask(pressure) {
-    const { state } = muscle, at = pointOf(state);
-    const request = { ...muscle.fields(), ...at, pressure_mpa: pressure ?? at.pressure_mpa };
+  /** The point and its shape. @param {{ pressure_mpa: number, contraction: number }} [shown] in place of the state's */
+  ask(shown) {
+    const { state } = muscle, request = { ...muscle.fields(), ...(shown ?? pointOf(state)) };
     this.slots.state.ask("shape", request, (answer) => {
       this.shape = this.point = /** @type {Shape} */ (answer);
       this.problem = undefined;
       if (muscle.state === state) this.take(state, this.point);
-      this.tell("answer", pressure !== undefined);
+      this.tell("answer", shown !== undefined);
     }, (problem) => {
       this.problem = problem;
       this.point = undefined;

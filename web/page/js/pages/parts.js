@@ -5,6 +5,7 @@ import { choice } from "../controls.js";
 import { problemOf } from "../engine/problem.js";
 import { capital, el, problemBox } from "../dom.js";
 import { table } from "../form.js";
+import { library } from "../library.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { notice } from "../notice.js";
@@ -13,7 +14,9 @@ import { inWords } from "../words.js";
 
 /** @typedef {import("../../../types/commands").Commands["parts-list"]["answer"]} Parts */
 /** @typedef {"tubes" | "sleeves" | "rubbers"} Kind */
-const KINDS = /** @type {[Kind, string][]} */ ([["tubes", "Tubes"], ["sleeves", "Sleeves"], ["rubbers", "Rubbers"]]);
+const LISTED = /** @type {Kind[]} */ (["tubes", "sleeves", "rubbers"]);
+const KINDS = /** @type {[string, string][]} */ ([["tubes", "Tubes"], ["sleeves", "Sleeves"], ["rubbers", "Rubbers"],
+  ["muscles", "Measured muscles"]]);
 /** What a part says of the muscle: keys of the state. @typedef {Record<string, number | string>} Said */
 /**
  * A row: the name, cells, the words that a filter looks at, its outer or possible diameters, and what it says of the
@@ -125,9 +128,9 @@ const putButton = ({ name }, act) =>
 /** @param {HTMLElement} main */
 export function mount(main) {
   /** @type {Parts | undefined} */ let parts;
-  const state = { kind: /** @type {Kind} */ ("tubes"), find: "" };
+  const state = { kind: "tubes", find: "" };
   const kind = choice("Show", KINDS, state.kind, (name) => {
-    state.kind = /** @type {Kind} */ (name);
+    state.kind = name;
     changed();
   });
   const find = el("input", { type: "text", id: "parts-find", autocomplete: "off", spellcheck: "false",
@@ -159,7 +162,12 @@ export function mount(main) {
 
   function paint() {
     if (!parts) return;
-    const { head, text, rows } = LISTS[state.kind], all = rows(parts), shown = all.filter(matches);
+    find.disabled = state.kind === "muscles";
+    if (find.disabled) {
+      count.textContent = "Muscles whose pulls were measured. Open one: it becomes the muscle.";
+      return list.replaceChildren(library((problem) => list.replaceChildren(problemBox(problem)), () => {}));
+    }
+    const { head, text, rows } = LISTS[/** @type {Kind} */ (state.kind)], all = rows(parts), shown = all.filter(matches);
     cast.row.hidden = state.kind !== "tubes";
     fits.row.hidden = state.kind !== "sleeves";
     which.textContent = `The muscle: ${muscle.line()}.`;
@@ -186,7 +194,7 @@ export function mount(main) {
     async load(params) {
       await muscle.read(params, ["kind", "find", "fits", "sold"]);
       const asked = params.get("kind") ?? "tubes";
-      state.kind = /** @type {Kind} */ (KINDS.some(([name]) => name === asked) ? asked : "tubes");
+      state.kind = KINDS.some(([name]) => name === asked) ? asked : "tubes";
       kind.set(state.kind);
       if (document.activeElement !== find) find.value = params.get("find") ?? "";
       state.find = find.value.trim();
@@ -194,7 +202,7 @@ export function mount(main) {
       cast.box.checked = params.has("sold");
       try {
         if (!parts) {
-          const kinds = await Promise.all(KINDS.map(([kind]) => engine().ask("parts-list", { kind })));
+          const kinds = await Promise.all(LISTED.map((kind) => engine().ask("parts-list", { kind })));
           parts = { ...kinds[0], sleeves: kinds[1].sleeves, rubbers: kinds[2].rubbers };
         }
         paint();

@@ -1,0 +1,57 @@
+// A muscle from the side as SVG, in millimetres or any other measure: woven strands over a tube that bulges between its
+// ends. The left end of the tube is at 0, its axis too.
+
+/** @typedef {{ outer_diameter_mm: number, wall_mm: number, length_mm: number, angle_deg?: number | null }} Measures */
+let count = 0;
+const short = (/** @type {number} */ v) => Number(v.toPrecision(5));
+
+/**
+ * What a muscle of these measures has at a contraction, by strands that do not stretch: diameter and strand angle.
+ * @param {number} diameter @param {number} angle in degrees @param {number} contraction
+ */
+export function contracted(diameter, angle, contraction) {
+  const a = (angle * Math.PI) / 180, c = Math.min(0.999, Math.cos(a) * (1 - contraction));
+  return { bulged: (diameter * Math.sqrt(1 - c * c)) / Math.sin(a), angle: (Math.acos(c) * 180) / Math.PI };
+}
+
+/**
+ * @param {{ length: number, diameter: number, bulged?: number, angle?: number | null, fill?: string,
+ *   thread?: string }} of as it is now; the strand angle is that of its middle
+ */
+export function body({ length, diameter, bulged = diameter, angle, fill = "var(--rubber)", thread = "var(--thread)" }) {
+  const id = `body${++count}`, r = diameter / 2, b = Math.max(r, bulged / 2), end = Math.min(0.3 * length, 1.6 * b);
+  const a = (Math.min(80, Math.max(10, angle ?? 28)) * Math.PI) / 180, tan = Math.tan(a);
+  const pitch = Math.max(0.42 * b, (length * Math.sin(a)) / 30), step = pitch / Math.sin(a), across = (2 * b) / tan;
+  const half = (/** @type {number} */ y, /** @type {number} */ m) =>
+    `C${short(0.35 * end)} ${short(m * r)} ${short(0.5 * end)} ${short(y)} ${short(end)} ${short(y)}` +
+    `H${short(length - end)}C${short(length - 0.5 * end)} ${short(y)} ${short(length - 0.35 * end)} ${short(m * r)} ${short(length)} ${short(m * r)}`;
+  const back = (/** @type {number} */ y, /** @type {number} */ m) =>
+    `C${short(length - 0.35 * end)} ${short(m * r)} ${short(length - 0.5 * end)} ${short(y)} ${short(length - end)} ${short(y)}` +
+    `H${short(end)}C${short(0.5 * end)} ${short(y)} ${short(0.35 * end)} ${short(m * r)} 0 ${short(m * r)}`;
+  const outline = `M0 ${short(-r)}${half(-b, -1)}V${short(r)}${back(b, 1)}Z`;
+  const family = (/** @type {1 | -1} */ sign) =>
+    Array.from({ length: Math.ceil((length + across) / step) + 1 }, (_, k) =>
+      `M${short(k * step - across)} ${short(-sign * b)}l${short(across)} ${short(2 * sign * b)}`).join("");
+  // Of every second crossing the first family is above: a dash as long as from one to the next.
+  const apart = step / 2 / Math.cos(a), first = across / 2 / Math.cos(a);
+  const dash = ` stroke-dasharray="${short(apart)}" stroke-dashoffset="${short(apart / 2 - first)}"`;
+  const threads = (/** @type {string} */ d, more = "") =>
+    `<path d="${d}" stroke="#1a1d21" stroke-opacity=".6" stroke-width="${short(0.74 * pitch)}"${more}/>` +
+    `<path d="${d}" stroke="${thread}" stroke-width="${short(0.5 * pitch)}"${more}/>`;
+  const [one, other] = [family(1), family(-1)];
+  const plug = (/** @type {number} */ x, /** @type {number} */ way) =>
+    `<path d="M${short(x - 0.3 * way * r)} ${short(-1.12 * r)}h${short(way * r)}v${short(2.24 * r)}h${short(-way * r)}z` +
+    `M${short(x + 0.7 * way * r)} ${short(-0.5 * r)}h${short(0.5 * way * r)}v${short(r)}h${short(-0.5 * way * r)}z" fill="url(#${id}m)"/>`;
+  return `<defs><clipPath id="${id}"><path d="${outline}"/></clipPath>` +
+    `<linearGradient id="${id}s" x2="0" y2="1"><stop stop-opacity=".28"/><stop offset=".3" stop-opacity="0"/>` +
+    `<stop offset="1" stop-opacity=".55"/></linearGradient><linearGradient id="${id}m" x2="0" y2="1">` +
+    `<stop stop-color="#7d838b"/><stop offset=".3" stop-color="#b9bec5"/><stop offset="1" stop-color="#4b5057"/></linearGradient></defs>` +
+    `<g clip-path="url(#${id})" fill="none"><path d="${outline}" fill="${fill}"/>${threads(one)}${threads(other)}${threads(one, dash)}` +
+    `<path d="${outline}" fill="url(#${id}s)"/></g>${plug(0, -1)}${plug(length, 1)}`;
+}
+
+/** A quiet shadow on the ground, and the hose of the left end. @param {number} length @param {number} radius */
+export const ground = (length, radius) =>
+  `<ellipse cx="${short(length / 2)}" cy="${short(1.5 * radius)}" rx="${short(0.52 * length)}" ry="${short(0.16 * radius)}" fill="#000" ` +
+  `opacity=".13"/><path d="M${short(-1.1 * radius)} 0q${short(-1.5 * radius)} 0 ${short(-2 * radius)} ${short(1.4 * radius)}" ` +
+  `fill="none" stroke="var(--line)" stroke-width="${short(0.3 * radius)}" stroke-linecap="round"/>`;
