@@ -73,6 +73,14 @@ if command -v npx >/dev/null; then
 else
     echo "without Node (npx) the page is 70 kB larger than it could be" >&2
 fi
+# What the page keeps for use without a network: its own files, and the examples that its scripts name.
+(
+    cd "$made"
+    find index.html style.css manifest.webmanifest icon.svg icon-192.png js -type f
+    grep -rhoE '"[a-z0-9-]+\.(toml|csv)"' js | tr -d '"' | sort -u | while read -r name; do
+        if [ -e "examples/$name" ]; then echo "examples/$name"; fi
+    done
+) | sort | sed 's/.*/"&"/' | paste -sd, | sed 's/.*/[&]/' >"$made/files.json"
 mkdir -p "$out"
 find "$out" -mindepth 1 -delete
 cp -r "$made"/. "$out"

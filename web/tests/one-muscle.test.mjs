@@ -75,11 +75,11 @@ inBrowser(({ name, url, open, blank }) => {
     // Joint: the torques of its curves, and of the pressures that finite elements find.
     writeFileSync(join(folder, "joint.toml"), `[joint]\nradius = "25 mm"\nrange = "-60..60 deg"\n[muscle_1]\nfile = "saved-${name}.toml"\ncontraction_at_neutral = "12%"\n[muscle_2]\nfile = "saved-${name}.toml"\ncontraction_at_neutral = "12%"\n`);
     const asked = ["joint", join(folder, "joint.toml"), "--angle", "20deg", "--stiffness", "8", "--max-pressure", "5bar"];
-    const pressures = (/** @type {any} */ { points: [q] }) => `pressure of muscle 1${bar(q.pressure_1_mpa)}pressure of muscle 2${bar(q.pressure_2_mpa)}`;
+    const pressures = (/** @type {any} */ { points: [q] }) => `pressure 1${bar(q.pressure_1_mpa)}pressure 2${bar(q.pressure_2_mpa)}`;
     await go(page, "Joint");
     await reads(page, ".numbers", pressures(ask(...asked, "--model", "universal", "--extrapolate")));
     await page.reload();
-    await reads(page, ".numbers", "by fe;", 90_000);
+    await reads(page, ".numbers", "Final: finite elements", 90_000);
     await reads(page, ".numbers", pressures(ask(...asked)));
     // Motion.
     await go(page, "Motion");

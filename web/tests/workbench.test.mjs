@@ -7,8 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 import axe from "axe-core";
-import { files, listed } from "../offline.mjs";
-import { nameIn, named } from "../page/js/name.js";
+import { nameIn, named } from "../page/js/toml.js";
 import { PAGES } from "../page/js/pages.js";
 import { thinned } from "../page/js/thin.js";
 import { alive, go, launch, meter, pull, served, soon } from "./browser.mjs";
@@ -81,9 +80,6 @@ test("help leads to a page and a place that the book has", () => {
     assert.ok(!anchor || places.includes(anchor), `${name}: ${help} is none of ${places.join(" ")}`);
   }
 });
-
-test("the list of files for use without a network is that of the folder (node web/offline.mjs renews it)", () =>
-  assert.deepEqual(listed(), files()));
 
 inBrowser(({ name, url, open, blank }) => {
   test("the bar has name, picture, undo, redo, save and open of the one muscle, on every page", async () => {
@@ -319,11 +315,11 @@ inBrowser(({ name, url, open, blank }) => {
     await there(page, "joint");
     const said =
       ask("joint", "examples/elbow.toml", "--angle", "20deg", "--stiffness", "8", "--max-pressure", "5bar").points[0];
-    await reads(page, ".numbers", "by fe;", 90_000);
-    await reads(page, ".numbers", `pressure of muscle 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`);
+    await reads(page, ".numbers", "Final: finite elements", 90_000);
+    await reads(page, ".numbers", `pressure 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`);
     await page.reload();
-    await reads(page, ".numbers", "by fe;", 90_000);
-    await reads(page, ".numbers", `pressure of muscle 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`);
+    await reads(page, ".numbers", "Final: finite elements", 90_000);
+    await reads(page, ".numbers", `pressure 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`);
     await drop(page, { "drive.toml": example("drive.toml"), "prototype.toml": example("prototype.toml") });
     await there(page, "motion");
     const run = ask("motion", "examples/drive.toml");
@@ -557,7 +553,7 @@ inBrowser(({ name, url, open, blank }) => {
     await reads(page, ".muscle-bar", "D0 9.525 mm");
     await page.getByRole("combobox", { name: "Show" }).selectOption("sleeves");
     await page.getByRole("textbox", { name: "Filter" }).fill("");
-    await page.getByText("only what fits the muscle's diameter").click();
+    await page.getByText("fits the muscle's diameter").click();
     await soon(async () => assert.ok(await page.locator(".estimated").count() > 0, "estimates are marked"));
     await page.screenshot({ path: `${shots}/parts-${name}.png` });
     await page.getByRole("button", { name: "Put into the muscle: flexo-overexpanded-0.38in" }).click();
@@ -575,7 +571,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.waitForSelector("tr.pick", { timeout: 60_000 });
     const said = ask("design", "-F", "700N", "-e", "15%", "-p", "2.5bar"), [best] = said.candidates;
     const table = page.getByRole("region", { name: "Muscles that fit, best first" });
-    for (const head of ["± of the pull", "sure at", "mass", "price"])
+    for (const head of ["± of the pull", "guaranteed at", "mass", "price"])
       await soon(async () => assert.equal(await table.getByRole("columnheader", { name: head, exact: true }).count(), 1, head));
     await table.locator("tbody tr").first().filter({ hasText: `± ${Math.round(best.uncertainty_n)}`.slice(0, 4) }).waitFor();
     const { name: file, text } = await downloaded(page, page.getByRole("button", { name: "CSV of the table" }));
@@ -586,7 +582,7 @@ inBrowser(({ name, url, open, blank }) => {
         of /** @type {[string, number]} */ ([["D0 [mm]", best.outer_diameter_mm], ["mass [g]", best.mass_g], [
           "± of the pull [N]",
           best.uncertainty_n,
-        ], ["needs [bar]", 10 * best.pressure_mpa]])
+        ], ["set [bar]", 10 * best.pressure_mpa]])
     ) {
       assert.ok(Math.abs(Number(first[head.indexOf(column)]) / value - 1) < 1e-6,
         `${column}: ${first[head.indexOf(column)]}`);
@@ -790,8 +786,8 @@ inBrowser(({ name, url, open, blank }) => {
     // The first visit does not pay for what it does not use; a button fetches it.
     assert.deepEqual(fetched.filter((file) => /whole/.test(file)), []);
     await go(page, "About");
-    await page.getByRole("button", { name: "Make all pages available offline" }).click();
-    await page.getByText("Every page works.").waitFor();
+    await page.getByRole("button", { name: "Make all places available offline" }).click();
+    await page.getByText("Every place works.").waitFor();
     assert.ok(fetched.some((file) => /whole/.test(file)));
     await go(page, "Muscle");
     await alive(page);

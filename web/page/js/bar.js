@@ -1,7 +1,7 @@
 // The muscle of all pages, above them: its picture and name, undo and redo, save, open, share, project, print.
 import { download, el } from "./dom.js";
 import { muscle } from "./muscle.js";
-import { fileName } from "./name.js";
+import { fileName } from "./toml.js";
 import { notice, noticeProblem } from "./notice.js";
 import { openDialog } from "./open.js";
 import { show } from "./units.js";

@@ -10,7 +10,7 @@
  */
 
 /** Limits whose margin a muscle that fits states too. */
-const OF_PULL = ["force", "points", "contraction"];
+export const OF_PULL = ["force", "points", "contraction"];
 
 /**
  * How far from a muscle that fits the border lies towards a neighbour that does not, as a share of their distance.

@@ -3,7 +3,7 @@ import { engine } from "./ask.js";
 import { capital, el } from "./dom.js";
 import { filesView } from "./files-view.js";
 import { muscle } from "./muscle.js";
-import { fileName } from "./name.js";
+import { fileName } from "./toml.js";
 import { show } from "./units.js";
 import { inWords } from "./words.js";
 

@@ -1,6 +1,6 @@
 // A chart: curves over a picture or none, as SVG (lines.js); with a table, PNG, SVG and CSV.
 import { atEnd } from "./life.js";
-import { download, el } from "./dom.js";
+import { csv, download, el } from "./dom.js";
 import { Lines } from "./lines.js";
 import { KINDS } from "./plot.js";
 import { number, outside } from "./units.js";
@@ -143,12 +143,7 @@ export class Chart {
   /** @param {"csv" | "svg" | "png"} kind */
   async save(kind) {
     if (!this.spec) return;
-    if (kind === "csv") {
-      const quoted = (/** @type {string | number | null} */ v) =>
-        typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : (v ?? "");
-      const lines = [this.head(), ...this.rows()].map((row) => row.map(quoted).join(","));
-      return download(`${this.name}.csv`, lines.join("\n") + "\n", "text/csv");
-    }
+    if (kind === "csv") return download(`${this.name}.csv`, csv([this.head(), ...this.rows()]), "text/csv");
     const size = { width: Math.max(640, this.plot.clientWidth), height: Math.max(400, this.plot.clientHeight) };
     const url = await this.lines.picture(kind, size);
     el("a", { href: url, download: `${this.name}.${kind}` }).click();

@@ -2,7 +2,7 @@
 // limit that others miss.
 import { Slot, engine } from "./ask.js";
 import { picture as drawnMuscle } from "./candidates.js";
-import { border, extended, inside } from "./border.js";
+import { OF_PULL, border, extended, inside } from "./border.js";
 import { Chart, KINDS } from "./chart.js";
 import { el, token } from "./dom.js";
 import { corners, levels, picture, pieces, sampled, valueBetween } from "./map.js";
@@ -126,7 +126,7 @@ function hovering(chart, of) {
     const size = `D0 ${show("length", one.outer_diameter_mm, 3)}, s ${show("length", one.wall_mm, 2)}`;
     const [needs, bulge] = [show("pressure", one.pressure_mpa, 3), show("length", one.bulged_diameter_mm, 3)];
     card.innerHTML = drawnMuscle(one, one.length_mm, Math.max(one.outer_diameter_mm, Number(one.bulged_diameter_mm)));
-    card.append(el("span", {}, `${size}: requires ${needs}, bulges to ${bulge}`));
+    card.append(el("span", {}, `${size}: set ${needs}, ${bulge} wide in use`));
     const wide = plot.clientWidth, aside = px > wide / 2 ? `right:${wide - px + 14}px` : `left:${px + 14}px`;
     card.style.cssText = `top:${plot.offsetTop + py + 14}px;${aside}`;
     card.hidden = false;
@@ -183,7 +183,8 @@ export function read({ outer_diameter_mm: D, wall_mm: S }, answer) {
   return { D, S, fits, nodes, limits };
 }
 
-const words = (/** @type {string} */ limit) => limit.replaceAll("_", " ");
+/** What a limit that is missed means. @param {string} limit */
+const words = (limit) => (OF_PULL.includes(limit) ? "pull too low" : `not met: ${limit.replaceAll("_", " ")}`);
 const rgb = (/** @type {string} */ hex) => [1, 3, 5].map((i) => Number.parseInt(hex.slice(i, i + 2), 16));
 
 /**
@@ -238,5 +239,5 @@ function place(limit, nodes, x, y) {
   const middle = (/** @type {number} */ k) => hit.reduce((sum, c) => sum + c[k], 0) / hit.length;
   const [ci, cj] = [middle(0), middle(1)], far = (/** @type {number[]} */ [i, j]) => Math.hypot(i - ci, j - cj);
   const near = hit.reduce((a, b) => (far(b) < far(a) ? b : a));
-  return [{ x: x[near[0]], y: y[near[1]], text: `misses ${words(limit)}` }];
+  return [{ x: x[near[0]], y: y[near[1]], text: words(limit) }];
 }

@@ -1,6 +1,6 @@
 // The answer of a design as people read it: the best muscle, the table of all, what is not sure, and what would fit.
 import { picture } from "./candidates.js";
-import { capital, download, el } from "./dom.js";
+import { capital, csv, download, el } from "./dom.js";
 import { table, warnings } from "./form.js";
 import { number, outside, show, unitName, withUncertainty } from "./units.js";
 import { inWords } from "./words.js";
@@ -44,14 +44,14 @@ function columns(prices, liquid) {
     quantity("L0", "length", (c) => c.length_mm),
     quantity("θ0", "angle", (c) => c.angle_deg),
     words("rubber", (c) => c.rubber),
-    quantity("needs", "pressure", (c) => c.pressure_mpa, 3),
-    ["pull to spare", unitName("force"), (c) => show("force", spare(c).spare, 3),
+    quantity("set", "pressure", (c) => c.pressure_mpa, 3),
+    ["spare pull", unitName("force"), (c) => show("force", spare(c).spare, 3),
       (c) => outside("force", spare(c).spare)],
     ["± of the pull", unitName("force"), (c) => (c.uncertainty_n ? `± ${show("force", c.uncertainty_n, 2)}` : "–"),
       (c) => c.uncertainty_n && outside("force", c.uncertainty_n)],
-    quantity("sure at", "pressure", (c) => c.sure_pressure_mpa, 3),
-    quantity("bulged", "length", (c) => c.bulged_diameter_mm),
-    quantity("bursts at", "pressure", (c) => c.burst_pressure_mpa, 3),
+    quantity("guaranteed at", "pressure", (c) => c.sure_pressure_mpa, 3),
+    quantity("width in use", "length", (c) => c.bulged_diameter_mm),
+    quantity("burst pressure", "pressure", (c) => c.burst_pressure_mpa, 3),
     liquid
       ? ["liquid per stroke", "mL", (c) => (c.liquid_volume_mm3 ? `${number(1e-3 * c.liquid_volume_mm3, 3)} mL` : "–"),
         (c) => c.liquid_volume_mm3 && 1e-3 * c.liquid_volume_mm3]
@@ -79,14 +79,9 @@ function shownColumns(candidates, prices) {
 }
 
 /** @param {Candidate[]} candidates @param {Prices} prices */
-function csv(candidates, prices) {
-  const quoted = (
-    /** @type {string | number | null | undefined} */ v,
-  ) => (typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : v ?? "");
+function rowsOf(candidates, prices) {
   const list = columns(prices, filled(candidates)), head = list.map(([name, unit]) => (unit ? `${name} [${unit}]` : name));
-  return [head, ...candidates.map((c) => list.map(([, , , of]) => of(c)))].map((row) => row.map(quoted).join(",")).join(
-    "\n",
-  ) + "\n";
+  return [head, ...candidates.map((c) => list.map(([, , , of]) => of(c)))];
 }
 
 /**
@@ -123,7 +118,7 @@ function details(answer) {
   const [best] = answer.candidates, out = [];
   if (best.points.length > 1)
     out.push(
-      table(["pull", "at", "needs"], best.points.map((
+      table(["pull", "at", "set"], best.points.map((
         p,
       ) => [withUncertainty("force", p.force_n, p.uncertainty_n), show("ratio", p.contraction, 3),
         show("pressure", p.pressure_mpa, 3)]
@@ -158,7 +153,7 @@ export function foundView(answer, prices, { open, ask }) {
   const list = shownColumns(answer.candidates, prices),
     rows = answer.candidates.map((c) => [inUse(c, answer.candidates), ...list.map(([, , cell]) => cell(c))]);
   const text = list.flatMap(([name], i) => (["tube", "sleeve", "rubber", "price"].includes(name) ? [i + 1] : []));
-  const save = () => download("design.csv", csv(answer.candidates, prices), "text/csv");
+  const save = () => download("design.csv", csv(rowsOf(answer.candidates, prices)), "text/csv");
   const assumed = answer.assumptions?.length
     ? el("details", { class: "small" }, el("summary", {}, "What was assumed"),
       el("ul", {}, ...answer.assumptions.map((text) => el("li", {}, capital(inWords(text))))))
@@ -171,7 +166,7 @@ export function foundView(answer, prices, { open, ask }) {
     el("p", { class: "row small soft" },
       el("span", { class: "grow" },
         `${answer.fitting} of ${answer.looked_at} muscles fit; searched with ${answer.searched_with}, computed by `
-          + `${answer.model}. Click one to show it. Sure at: there the lower end of the ± meets what is required.`),
+          + `${answer.model}. Click one to show it. Guaranteed at: the lower end of the ± meets the requirement there.`),
       el("button", { type: "button", onclick: save, title: "The table of the muscles as a file" }, "CSV of the table")),
     ...details(answer),
     boughtView(answer),
@@ -185,7 +180,7 @@ function boughtView({ bought }) {
     `${b.product} (${b.name}, L0 ${show("length", b.length_mm)}): ${show("force", b.force_n, 3)} ± ${
       show("force", b.uncertainty_n, 2)
     } at ${show("ratio", b.wanted.contraction, 3)} and ${show("pressure", b.pressure_mpa, 3)}`;
-  return bought?.length ? el("p", { class: "small" }, `As sold would do: ${bought.map(one).join("; ")}.`) : null;
+  return bought?.length ? el("p", { class: "small" }, `Sold muscles that fit: ${bought.map(one).join("; ")}.`) : null;
 }
 
 /** What comes closest where nothing fits. @param {Answer} answer */

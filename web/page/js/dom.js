@@ -57,6 +57,13 @@ export function download(name, content, type) {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
+/** Rows as CSV. @param {readonly (readonly (string | number | null | undefined)[])[]} rows */
+export function csv(rows) {
+  const quoted = (/** @type {string | number | null | undefined} */ v) =>
+    typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : (v ?? "");
+  return rows.map((row) => row.map(quoted).join(",")).join("\n") + "\n";
+}
+
 /**
  * Tabs over one panel.
  * @param {string} label

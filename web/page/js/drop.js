@@ -6,6 +6,7 @@ import { keepFile } from "./kept.js";
 import { measured } from "./measured.js";
 import { muscle } from "./muscle.js";
 import { notice, noticeProblem } from "./notice.js";
+import { stated } from "./toml.js";
 import { visit } from "./visit.js";
 
 /** @typedef {"muscle" | "joint" | "drive" | "plan" | "data" | "rubber" | "project" | "other"} Kind */
@@ -34,9 +35,9 @@ export function kindOfFile(name, text) {
   return "other";
 }
 
-/** The muscle files that a joint file names, without their folders. @param {string} text */
+/** The muscle files that a joint or drive names, without their folders. @param {string} text */
 const namedIn = (text) =>
-  [...text.matchAll(/^[ \t]*(?:file|muscle)[ \t]*=[ \t]*"([^"]+)"/gm)].map((m) => m[1].split("/").pop() ?? "");
+  [...stated(text)].flatMap(([place, file]) => (/\.(file|muscle)$/.test(place) ? [file.split("/").pop() ?? ""] : []));
 
 /** @param {Read[]} files */
 async function take(files) {

@@ -9,7 +9,7 @@ import { levels, picture, sampled, valueBetween } from "./map.js";
 import { number, outside, show, unitName } from "./units.js";
 
 /** The paper's formula, with the box that it was fitted in. */
-export const PUBLISHED = { name: "The formula of the paper",
+export const PUBLISHED = { name: "Formula (Antonelli 2018)",
   range: /** @type {Record<"outer_diameter_mm" | "wall_mm" | "contraction", [number, number]>} */ ({
     outer_diameter_mm: [30, 50], wall_mm: [1, 5], contraction: [0, 0.2] }) };
 

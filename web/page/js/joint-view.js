@@ -22,6 +22,10 @@ export function angleAt(stage, event) {
   return (Math.atan2(-at.y, at.x) * 180) / Math.PI;
 }
 
+/** Whether finite elements have answered yet. @param {string} model */
+const badge = (model) =>
+  el("p", { class: model === "fe" ? "badge final" : "badge" }, model === "fe" ? "Final: finite elements" : `First estimate: ${model}`);
+
 /** @param {Point} point @param {string} which muscles these are */
 export function numbersView(point, which) {
   const half = (/** @type {number | null | undefined} */ u) => (u ? ` ± ${number(u, 2)}` : "");
@@ -34,19 +38,19 @@ export function numbersView(point, which) {
   // Less than a milligram's weight is what the solution leaves of a slack muscle.
   const pull = (/** @type {number | null | undefined} */ n) => show("force", Math.abs(Number(n)) < 1e-5 ? 0 : n, 3);
   const rows = /** @type {[string, string][]} */ ([
-    ["pressure of muscle 1", show("pressure", point.pressure_1_mpa, 3)],
-    ["pressure of muscle 2", show("pressure", point.pressure_2_mpa, 3)],
+    ["pressure 1", show("pressure", point.pressure_1_mpa, 3)],
+    ["pressure 2", show("pressure", point.pressure_2_mpa, 3)],
     ["stiffness", stiffness(point)],
-    ...(closed.length ? [["with the valves shut", `${closed.join(" to ")} ${unitName("angular-stiffness")}`]] : []),
+    ...(closed.length ? [["stiffness, valves closed", `${closed.join(" to ")} ${unitName("angular-stiffness")}`]] : []),
     ["pulls", `${pull(point.force_1_n)}, ${pull(point.force_2_n)}`],
     ["contractions", `${show("ratio", point.contraction_1, 3)}, ${show("ratio", point.contraction_2, 3)}`],
   ]);
   const words = point.words ? ` The ± of the torque ${point.words}.` : "";
   return [
-    el("dl", {}, el("dt", { class: "head" }, "rests at"),
+    badge(point.model), el("dl", {}, el("dt", { class: "head" }, "equilibrium angle"),
       el("dd", { class: "head" }, `${number(point.angle_deg, 3)}${half(point.angle_uncertainty_deg)}°`),
       ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)])),
-    el("p", { class: "small soft" }, `${which} Pressures by ${point.model}; curves and map by universal.${words}`),
+    el("p", { class: "small soft" }, `${which} Curves and map by universal.${words}`),
   ];
 }
 

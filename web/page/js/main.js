@@ -99,7 +99,7 @@ async function route() {
   const mine = ++routes, { page: wanted, params, lost, bare } = await read();
   if (mine !== routes) return;
   const { name } = pageOf(wanted);
-  if (name !== wanted) notice(`There is no page "${wanted.slice(0, 40)}". This is the page Muscle.`);
+  if (name !== wanted) notice(`There is no page "${wanted.slice(0, 40)}". This is the muscle.`);
   if (lost.length) notice("The link is damaged: a file in it cannot be read. Ask for the link again, or for the file.");
   frame(name);
   welcome(bare && name === "muscle");

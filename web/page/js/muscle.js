@@ -4,7 +4,7 @@ import { query } from "./address.js";
 import { pack } from "./deflate.js";
 import { canonical, fields, fromWords, keys, missing, opened, prototype, say, shownValue, takeMeasures, texts, words,
   MEASURES } from "./state.js";
-import { nameIn, named } from "./name.js";
+import { nameIn, named } from "./toml.js";
 import { show, typed, unitsFromAddress, unitsInAddress } from "./units.js";
 import { braidName, learn, partName } from "./words.js";
 
@@ -143,14 +143,11 @@ export class MuscleState {
     return named(await this.file(), this.name);
   }
 
-  /** The measures in a line. */
-  line() {
-    const s = this.shown;
-    return s
-      ? `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${
-        show("length", s.length_mm)
-      }, θ0 ${show("angle", s.angle_deg)}, ${partName(s.rubber)}, ${braidName(s.braid)}`
-      : "none yet";
+  /** The measures in a line. @param {Shown | undefined} [s] of another one */
+  line(s = this.shown) {
+    if (!s) return "none yet";
+    const size = `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${show("length", s.length_mm)}`;
+    return `${size}, θ0 ${show("angle", s.angle_deg)}, ${partName(s.rubber)}, ${braidName(s.braid)}`;
   }
 
   /** Words of the address. */

@@ -4,7 +4,7 @@ import { download, el } from "./dom.js";
 import { everything, fileOf, keepFile, replaceAll } from "./kept.js";
 import { pack } from "./deflate.js";
 import { muscle } from "./muscle.js";
-import { fileName, nameIn } from "./name.js";
+import { fileName, nameIn } from "./toml.js";
 import { notice } from "./notice.js";
 
 const FORMAT = "mckibben-project";

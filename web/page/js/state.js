@@ -2,6 +2,8 @@
 // engine: the muscle is
 // what the engine says that the muscle file and the fields over it are, and no page makes another one of them.
 
+import { replaced } from "./toml.js";
+
 /**
  * A quantity: key of the address, field of requests, key and table of muscle files, kind, unit of a plain number,
  * name, symbol, what it is, the
@@ -245,20 +247,29 @@ export function fromWords(params, readings) {
 /** Keys of the address that are the muscle's. */
 export const keys = () => [...MEASURES, ...POINT].map(({ key }) => key).concat(NAMES, FILE);
 
+/** A joint of two muscles; a link where it has a mass. @param {boolean} hasMass */
+const template = (hasMass) => `#:schema joint.schema.json\n\n[joint]\nradius = ""\nrange = ""\ninertia = ""\n`
+  + `${hasMass ? '[link]\nmass = ""\ncentre = ""\ninclination = "-90 deg"\n' : ""}[muscle_1]\nfile = ""\n`
+  + 'contraction_at_neutral = ""\n[muscle_2]\nfile = ""\ncontraction_at_neutral = ""\n';
+
 /**
- * A joint with this muscle against itself or another one.
- * @param {string} file the muscle's
- * @param {string} second file of the other one; empty where it is the same
- * @param {{ r: number, low: number, high: number, e0: number, mass?: number, centre?: number,
- *   inertia?: number }} of mm, degrees, ratio, kg, kg m²; the arm hangs at the neutral angle
+ * A request for a joint with this muscle against itself or another one: that of a file, where there is one, with what
+ * was typed over it.
+ * @param {string} file the muscle's @param {string} second file of the other one; empty where it is the same
+ * @param {{ r?: number, low?: number, high?: number, e0?: number, mass?: number, centre?: number, inertia?: number }} of
+ *   mm, degrees, ratio, kg, kg m²; the arm hangs at the neutral angle @param {string} [text] a joint file
  */
-export function joint(file, second, { r, low, high, e0, mass = 0, centre = 0, inertia = 0 }) {
-  const other = second ? "muscle-2.toml" : "muscle.toml";
-  const arm = mass > 0 ? `[link]\nmass = "${mass} kg"\ncentre = "${centre} mm"\ninclination = "-90 deg"\n` : "";
-  const text = `#:schema joint.schema.json\n\n[joint]\nradius = "${r} mm"\nrange = "${low}..${high} deg"\n`
-    + `${inertia > 0 ? `inertia = "${inertia} kg m2"\n` : ""}${arm}[muscle_1]\nfile = "muscle.toml"\n`
-    + `contraction_at_neutral = "${e0}"\n[muscle_2]\nfile = "${other}"\ncontraction_at_neutral = "${e0}"\n`;
-  return { joint: { name: "joint.toml", text },
+export function joint(file, second, { r, low, high, e0, mass, centre, inertia }, text = template(Number(mass) > 0)) {
+  const other = second ? "muscle-2.toml" : "muscle.toml", neutral = e0 === undefined ? undefined : String(e0);
+  const said = (/** @type {number | undefined} */ value, /** @type {string} */ unit) =>
+    value === undefined ? undefined : `${value} ${unit}`;
+  const put = { "muscle_1.file": "muscle.toml", "muscle_2.file": other, "joint.radius": said(r, "mm"),
+    "joint.inertia": said(inertia || undefined, "kg m2"), "link.mass": said(mass, "kg"), "link.centre": said(centre, "mm"),
+    "joint.range": low === undefined || high === undefined ? undefined : `${low}..${high} deg`,
+    "muscle_1.contraction_at_neutral": neutral, "muscle_2.contraction_at_neutral": neutral };
+  // What stays empty is not stated.
+  const written = replaced(text, put).replace(/^\w+ = ""\n/gm, "");
+  return { joint: { name: "joint.toml", text: written },
     muscles: [{ name: "muscle.toml", text: file }, ...(second ? [{ name: other, text: second }] : [])] };
 }
 

@@ -211,6 +211,12 @@ export class View {
     else this.section();
   }
 
+  /** A shape by its largest stretch. @param {Shape & { muscle: { length_mm: number, outer_diameter_mm: number } }} shape @param {number} [least] */
+  stretched(shape, least = 1.2) {
+    this.set(shape, { field: "max_stretch", low: 1, high: Math.max(least, reach(shape.arrays.max_stretch)[1]),
+      restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });
+  }
+
   upload() {
     const { gl, shape, show } = this;
     if (!gl || !shape) return;

@@ -9,16 +9,16 @@ import { inWords } from "../words.js";
 const PARTS = {
   friction: [
     "friction, not measured",
-    "Select the branch of the job, or pull the muscle at one pressure in both directions, and identify it on the page Data.",
+    "Pull the muscle at one pressure in both directions, and identify the friction in Measurements.",
   ],
-  measured: ["model against tests", "Identify the rubber from the muscle's own pull on the page Data."],
+  measured: ["model against tests", "Identify the rubber from the muscle's own pull in Measurements."],
   rubber: ["rubber", "Identify the rubber from the muscle's own pull, or test the rubber in tension."],
   braid: ["stiffness of the braid", "Measure the sleeve, or identify the stiffness from the muscle's own pull."],
-  data_sheet: ["data sheets", "Pull your own muscle, and identify it on the page Data."],
+  data_sheet: ["data sheets", "Pull your own muscle, and identify it in Measurements."],
   formula: ["formula", "Compute by finite elements: the model fe."],
   mesh: ["mesh", "Take a finer mesh; it seldom matters."],
-  length_transfer: ["another length", "Pull your muscle at its own length, and identify it on the page Data."],
-  transfer: ["another specimen", "Pull your own muscle, and identify it on the page Data."],
+  length_transfer: ["another length", "Pull your muscle at its own length, and identify it in Measurements."],
+  transfer: ["another specimen", "Pull your own muscle, and identify it in Measurements."],
   fit: ["fit to the bench", "Measure more points, at the pressures and contractions that you need."],
 };
 

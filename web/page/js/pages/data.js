@@ -67,8 +67,8 @@ export const FIELDS = [
   { key: "models", field: "models", label: "Models", words: true, value: "fe, thick-wall, ideal" },
 ];
 const HINT = "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading.";
-const BEGIN = "Drop a table of measured points. The figure compares it with the models of the muscle of the page "
-  + "Muscle. Then you can identify its constants.";
+const BEGIN = "Drop a table of measured points. The figure compares it with the models of the muscle above. "
+  + "Then you can identify its constants.";
 
 class DataPage {
   /** @type {Commands["compare"]["answer"] | undefined} */ #compared;
@@ -83,7 +83,6 @@ class DataPage {
     this.understood = el("div", {}, el("p", { class: "soft" }, BEGIN));
     this.errors = el("div", {});
     this.found = el("div", {});
-    this.which = el("p", { class: "small soft" });
     this.figures = new Figures("data");
     this.fitted = new Figures("identified");
     this.identify = job("Identify", "identify", () => this.#request(), (answer) => this.#identified(answer),
@@ -108,7 +107,7 @@ class DataPage {
       button("a bench with its muscle", () => this.#bench().catch(fail)));
     return el("section", { class: "controls", "aria-label": "Data" }, el("h2", {}, "Measured points"),
       fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) => this.#take(name, text)),
-      el("p", { class: "small soft" }, HINT), samples, this.which, this.columns.element, this.what.element,
+      el("p", { class: "small soft" }, HINT), samples, this.columns.element, this.what.element,
       el("div", { class: "row" }, button("Compare", () => this.#look())), this.identify.element);
   }
 
@@ -124,7 +123,7 @@ class DataPage {
       this.found.replaceChildren(el("p", { class: "soft" }, "Open a table first."));
       return undefined;
     }
-    return { ...this.#fields(), data: [this.data], columns: this.columns.value(), free: read.free ?? [],
+    return { ...muscle.fields(), data: [this.data], columns: this.columns.value(), free: read.free ?? [],
       figure: unitName("pressure") };
   }
 
@@ -137,10 +136,6 @@ class DataPage {
     this.fitted.show(answer.figure);
   }
 
-  #fields() {
-    this.which.textContent = `Compared with ${muscle.line()}.`;
-    return muscle.fields();
-  }
   /** @param {unknown} why */
   #fail(why) { this.understood.replaceChildren(problemBox(why)); }
   /** @param {HTMLElement[]} parts @param {boolean} on */
@@ -170,7 +165,7 @@ class DataPage {
     this.#looking.abort();
     const { signal } = (this.#looking = new AbortController()), columns = this.columns.value();
     measured.set(data, columns);
-    const request = { ...this.#fields(), data: [data], columns, models: read.models, extrapolate: true,
+    const request = { ...muscle.fields(), data: [data], columns, models: read.models, extrapolate: true,
       figure: unitName("pressure") };
     try {
       this.#compared = await engine().ask("compare", request, { signal });
@@ -205,7 +200,6 @@ class DataPage {
     this.columns.read(params.get("columns") ?? "");
     this.data = measured.file;
     this.#begin();
-    this.#fields();
     if (this.data) await this.#look();
     // What was identified before is there again.
     if (this.data && fileOf(CONSTANTS)) this.identify.run();

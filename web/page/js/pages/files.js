@@ -9,7 +9,7 @@ import { filesView } from "../files-view.js";
 import { form, job, warnings } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
-import { fileName } from "../name.js";
+import { fileName } from "../toml.js";
 import { withViewer } from "../report.js";
 import { number, onUnits, show, unitName } from "../units.js";
 
@@ -144,26 +144,20 @@ function workshopCard() {
 
 /** @param {HTMLElement} main */
 export function mount(main) {
-  const which = el("p", { class: "small soft" });
   const report = reportCard(() => place()), out = exportCard(() => place()), elements = elementsCard(() => place());
   const forms = [report.form, out.form];
-  main.replaceChildren(which,
-    el("div", { class: "cards-of-files" }, report.element, out.element, elements.element, workshopCard()));
+  main.replaceChildren(
+    el("div", { class: "cards-of-files" }, report.element, workshopCard(), out.element, elements.element));
 
   const place = () => {
-    if (!main.contains(which)) return;
+    if (!main.contains(report.element)) return;
     const own = { target: out.state.target === "c" ? "" : out.state.target,
       elements: elements.state.model === "fe" ? "" : elements.state.model };
     const texts = Object.assign({}, ...forms.map((f) => f.texts()));
     write(address("files", { ...muscle.params(), ...texts, ...own }));
   };
-  const paint = () => {
-    which.textContent = `The muscle: ${muscle.line()}, at ${show("pressure", muscle.p)} and `
-      + `${show("ratio", muscle.e, 3)}. Change it on the page Muscle.`;
-    out.paint();
-  };
   atEnd(onUnits(() => {
-    paint();
+    out.paint();
     place();
   }));
   return {
@@ -175,7 +169,7 @@ export function mount(main) {
       elements.state.model = params.get("elements") === "fe3d" ? "fe3d" : "fe";
       elements.pick.set(elements.state.model);
       await muscle.read(params, [...forms.flatMap((f) => f.keys), "target", "elements"]);
-      paint();
+      out.paint();
     },
     unmount() {
       [report, out, elements].forEach(({ job }) => job.end());

@@ -35,9 +35,9 @@ const COMPUTED = /** @type {const} */ ("campaign");
 /** How a formula is fitted. @type {import("../form.js").Field[]} */
 export const HOW = [
   { key: "method", field: "method", label: "Method",
-    options: [["paper", "the paper's seven steps"], ["global", "one least-squares problem"]], value: "paper" },
+    options: [["paper", "seven steps (Antonelli 2018)"], ["global", "one least-squares problem"]], value: "paper" },
   { key: "hold", field: "hold_out_mm", label: "Diameters kept out", kind: "length", list: true, hint: "45 mm" },
-  { key: "at", field: "at", label: "Surfaces at", kind: "pressure", value: "2.5 bar" },
+  { key: "at", field: "at", label: "Maps at", kind: "pressure", value: "2.5 bar" },
 ];
 
 /** @param {HTMLElement} main */
@@ -85,14 +85,14 @@ export function mount(main) {
     el("div", { class: "bench two" },
       el("section", { class: "controls", "aria-label": "Campaign" }, el("h2", {}, "Campaign"),
         el("p", { class: "small soft" },
-          "A plan lists the muscles to compute by finite elements. This is the plan of the paper."), plan,
+          "A plan lists the muscles to compute by finite elements. This is the plan of Antonelli (2018)."), plan,
         campaign.element, table1, how.element, fit.element),
       el("div", { class: "middle" }, errors, shown.element, figures)),
   );
   errors.append(el("h2", {}, PUBLISHED.name),
     el("p", { class: "soft" },
-      "Below is the formula that the paper published. Compute a campaign and fit your own formula to it. The paper "
-        + "used a hundred simulations; here they run while you watch."));
+      "Below is the published formula. Compute a campaign and fit your own formula to it: a hundred simulations run "
+        + "while you watch."));
 
   const place = () => {
     if (main.contains(plan)) write(address("formula", { ...muscle.params(), ...how.texts() }));

@@ -42,7 +42,7 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
       } });
     return controls[key].element;
   };
-  const which = el("p", { class: "small soft" }), ofFile = el("p", { class: "small soft" });
+  const ofFile = el("p", { class: "small soft" });
   const back = el("button", { type: "button", hidden: true, onclick: () => takeSecond("") },
     "Use the same muscle twice");
   const leave = el("button", { type: "button", hidden: true, onclick: () => takeJoint("") }, "Close the joint file");
@@ -55,9 +55,9 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
       make("high", "Range to", 0, 150), make("e0", "Contraction at the neutral angle", 0, 0.25),
       make("pmax", "Pressure of the supply", 0.05, 1)),
     el("fieldset", {}, el("legend", {}, "Arm"), make("mass", "Mass of the arm", 0, 5),
-      make("centre", "Centre of mass from the axis", 10, 400), make("inertia", "Moment of inertia", 0.001, 0.2)), which,
+      make("centre", "Centre of mass from the axis", 10, 400), make("inertia", "Moment of inertia", 0.001, 0.2)),
     el("details", {}, el("summary", {}, "Another muscle 2"),
-      el("p", { class: "small soft" }, "Both muscles are that of the page Muscle, unless you open a file."),
+      el("p", { class: "small soft" }, "Both muscles are the one above, unless you open a file."),
       fileField("Open muscle 2 (TOML)", ".toml", (_, text) => takeSecond(text)), back),
     el("details", {}, el("summary", {}, "Joint file"), ofFile,
       fileField("Open a joint file (TOML)", ".toml", (_, text) => takeJoint(text)), leave));
@@ -72,7 +72,6 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
         ? "A joint file is open: its spring, weight and friction count; pulley, range and neutral contraction can "
           + "be changed above."
         : "A joint file can state a spring, the weight of the arm, and more.";
-      which.textContent = `The muscle: ${muscle.line()}. Change it on the page Muscle.`;
     },
   };
 }
@@ -279,7 +278,7 @@ class JointPage {
   }
   #paint() {
     const point = this.#point;
-    const which = this.joint.files.file2 ? "Muscle 2 is that of its file." : "Both muscles are those of the page Muscle.";
+    const which = this.joint.files.file2 ? "Muscle 2 is that of its file." : "Both muscles are the one above.";
     this.#drawArm();
     if (this.#family) this.torque.show(torqueChart(this.#family, point));
     this.numbers.replaceChildren(...(point ? numbersView(point, which) : []));

@@ -13,8 +13,9 @@ import { atEnd, held } from "../life.js";
 import { figures, pressureChart, stateAt, stateLine, wayChart } from "../motion-view.js";
 import { muscle } from "../muscle.js";
 import { motion } from "../state.js";
+import { stated } from "../toml.js";
 import { onUnits } from "../units.js";
-import { View, reach } from "../view3d.js";
+import { View } from "../view3d.js";
 
 const DRIVE = "drive";
 /** @type {import("../form.js").Field[]} */
@@ -36,11 +37,8 @@ const STEP_KEYS = STEP.map(({ key }) => key).filter((key) => key !== "model");
  * @param {string | undefined} model
  */
 async function driven(text, file, model) {
-  const drive = { name: "drive.toml", text }, ofJoint = /^\s*joint\s*=/m.test(text);
-  if (!ofJoint) {
-    const [, name = "muscle.toml"] = /^\s*muscle\s*=\s*"([^"]+)"/m.exec(text) ?? [];
-    return { drive, muscle: { name, text: file }, model };
-  }
+  const drive = { name: "drive.toml", text }, of = stated(text);
+  if (!of.has(".joint")) return { drive, muscle: { name: of.get(".muscle") ?? "muscle.toml", text: file }, model };
   const joint = new JointWords();
   await joint.read(new URLSearchParams(wordsOf("joint")));
   return { drive, ...joint.request(file), model };
@@ -67,10 +65,7 @@ function player() {
     slider.value = String(1000 * share);
     slider.setAttribute("aria-valuetext", `${times[i].toFixed(2)} s`);
     clock.replaceChildren(el("b", {}, `${times[i].toFixed(2)} s`), el("br"), stateLine(run, i));
-    slot.ask("shape", { ...muscle.fields(), ...stateAt(run, i) }, (shape) => {
-      view.set(shape, { field: "max_stretch", low: 1, high: Math.max(1.2, reach(shape.arrays.max_stretch)[1]),
-        restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });
-    }, () => {});
+    slot.ask("shape", { ...muscle.fields(), ...stateAt(run, i) }, (shape) => view.stretched(shape), () => {});
   }
   function start() {
     if (!run) return;
@@ -147,7 +142,7 @@ export function mount(main) {
   let drive = "";
   const fields = form(STEP, () => go.run()), shown = player();
   const charts = chartsOf();
-  const numbers = el("div", {}), which = el("p", { class: "small soft" });
+  const numbers = el("div", {});
   const box = driveBox((text) => take(text));
   const title = el("h2", {}, "A step on a valve");
   const go = job("Run", "motion", request, (answer) => {
@@ -161,7 +156,7 @@ export function mount(main) {
   });
   main.replaceChildren(
     el("div", { class: "bench two" },
-      el("section", { class: "controls", "aria-label": "Step" }, title, fields.element, go.element, which, numbers,
+      el("section", { class: "controls", "aria-label": "Step" }, title, fields.element, go.element, numbers,
         box.element), el("div", { class: "middle" }, shown.stage, shown.row, charts.element)),
   );
 
@@ -174,7 +169,6 @@ export function mount(main) {
     const read = await fields.read();
     if (!read || !main.contains(title)) return undefined;
     place();
-    which.textContent = `The muscle: ${muscle.line()}. Change it on the page Muscle.`;
     const file = await muscle.file();
     return drive ? driven(drive, file, read.model) : motion(file, read);
   }

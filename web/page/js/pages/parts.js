@@ -42,7 +42,7 @@ const LISTS = {
         words: [t.name, t.rubber, t.source, t.note, t.is_cast ? "cast" : "sold"].join(" "),
         said: { D: t.outer_diameter_mm, s: Number(t.wall_mm.toPrecision(12)), rubber: t.rubber },
         cells: [t.name, show("length", t.inner_diameter_mm), show("length", t.outer_diameter_mm),
-          show("length", t.wall_mm, 3), t.rubber, t.is_cast ? "cast by oneself" : "as sold", t.price ?? "–",
+          show("length", t.wall_mm, 3), t.rubber, t.is_cast ? "cast" : "sold", t.price ?? "–",
           t.pressure_mpa ? show("pressure", t.pressure_mpa, 3) : "–", source(t.source, t.note)],
       })),
   },
@@ -138,13 +138,12 @@ export function mount(main) {
       state.find = find.value.trim();
       changed();
     } });
-  const fits = check("parts-fits", "only what fits the muscle's diameter", () => changed());
-  const cast = check("parts-sold", "only as sold", () => changed());
+  const fits = check("parts-fits", "fits the muscle's diameter", () => changed());
+  const cast = check("parts-sold", "sold only", () => changed());
   const list = el("div", { class: "parts-list" }), count = el("p", { class: "small soft", role: "status" }),
-    which = el("p", { class: "small soft" });
-  const filter = el("label", { for: "parts-find" }, "Filter");
+    filter = el("label", { for: "parts-find" }, "Filter");
   const line = el("div", { class: "parts-filter" }, kind.element, filter, find, fits.row, cast.row);
-  main.replaceChildren(line, which, count, list);
+  main.replaceChildren(line, count, list);
 
   const place = () => {
     const own = { kind: state.kind === "tubes" ? "" : state.kind, find: state.find };
@@ -170,7 +169,6 @@ export function mount(main) {
     const { head, text, rows } = LISTS[/** @type {Kind} */ (state.kind)], all = rows(parts), shown = all.filter(matches);
     cast.row.hidden = state.kind !== "tubes";
     fits.row.hidden = state.kind !== "sleeves";
-    which.textContent = `The muscle: ${muscle.line()}.`;
     count.textContent = `${shown.length} of ${all.length} ${state.kind}. What no source states is marked as estimated.`;
     const put = (/** @type {Row} */ row) => putButton(row, () => take(row));
     const cells = shown.map((row) => [row.cells[0], put(row), ...row.cells.slice(1)]);

@@ -7,7 +7,7 @@ import { form, job, table, warnings } from "../form.js";
 import { fileOf, keepFile } from "../kept.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
-import { fileName } from "../name.js";
+import { fileName } from "../toml.js";
 import { number, onUnits, show } from "../units.js";
 
 /** @typedef {import("../../../types/commands").Commands["rubber"]["answer"]} Answer */

@@ -56,7 +56,6 @@ class SweepPage {
       this.#paint();
     });
     this.ends = el("div", {});
-    this.which = el("p", { class: "small soft" });
     this.said = el("div", {});
     this.bar = el("progress", { hidden: true, "aria-label": "Progress of the sweep" });
     this.title = el("h2", {}, "Sweep");
@@ -64,7 +63,7 @@ class SweepPage {
     const run = el("button", { type: "button", class: "main", onclick: () => this.#run() }, "Compute");
     main.replaceChildren(el("div", { class: "bench two" },
       el("section", { class: "controls", "aria-label": "Measure and range" }, el("h2", {}, "Sweep"), this.what.element, this.ends,
-        this.result.element, el("p", { class: "row" }, run, this.bar), this.which),
+        this.result.element, el("p", { class: "row" }, run, this.bar)),
       el("div", { class: "middle" }, this.said, this.chart.element)));
     atEnd(onUnits(() => {
       this.#usual();
@@ -119,7 +118,6 @@ class SweepPage {
     const { signal } = (this.#ends = new AbortController()), values = await this.#values();
     if (!values || signal.aborted || !this.said.isConnected) return;
     this.#place();
-    this.which.textContent = `The muscle: ${muscle.line()}. Change it on the page Muscle.`;
     const rows = /** @type {{ value: number, answer?: Answer, why?: string }[]} */ ([]), { state } = muscle;
     this.bar.max = values.length;
     this.bar.hidden = false;
