@@ -45,8 +45,9 @@ function question(hide) {
     const texts = fields.texts(), of = Object.fromEntries(WANTED.map(({ key, value }) => [key, texts[key] || value]));
     location.hash = address("design", of);
   };
-  return { ask, element: el("div", { class: "question" }, el("h2", {}, "What must it pull?"), fields.element, shown.element, shown.said,
-    el("button", { type: "button", onclick: more }, "More wishes, all muscles and the map")) };
+  return { ask, element: el("div", { class: "question" }, el("h2", {}, "What must it pull?"), fields.element, shown.element,
+    el("p", { class: "row" }, el("button", { type: "button", onclick: more }, "More wishes, all muscles and the map")),
+    el("details", { class: "small" }, el("summary", {}, "The narrowest in words"), shown.said)) };
 }
 
 /** @param {boolean} on the address is bare: somebody has just arrived */
