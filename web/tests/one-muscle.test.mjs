@@ -75,7 +75,7 @@ inBrowser(({ name, url, open, blank }) => {
     // Joint: the torques of its curves, and of the pressures that finite elements find.
     writeFileSync(join(folder, "joint.toml"), `[joint]\nradius = "25 mm"\nrange = "-60..60 deg"\n[muscle_1]\nfile = "saved-${name}.toml"\ncontraction_at_neutral = "12%"\n[muscle_2]\nfile = "saved-${name}.toml"\ncontraction_at_neutral = "12%"\n`);
     const asked = ["joint", join(folder, "joint.toml"), "--angle", "20deg", "--stiffness", "8", "--max-pressure", "5bar"];
-    const pressures = (/** @type {any} */ { points: [q] }) => `pressure 1${bar(q.pressure_1_mpa)}pressure 2${bar(q.pressure_2_mpa)}`;
+    const pressures = (/** @type {any} */ { points: [q] }) => `Pressure 1${bar(q.pressure_1_mpa)}Pressure 2${bar(q.pressure_2_mpa)}`;
     await go(page, "Joint");
     await reads(page, ".numbers", pressures(ask(...asked, "--model", "universal", "--extrapolate")));
     await page.reload();
@@ -87,7 +87,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("combobox", { name: "Model" }).selectOption("universal");
     await page.getByRole("button", { name: "Run" }).click();
     const run = ask("motion", "--muscle", copy, "-p", "3bar", "--load", "mass:10kg", "--valve", "0.5 L/(s bar)", "--damping", "200 N s/m", "--model", "universal");
-    await reads(page, ".controls table", `air from the supply${Number(run.air_normal_litres.toPrecision(3))} normal L`);
+    await reads(page, ".controls table", `Air from the supply${Number(run.air_normal_litres.toPrecision(3))} normal L`);
     // Compare: both sides are this muscle, and B another length of it.
     await go(page, "Compare");
     await reads(page, "section[aria-label=A]", "neo-hookean");
@@ -379,7 +379,7 @@ inBrowser(({ name, url, open, blank }) => {
       await page.waitForSelector("table", { timeout: 60_000 });
       const run = ask("motion", "--muscle", "examples/prototype.toml", "-p", "3bar", "--load", "mass:10kg", "--valve", "0.5 L/(s bar)", "--damping", "200 N s/m", "--model", "universal", "--until", until);
       const speed = run.largest_velocity_mm_per_s ?? run.largest_speed;
-      await reads(page, ".controls table", `largest speed${Number(speed.toPrecision(3))} mm/s`);
+      await reads(page, ".controls table", `Largest speed${Number(speed.toPrecision(3))} mm/s`);
       speeds.push(speed);
       await context.close();
     }

@@ -335,7 +335,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.mouse.down();
     await page.mouse.move(box.x + 0.7 * box.width, box.y + 0.8 * box.height, { steps: 5 });
     await page.mouse.up();
-    await page.waitForFunction(() => /equilibrium angle\s*−\d/.test(document.querySelector(".numbers")?.textContent ?? ""));
+    await page.waitForFunction(() => /Equilibrium angle\s*−\d/.test(document.querySelector(".numbers")?.textContent ?? ""));
     await page.locator("summary").filter({ hasText: "Another muscle 2" }).click();
     const thin = `[tube]\nouter_diameter = "24 mm"\nwall_thickness = "2 mm"\nlength = "285 mm"\nrubber = "paper"\n[braid]\nangle = "28 deg"\nstiffness = 150\n`;
     await page.getByLabel("Open muscle 2 (TOML)").setInputFiles({ name: "thin.toml", mimeType: "application/toml", buffer: Buffer.from(thin) });

@@ -316,19 +316,19 @@ inBrowser(({ name, url, open, blank }) => {
     const said =
       ask("joint", "examples/elbow.toml", "--angle", "20deg", "--stiffness", "8", "--max-pressure", "5bar").points[0];
     await reads(page, ".numbers", "Final: finite elements", 90_000);
-    await reads(page, ".numbers", `pressure 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`);
+    await reads(page, ".numbers", `Pressure 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`);
     await page.reload();
     await reads(page, ".numbers", "Final: finite elements", 90_000);
-    await reads(page, ".numbers", `pressure 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`);
+    await reads(page, ".numbers", `Pressure 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`);
     await drop(page, { "drive.toml": example("drive.toml"), "prototype.toml": example("prototype.toml") });
     await there(page, "motion");
     const run = ask("motion", "examples/drive.toml");
-    await reads(page, ".controls table", `largest speed${Number(run.largest_velocity_mm_per_s.toPrecision(3))} mm/s`,
+    await reads(page, ".controls table", `Largest speed${Number(run.largest_velocity_mm_per_s.toPrecision(3))} mm/s`,
       90_000);
     await drop(page, { "elbow-drive.toml": example("elbow-drive.toml"), "biceps.toml": example("biceps.toml") });
     const turned = ask("motion", "examples/elbow-drive.toml", "--model", "fe");
     const speed = Number(turned.largest_velocity_deg_per_s.toPrecision(3));
-    await reads(page, ".controls table", `largest speed${speed} °/s`, 90_000);
+    await reads(page, ".controls table", `Largest speed${speed} °/s`, 90_000);
     // Motion has the joint of the page Joint, with what is typed there.
     await go(page, "Joint");
     await page.waitForSelector(".numbers dl");
@@ -340,7 +340,7 @@ inBrowser(({ name, url, open, blank }) => {
     const slower = ask("motion", join(wider, "elbow-drive.toml"), "--model", "fe");
     assert.notEqual(slower.largest_velocity_deg_per_s, turned.largest_velocity_deg_per_s);
     await go(page, "Motion");
-    await reads(page, ".controls table", `largest speed${Number(slower.largest_velocity_deg_per_s.toPrecision(3))} °/s`,
+    await reads(page, ".controls table", `Largest speed${Number(slower.largest_velocity_deg_per_s.toPrecision(3))} °/s`,
       90_000);
     await drop(page, { "festo-dmsp-20.toml": example("festo-dmsp-20.toml") });
     await reads(page, ".muscle-bar", "D0 23 mm");

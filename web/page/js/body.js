@@ -22,13 +22,13 @@ export function body({ length, diameter, bulged = diameter, angle, fill = "var(-
   const id = `body${++count}`, r = diameter / 2, b = Math.max(r, bulged / 2), end = Math.min(0.3 * length, 1.6 * b);
   const a = (Math.min(80, Math.max(10, angle ?? 28)) * Math.PI) / 180, tan = Math.tan(a);
   const pitch = Math.max(0.42 * b, (length * Math.sin(a)) / 30), step = pitch / Math.sin(a), across = (2 * b) / tan;
-  const half = (/** @type {number} */ y, /** @type {number} */ m) =>
-    `C${short(0.35 * end)} ${short(m * r)} ${short(0.5 * end)} ${short(y)} ${short(end)} ${short(y)}` +
-    `H${short(length - end)}C${short(length - 0.5 * end)} ${short(y)} ${short(length - 0.35 * end)} ${short(m * r)} ${short(length)} ${short(m * r)}`;
-  const back = (/** @type {number} */ y, /** @type {number} */ m) =>
-    `C${short(length - 0.35 * end)} ${short(m * r)} ${short(length - 0.5 * end)} ${short(y)} ${short(length - end)} ${short(y)}` +
-    `H${short(end)}C${short(0.5 * end)} ${short(y)} ${short(0.35 * end)} ${short(m * r)} 0 ${short(m * r)}`;
-  const outline = `M0 ${short(-r)}${half(-b, -1)}V${short(r)}${back(b, 1)}Z`;
+  // Of the upper half the lower one is the mirror.
+  const [near, far] = [[0.35, 0.5, 1].map((t) => short(t * end)), [0.35, 0.5, 1].map((t) => short(length - t * end))];
+  const there = (/** @type {string} */ y, /** @type {string} */ rest) =>
+    `C${near[0]} ${rest} ${near[1]} ${y} ${near[2]} ${y}H${far[2]}C${far[1]} ${y} ${far[0]} ${rest} ${length} ${rest}`;
+  const back = (/** @type {string} */ y, /** @type {string} */ rest) =>
+    `C${far[0]} ${rest} ${far[1]} ${y} ${far[2]} ${y}H${near[2]}C${near[1]} ${y} ${near[0]} ${rest} 0 ${rest}`;
+  const [R, B] = [`${short(r)}`, `${short(b)}`], outline = `M0 -${R}${there(`-${B}`, `-${R}`)}V${R}${back(B, R)}Z`;
   const family = (/** @type {1 | -1} */ sign) =>
     Array.from({ length: Math.ceil((length + across) / step) + 1 }, (_, k) =>
       `M${short(k * step - across)} ${short(-sign * b)}l${short(across)} ${short(2 * sign * b)}`).join("");
@@ -39,19 +39,24 @@ export function body({ length, diameter, bulged = diameter, angle, fill = "var(-
     `<path d="${d}" stroke="#1a1d21" stroke-opacity=".6" stroke-width="${short(0.74 * pitch)}"${more}/>` +
     `<path d="${d}" stroke="${thread}" stroke-width="${short(0.5 * pitch)}"${more}/>`;
   const [one, other] = [family(1), family(-1)];
+  const box = (/** @type {number} */ x, /** @type {number} */ wide, /** @type {number} */ tall) =>
+    `M${short(x)} ${short(-tall)}h${short(wide)}v${short(2 * tall)}h${short(-wide)}z`;
   const plug = (/** @type {number} */ x, /** @type {number} */ way) =>
-    `<path d="M${short(x - 0.3 * way * r)} ${short(-1.12 * r)}h${short(way * r)}v${short(2.24 * r)}h${short(-way * r)}z` +
-    `M${short(x + 0.7 * way * r)} ${short(-0.5 * r)}h${short(0.5 * way * r)}v${short(r)}h${short(-0.5 * way * r)}z" fill="url(#${id}m)"/>`;
-  return `<defs><clipPath id="${id}"><path d="${outline}"/></clipPath>` +
-    `<linearGradient id="${id}s" x2="0" y2="1"><stop stop-opacity=".28"/><stop offset=".3" stop-opacity="0"/>` +
-    `<stop offset="1" stop-opacity=".55"/></linearGradient><linearGradient id="${id}m" x2="0" y2="1">` +
-    `<stop stop-color="#7d838b"/><stop offset=".3" stop-color="#b9bec5"/><stop offset="1" stop-color="#4b5057"/></linearGradient></defs>` +
-    `<g clip-path="url(#${id})" fill="none"><path d="${outline}" fill="${fill}"/>${threads(one)}${threads(other)}${threads(one, dash)}` +
-    `<path d="${outline}" fill="url(#${id}s)"/></g>${plug(0, -1)}${plug(length, 1)}`;
+    `<path d="${box(x - 0.3 * way * r, way * r, 1.12 * r)}${box(x + 0.7 * way * r, 0.5 * way * r, 0.5 * r)}" `
+    + `fill="url(#${id}m)"/>`;
+  const stops = (/** @type {string[]} */ ...list) => list.map((stop) => `<stop ${stop}/>`).join("");
+  const shade = stops('stop-opacity=".28"', 'offset=".3" stop-opacity="0"', 'offset="1" stop-opacity=".55"');
+  const metal = stops('stop-color="#7d838b"', 'offset=".3" stop-color="#b9bec5"', 'offset="1" stop-color="#4b5057"');
+  return `<defs><clipPath id="${id}"><path d="${outline}"/></clipPath><linearGradient id="${id}s" x2="0" y2="1">${shade}`
+    + `</linearGradient><linearGradient id="${id}m" x2="0" y2="1">${metal}</linearGradient></defs>`
+    + `<g clip-path="url(#${id})" fill="none"><path d="${outline}" fill="${fill}"/>${threads(one)}${threads(other)}`
+    + `${threads(one, dash)}<path d="${outline}" fill="url(#${id}s)"/></g>${plug(0, -1)}${plug(length, 1)}`;
 }
 
 /** A quiet shadow on the ground, and the hose of the left end. @param {number} length @param {number} radius */
-export const ground = (length, radius) =>
-  `<ellipse cx="${short(length / 2)}" cy="${short(1.5 * radius)}" rx="${short(0.52 * length)}" ry="${short(0.16 * radius)}" fill="#000" ` +
-  `opacity=".13"/><path d="M${short(-1.1 * radius)} 0q${short(-1.5 * radius)} 0 ${short(-2 * radius)} ${short(1.4 * radius)}" ` +
-  `fill="none" stroke="var(--line)" stroke-width="${short(0.3 * radius)}" stroke-linecap="round"/>`;
+export function ground(length, radius) {
+  const of = (/** @type {number} */ share) => short(share * radius);
+  return `<ellipse cx="${short(length / 2)}" cy="${of(1.5)}" rx="${short(0.52 * length)}" ry="${of(0.16)}" fill="#000" `
+    + `opacity=".13"/><path d="M${of(-1.1)} 0q${of(-1.5)} 0 ${of(-2)} ${of(1.4)}" fill="none" stroke="var(--line)" `
+    + `stroke-width="${of(0.3)}" stroke-linecap="round"/>`;
+}

@@ -32,7 +32,8 @@ export function border({ x, y, nodes }) {
   const nothing = { fits: false, value: NaN, margin: 0, limit: "", misses: 0 };
   const node = (/** @type {number} */ i, /** @type {number} */ j) => nodes[j]?.[i] ?? nothing;
   // The map ends where its muscles do.
-  const place = (/** @type {number[]} */ list, /** @type {number} */ i) => list[Math.min(list.length - 1, Math.max(0, i))];
+  const place = (/** @type {number[]} */ list, /** @type {number} */ i) =>
+    list[Math.min(list.length - 1, Math.max(0, i))];
   /** Where the border crosses an edge of a cell. @param {number[]} edge its beginning, and its way */
   const cross = ([i, j, di, dj]) => {
     const [a, b] = [node(i, j), node(i + di, j + dj)];

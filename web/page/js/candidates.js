@@ -11,11 +11,17 @@ import { inWords } from "./words.js";
 const WISHES = [["Narrowest in use", { objective: "bulged-diameter" }], ["Least air", { objective: "air" }],
   ["Guaranteed (95 %)", { objective: "bulged-diameter", guaranteed: 0.95 }]];
 
-/** A muscle in use as SVG, in a frame of so many millimetres. @param {Candidate} c @param {number} wide @param {number} tall */
-export function picture({ outer_diameter_mm: D, length_mm: L, angle_deg: angle, bulged_diameter_mm: bulged, points: [at] }, wide, tall) {
-  const length = L * (1 - Number(at?.contraction ?? 0)), now = contracted(D, angle, Number(at?.contraction ?? 0));
+/**
+ * A muscle in use as SVG, in a frame of so many millimetres.
+ * @param {Candidate} c @param {number} wide @param {number} tall
+ */
+export function picture(c, wide, tall) {
+  const { outer_diameter_mm: diameter, points: [at] } = c, e = Number(at?.contraction ?? 0);
+  const now = contracted(diameter, c.angle_deg, e), length = c.length_mm * (1 - e), { angle } = now;
+  const bulged = c.bulged_diameter_mm ?? now.bulged;
   return `<svg viewBox="${-0.14 * wide} ${-tall / 2} ${1.24 * wide} ${1.3 * tall}" aria-hidden="true">`
-    + `${ground(length, Number(bulged ?? now.bulged) / 2)}${body({ length, diameter: D, bulged: bulged ?? now.bulged, angle: now.angle })}</svg>`;
+
+    + `${ground(length, bulged / 2)}${body({ length, diameter, bulged, angle })}</svg>`;
 }
 
 /**
@@ -23,24 +29,29 @@ export function picture({ outer_diameter_mm: D, length_mm: L, angle_deg: angle, 
  * @param {(candidate: Candidate, request: Design["request"]) => void} open
  */
 export function candidatesView(open) {
-  const element = el("div", { class: "candidates", "aria-live": "polite" }), said = el("ul", { class: "decision small" });
+  const element = el("div", { class: "candidates", "aria-live": "polite" });
+  const said = el("ul", { class: "decision small" });
   const slots = WISHES.map(() => new Slot());
   /** @type {(Candidate | string | undefined)[]} */ let found = [];
   /** @type {Design["request"]} */ let of = {};
   function paint() {
     const known = found.filter((one) => typeof one === "object");
-    const wide = Math.max(...known.map((c) => c.length_mm)), tall = Math.max(...known.map((c) => Number(c.bulged_diameter_mm ?? c.outer_diameter_mm)));
+    const wide = Math.max(...known.map((c) => c.length_mm));
+    const tall = Math.max(...known.map((c) => Number(c.bulged_diameter_mm ?? c.outer_diameter_mm)));
     element.replaceChildren(...WISHES.map(([title, wish], i) => {
       const one = found[i];
       if (typeof one !== "object")
-        return el("div", { class: "card" }, el("b", {}, title), el("span", { class: "small soft" }, one ?? "Searching …"));
+        return el("div", { class: "card" }, el("b", {}, title),
+          el("span", { class: "small soft" }, one ?? "Searching …"));
       const box = el("span", { class: "picture" });
       box.innerHTML = picture(one, wide, tall);
       const [at] = one.points;
-      return el("button", { type: "button", class: "card", onclick: () => open(one, { ...of, ...wish }) }, box, el("b", {}, title),
+      const parts = [one.count > 1 ? `${one.count} side by side` : "", one.tube, one.sleeve].filter(Boolean);
+      return el("button", { type: "button", class: "card", onclick: () => open(one, { ...of, ...wish }) }, box,
+        el("b", {}, title),
         el("span", {}, `${show("length", one.bulged_diameter_mm, 3)} wide at ${show("pressure", one.pressure_mpa, 3)}`),
         el("span", {}, withUncertainty("force", Number(at?.force_n), one.uncertainty_n)),
-        el("span", { class: "small soft" }, [one.count > 1 ? `${one.count} side by side` : "", one.tube, one.sleeve].filter(Boolean).join(", ")));
+        el("span", { class: "small soft" }, parts.join(", ")));
     }));
   }
   return {
@@ -53,7 +64,8 @@ export function candidatesView(open) {
       paint();
       WISHES.forEach(([, wish], i) => {
         slots[i].ask("design", { ...request, ...wish, top: 1 }, (answer) => {
-          found[i] = answer.candidates[0] ?? (answer.closest ? `None: ${inWords(answer.closest.reason)}.` : "None of the search.");
+          found[i] = answer.candidates[0] ?? (answer.closest ? `None: ${inWords(answer.closest.reason)}.`
+            : "None of the search.");
           if (!i) said.replaceChildren(...(answer.decision ?? []).map((line) => el("li", {}, inWords(line))));
           paint();
         }, (problem) => {

@@ -12,11 +12,12 @@ export { KINDS };
  * @typedef {import("./plot.js").Curves} Spec
  */
 
-const VIRIDIS = [[68, 1, 84], [71, 44, 122], [59, 81, 139], [44, 113, 142], [33, 144, 141], [39, 173, 129], [92, 200, 99],
-  [170, 220, 50], [253, 231, 37]];
+const VIRIDIS = [[68, 1, 84], [71, 44, 122], [59, 81, 139], [44, 113, 142], [33, 144, 141], [39, 173, 129],
+  [92, 200, 99], [170, 220, 50], [253, 231, 37]];
 /** Viridis between 0 and 1 as red, green and blue. @param {number} share @param {number} most of the map */
 export function viridisAt(share, most) {
-  const t = Math.min(1, Math.max(0, share)) * most * (VIRIDIS.length - 1), i = Math.min(VIRIDIS.length - 2, Math.floor(t));
+  const t = Math.min(1, Math.max(0, share)) * most * (VIRIDIS.length - 1);
+  const i = Math.min(VIRIDIS.length - 2, Math.floor(t));
   return VIRIDIS[i].map((a, k) => Math.round(a + (t - i) * (VIRIDIS[i + 1][k] - a)));
 }
 /** Without its palest end, which a white page would swallow. @param {number} share */
@@ -44,8 +45,8 @@ export class Chart {
     this.asTable = el("button", { type: "button", "aria-pressed": false, onclick: () => this.flip() }, "Table");
     const save = (/** @type {"csv" | "svg" | "png"} */ kind) =>
       el("button", { type: "button", onclick: () => this.save(kind) }, kind.toUpperCase());
-    const bar = el("div", { class: "row" }, tools ?? null, el("span", { class: "grow" }), this.asTable, save("csv"), save("svg"),
-      save("png"));
+    const bar = el("div", { class: "row" }, tools ?? null, el("span", { class: "grow" }), this.asTable, save("csv"),
+      save("svg"), save("png"));
     this.element = el("section", { class: tall ? "chart tall" : "chart", "aria-label": name.replaceAll("-", " ") }, bar,
       this.plot, this.table);
     this.ring = el("i", { class: "ring", hidden: true });
@@ -124,16 +125,21 @@ export class Chart {
     return ["curve", spec.x, spec.y, ...(spec.z ? [spec.z] : [])];
   }
 
-  /** Rows of all series: name, x, y, and the third number where there is one. @returns {(string | number | null)[][]} */
+  /**
+   * Rows of all series: name, x, y, and the third number where there is one.
+   * @returns {(string | number | null)[][]}
+   */
   rows() {
     const { series = [], rows, z: third } = this.spec ?? {};
-    const line = (/** @type {Series} */ s) => s.x.map((x, i) => [s.name, x, s.y[i], ...(third ? [s.z?.[i] ?? null] : [])]);
+    const more = (/** @type {Series} */ s, /** @type {number} */ i) => (third ? [s.z?.[i] ?? null] : []);
+    const line = (/** @type {Series} */ s) => s.x.map((x, i) => [s.name, x, s.y[i], ...more(s, i)]);
     return rows ?? series.filter((s) => !s.silent).flatMap(line);
   }
 
   tabulate() {
     const cell = (/** @type {"th" | "td"} */ tag, /** @type {string | number | null} */ v, /** @type {number} */ i) =>
-      el(tag, { class: i ? undefined : "text", scope: tag === "th" ? "col" : undefined }, typeof v === "string" ? v : number(v));
+      el(tag, { class: i ? undefined : "text", scope: tag === "th" ? "col" : undefined },
+        typeof v === "string" ? v : number(v));
     const line = (/** @type {"th" | "td"} */ tag, /** @type {(string | number | null)[]} */ list) =>
       el("tr", {}, ...list.map((v, i) => cell(tag, v, i)));
     this.table.replaceChildren(el("table", {}, el("thead", {}, line("th", this.head())),

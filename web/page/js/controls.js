@@ -24,7 +24,10 @@ const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp:
 /** A field with a slider, where that has ends. */
 class Quantity {
   /** @type {number | undefined} */ #now;
-  /** The value as the page wrote it into the field; nothing where the value changed under a text of somebody. @type {string | undefined} */
+  /**
+   * The value as the page wrote it into the field; nothing where the value changed under a text of somebody.
+   * @type {string | undefined}
+   */
   #painted = "";
   /** Counts what was typed or dragged. */
   #turn = 0;
@@ -128,7 +131,8 @@ class Quantity {
       const by = STEPS[event.key];
       if (by === undefined) return;
       event.preventDefault();
-      const now = outside(kind, this.#now ?? this.#low), step = this.spec.around ? 10 ** Math.floor(Math.log10(now / 20)) : this.#step();
+      const now = outside(kind, this.#now ?? this.#low),
+        step = this.spec.around ? 10 ** Math.floor(Math.log10(now / 20)) : this.#step();
       const next = Number((now + by * step).toPrecision(12));
       this.#take(Math.min(this.#high, Math.max(this.#low, inside(kind, next))), true);
     });

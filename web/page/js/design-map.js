@@ -202,7 +202,8 @@ function spec({ D, S, nodes, limits }, best, finer) {
   /** The limit that most of the cell around a place misses. @param {number} px @param {number} py */
   const missed = (px, py) => {
     const shares = limits.map(() => 0);
-    for (const [i, j, share] of corners(x, y, px, py)) if (!nodes[j][i].fits) shares[limits.indexOf(nodes[j][i].limit)] += share + 1e-9;
+    for (const [i, j, share] of corners(x, y, px, py))
+      if (!nodes[j][i].fits) shares[limits.indexOf(nodes[j][i].limit)] += share + 1e-9;
     return shares.indexOf(Math.max(...shares));
   };
   const image = picture(field, (value, px, py) => {

@@ -28,7 +28,8 @@ export function designTarget(act) {
     // Without a muscle the target has room.
     const room = (/** @type {number} */ v) => (series.length ? {} : { range: [0, 1.5 * v] });
     chart.show({ x: "contraction ε [%]", y: `pull F [${unitName("force")}]`, series,
-      xaxis: room(100 * target.contraction || 10), yaxis: series.length ? undefined : room(outside("force", target.force_n)) });
+      xaxis: room(100 * target.contraction || 10), yaxis: series.length ? undefined : room(outside("force",
+        target.force_n)) });
     mark();
   }
   function mark() {

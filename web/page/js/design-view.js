@@ -11,7 +11,8 @@ import { inWords } from "./words.js";
 
 /** The least pull to spare at any of its points, and the ± there. @param {Candidate} c */
 function spare(c) {
-  const points = c.points.map((q) => ({ spare: q.force_at_max_pressure_n * q.margin / (1 + q.margin), half: q.uncertainty_n ?? NaN }));
+  const points = c.points.map((q) => ({ spare: q.force_at_max_pressure_n * q.margin / (1 + q.margin),
+    half: q.uncertainty_n ?? NaN }));
   return points.reduce((a, b) => (b.spare - b.half < a.spare - a.half ? b : a), points[0] ?? { spare: NaN, half: NaN });
 }
 /** @param {Candidate} c @param {Prices} prices */
@@ -80,7 +81,8 @@ function shownColumns(candidates, prices) {
 
 /** @param {Candidate[]} candidates @param {Prices} prices */
 function rowsOf(candidates, prices) {
-  const list = columns(prices, filled(candidates)), head = list.map(([name, unit]) => (unit ? `${name} [${unit}]` : name));
+  const list = columns(prices, filled(candidates)), head = list.map(([name, unit]) => (unit ? `${name} [${unit}]`
+    : name));
   return [head, ...candidates.map((c) => list.map(([, , , of]) => of(c)))];
 }
 
@@ -138,8 +140,10 @@ function details(answer) {
 
 /** A candidate in use, to the scale of all. @param {Candidate} c @param {Candidate[]} all */
 function inUse(c, all) {
-  const most = (/** @type {(one: Candidate) => number} */ of) => Math.max(...all.map(of)), box = el("span", { class: "thumbnail" });
-  box.innerHTML = picture(c, most((one) => one.length_mm), most((one) => Number(one.bulged_diameter_mm ?? one.outer_diameter_mm)));
+  const most = (/** @type {(one: Candidate) => number} */ of) => Math.max(...all.map(of));
+  const box = el("span", { class: "thumbnail" }), width = (/** @type {Candidate} */ one) =>
+    one.bulged_diameter_mm ?? one.outer_diameter_mm;
+  box.innerHTML = picture(c, most((one) => one.length_mm), most(width));
   return box;
 }
 
@@ -166,6 +170,7 @@ export function foundView(answer, prices, { open, ask }) {
     el("p", { class: "row small soft" },
       el("span", { class: "grow" },
         `${answer.fitting} of ${answer.looked_at} muscles fit; searched with ${answer.searched_with}, computed by `
+
           + `${answer.model}. Click one to show it. Guaranteed at: the lower end of the ± meets the requirement there.`),
       el("button", { type: "button", onclick: save, title: "The table of the muscles as a file" }, "CSV of the table")),
     ...details(answer),

@@ -70,7 +70,8 @@ export function surfaces() {
     const x = E.map((e) => 100 * e), y = list.map((v) => outside("length", v)), unit = unitName("force");
     const field = sampled(x, y, 8, (px, py) => valueBetween({ x, y, values }, px, py));
     const known = values.flat().filter((v) => v !== null), [low, high] = [Math.min(...known), Math.max(...known)];
-    const image = picture(field, (v) => (v === null ? [0, 0, 0, 0] : [...viridisAt((v - low) / (high - low || 1), 1), 255]));
+    const image = picture(field, (v) => (v === null ? [0, 0, 0, 0] : [...viridisAt((v - low) / (high - low || 1), 1),
+      255]));
     chart.show({ x: "contraction ε [%]", y: label, z: `pull F [${unit}]`, picture: image, ...levels(field, unit),
       xaxis: { range: [x[0], x[x.length - 1]] }, yaxis: { range: [y[0], y[y.length - 1]] },
       rows: y.flatMap((v, j) => x.map((u, i) => ["pull", u, v, values[j][i]])) });

@@ -47,7 +47,8 @@ export function helpLink() {
       el("p", {},
         "Point at a name of a quantity, or focus its field, to see it in a drawing. Undo and Redo go through your "
           + "gestures. Every view has a link."),
-      el("p", {}, el("a", { href: address("about", muscle.params()), onclick: close }, "About"), ": accuracy, verification, models, sources."),
+      el("p", {}, el("a", { href: address("about", muscle.params()), onclick: close }, "About"),
+        ": accuracy, verification, models, sources."),
       DOCUMENTATION ?
         el("p", {},
           el("a", { href: book(pageOf(page).help), target: "_blank", rel: "noopener" }, "Read more in the book"))

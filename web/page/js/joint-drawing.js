@@ -22,11 +22,13 @@ const at = (/** @type {number} */ radius, /** @type {number} */ degrees) =>
  */
 function tube(m, which, point, supply, left) {
   const y = which === 1 ? -m.r : m.r, e = point?.[`contraction_${which}`] ?? m.e0, p = point?.[`pressure_${which}_mpa`];
-  const length = m.length * (1 - e), now = contracted(m.diameter, m.angle, e), fill = pressureColour(p ?? 0, supply), b = Math.max(m.diameter, now.bulged) / 2;
+  const length = m.length * (1 - e), now = contracted(m.diameter, m.angle, e), fill = pressureColour(p ?? 0, supply),
+    b = Math.max(m.diameter, now.bulged) / 2, thread = `color-mix(in srgb, ${fill} 62%, #fff)`;
   const text = p === undefined ? String(which) : `${which}: ${show("pressure", p, 3)}, ${show("ratio", e, 3)}`;
   const place = which === 1 ? y - b - 0.02 * m.length : y + b + 0.055 * m.length;
   return `<path d="M${left + length} ${y}H0" class="tendon"/><g transform="translate(${left} ${y})" class="woven">`
-    + `${body({ length, diameter: m.diameter, ...now, fill, thread: `color-mix(in srgb, ${fill} 62%, #fff)` })}</g><text x="${left}" y="${place}">${text}</text>`;
+    + `${body({ length, diameter: m.diameter, ...now, fill, thread })}</g>`
+    + `<text x="${left}" y="${place}">${text}</text>`;
 }
 
 /**

@@ -1,7 +1,7 @@
 // The joint in numbers and curves: torques over the angle, what it can reach, and its numbers.
 import { niceUp } from "./bench/round.js";
 import { KINDS, pressureColour } from "./chart.js";
-import { el } from "./dom.js";
+import { capital, el } from "./dom.js";
 import { reachable } from "./joint-drawing.js";
 import { number, outside, show, unitName } from "./units.js";
 
@@ -24,7 +24,8 @@ export function angleAt(stage, event) {
 
 /** Whether finite elements have answered yet. @param {string} model */
 const badge = (model) =>
-  el("p", { class: model === "fe" ? "badge final" : "badge" }, model === "fe" ? "Final: finite elements" : `First estimate: ${model}`);
+  el("p", { class: model === "fe" ? "badge final" : "badge" }, model === "fe" ? "Final: finite elements"
+    : `First estimate: ${model}`);
 
 /** @param {Point} point @param {string} which muscles these are */
 export function numbersView(point, which) {
@@ -47,9 +48,9 @@ export function numbersView(point, which) {
   ]);
   const words = point.words ? ` The ± of the torque ${point.words}.` : "";
   return [
-    badge(point.model), el("dl", {}, el("dt", { class: "head" }, "equilibrium angle"),
+    badge(point.model), el("dl", {}, el("dt", { class: "head" }, "Equilibrium angle"),
       el("dd", { class: "head" }, `${number(point.angle_deg, 3)}${half(point.angle_uncertainty_deg)}°`),
-      ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)])),
+      ...rows.flatMap(([name, value]) => [el("dt", {}, capital(name)), el("dd", {}, value)])),
     el("p", { class: "small soft" }, `${which} Curves and map by universal.${words}`),
   ];
 }

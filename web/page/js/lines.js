@@ -199,7 +199,10 @@ export class Lines {
     if (spec.exact) this.resting = window.setTimeout(() => this.compute(found), REST);
   }
 
-  /** What is below the pointer that rests, computed. @param {{ which: number, x: number, y: number, half?: number }} found */
+  /**
+   * What is below the pointer that rests, computed.
+   * @param {{ which: number, x: number, y: number, half?: number }} found
+   */
   compute(found) {
     const { spec, pointer } = this;
     spec?.exact?.(spec.series[found.which], found.x, (y, half) => {

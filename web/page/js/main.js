@@ -27,13 +27,17 @@ let routes = 0;
 const OWN_WORDS = ["design"];
 /** The view of a place that was shown last. @type {Map<string, string>} */ const last = new Map();
 
-/** A page's address with a muscle and what was typed there. @param {string} name @param {Record<string, string | undefined>} mine */
+/**
+ * A page's address with a muscle and what was typed there.
+ * @param {string} name @param {Record<string, string | undefined>} mine
+ */
 function linked(name, mine = muscle.params()) {
   const own = wordsOf(name);
   return address(name, OWN_WORDS.includes(name) ? { ...own, m: muscle.word() } : { ...own, ...mine });
 }
 const places = PLACES.map(([place, text, short]) =>
-  el("a", { href: `#${place}`, "data-place": place }, el("span", {}, text), el("span", { class: "short", "aria-hidden": true }, short))
+  el("a", { href: `#${place}`, "data-place": place }, el("span", {}, text),
+    el("span", { class: "short", "aria-hidden": true }, short))
 );
 byId("pages").append(...places);
 const views = byId("views");
@@ -83,7 +87,8 @@ function frame(name) {
   const current = (/** @type {HTMLElement} */ a, /** @type {boolean} */ on) =>
     on ? a.setAttribute("aria-current", "page") : a.removeAttribute("aria-current");
   for (const a of places) current(a, a.dataset.place === place);
-  const links = list.length > 1 ? list.map((view) => el("a", { "data-name": view.name, href: `#${view.name}` }, view.text)) : [];
+  const links = list.length > 1 ? list.map((view) => el("a", { "data-name": view.name, href: `#${view.name}` },
+    view.text)) : [];
   for (const a of links) current(a, a.dataset.name === name);
   views.replaceChildren(...links);
   views.hidden = !links.length;

@@ -85,7 +85,10 @@ function levelLine({ x, y, values }, level) {
   return out;
 }
 
-/** Pieces of lines as a curve that nobody reads off. @param {import("./border.js").Segment[]} list @param {object} look */
+/**
+ * Pieces of lines as a curve that nobody reads off.
+ * @param {import("./border.js").Segment[]} list @param {object} look
+ */
 export const pieces = (list, look) => /** @type {import("./plot.js").Series} */ ({ name: "", silent: true,
   x: list.flatMap(([a, , b]) => [a, b, b]), y: list.flatMap(([, a, , b]) => [a, b, null]), ...look });
 
@@ -96,7 +99,8 @@ export const pieces = (list, look) => /** @type {import("./plot.js").Series} */ 
 export function levels(field, unit) {
   const known = field.values.flat().filter((v) => v !== null);
   if (!known.length) return { series: [], notes: [] };
-  const all = ticks([Math.min(...known), Math.max(...known)], 7).map(({ value }) => ({ value, list: levelLine(field, value) }));
+  const all = ticks([Math.min(...known), Math.max(...known)], 7).map(({ value }) =>
+    ({ value, list: levelLine(field, value) }));
   // Not where they would lie on the axis.
   const [least, most] = [0.07, 0.93].map((share) => field.x[Math.round(share * (field.x.length - 1))]);
   const notes = all.flatMap(({ value, list }) => {

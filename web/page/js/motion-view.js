@@ -48,15 +48,15 @@ export function figures(run) {
     /** @type {number | null | undefined} */ x,
   ) => (x === null || x === undefined ? "–" : `${number(x, 3)} s`);
   return table(["", ""], [
-    ["rise time, 10–90 %", time(run.rise_time_s)],
-    ["settling time, 2 %", time(run.settling_time_s)],
-    ["overshoot", show("ratio", run.overshoot, 3)],
-    ["filled within 2 % after", time(run.fill_time_s)],
+    ["Rise time, 10–90 %", time(run.rise_time_s)],
+    ["Settling time, 2 %", time(run.settling_time_s)],
+    ["Overshoot", show("ratio", run.overshoot, 3)],
+    ["Filled within 2 % after", time(run.fill_time_s)],
     run.liquid_volume_mm3 == null
-      ? ["air from the supply", `${number(run.air_normal_litres, 3)} normal L`]
-      : ["liquid pushed in", `${number(run.liquid_volume_mm3 / 1000, 4)} mL`],
-    ["largest speed", speed(run)],
-    ["largest power", `${number(run.largest_power_w, 3)} W`],
+      ? ["Air from the supply", `${number(run.air_normal_litres, 3)} normal L`]
+      : ["Liquid pushed in", `${number(run.liquid_volume_mm3 / 1000, 4)} mL`],
+    ["Largest speed", speed(run)],
+    ["Largest power", `${number(run.largest_power_w, 3)} W`],
   ], { label: "figures of the step" });
 }
 

@@ -80,7 +80,8 @@ export class MuscleState {
   /** Its name. */
   get name() {
     const { file, said } = this.state;
-    return this.called || nameIn(file) || (file || Object.keys(said).length ? "My muscle" : "Reference muscle (Antonelli 2018)");
+    return this.called || nameIn(file) || (file || Object.keys(said).length ? "My muscle"
+      : "Reference muscle (Antonelli 2018)");
   }
   /** @param {string} text empty for that of its file */
   rename(text) {
@@ -198,7 +199,8 @@ export class MuscleState {
 
   /** The sleeves of the library, once. */
   async known() {
-    if (!this.sleeves.length) this.sleeves = (await engine().ask("parts-list", { kind: "sleeves" }, { lane: "read" })).sleeves;
+    if (!this.sleeves.length) this.sleeves = (await engine().ask("parts-list", { kind: "sleeves" },
+      { lane: "read" })).sleeves;
   }
 
   /** What the engine reads of file and fields. */

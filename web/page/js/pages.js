@@ -1,7 +1,11 @@
 // Places and their views: names, what each is for, and where the book says more.
 
-/** Places, with a short name for a phone; the first view of a place has its name. @type {[name: string, text: string, short: string][]} */
-export const PLACES = [["design", "Design", "Design"], ["muscle", "Muscle", "Muscle"], ["joint", "Joint & motion", "Joint"],
+/**
+ * Places, with a short name for a phone; the first view of a place has its name.
+ * @type {[name: string, text: string, short: string][]}
+ */
+export const PLACES = [["design", "Design", "Design"], ["muscle", "Muscle", "Muscle"], 
+  ["joint", "Joint & motion", "Joint"],
   ["data", "Measurements", "Measure"], ["parts", "Parts & library", "Parts"], ["files", "Build & export", "Build"]];
 
 /** @typedef {{ name: string, place: string, text: string, about: string, help: string }} Page */

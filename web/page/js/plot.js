@@ -247,7 +247,8 @@ function curve(s, which, { px, py }) {
     const at = (/** @type {number} */ vx, /** @type {number} */ vy) => `${short(px(vx))} ${short(py(vy))}`;
     return x.map((v, i) => {
       const h = (v - x[i - 1]) / 3;
-      return i ? `C${at(x[i - 1] + h, y[i - 1] + m[i - 1] * h)} ${at(v - h, y[i] - m[i] * h)} ${at(v, y[i])}` : `M${at(v, y[i])}`;
+      return i ? `C${at(x[i - 1] + h, y[i - 1] + m[i - 1] * h)} ${at(v - h, y[i] - m[i] * h)} ${at(v, y[i])}`
+        : `M${at(v, y[i])}`;
     }).join("");
   };
   const straight = (/** @type {number[]} */ run) => `M${run.map(place).join("L")}`;
@@ -328,7 +329,8 @@ export function slopes(x, y) {
   if (x.length < 3) return x.map(() => (x.length < 2 ? 0 : (y[1] - y[0]) / (x[1] - x[0])));
   const h = x.slice(1).map((v, i) => v - x[i]), d = h.map((w, i) => (y[i + 1] - y[i]) / w), n = d.length;
   // Of the parabola through three points.
-  const end = (/** @type {number} */ a, /** @type {number} */ b) => ((2 * h[a] + h[b]) * d[a] - h[a] * d[b]) / (h[a] + h[b]);
+  const end = (/** @type {number} */ a, /** @type {number} */ b) => ((2 * h[a] + h[b]) * d[a] - h[a] * d[b]) / (h[a]
+    + h[b]);
   const m = x.map((_, i) => i === 0 ? end(0, 1) : i === n ? end(n - 1, n - 2) : d[i - 1] * d[i] <= 0 ? 0
     : (h[i] * d[i - 1] + h[i - 1] * d[i]) / (h[i - 1] + h[i]));
   d.forEach((slope, i) => {

@@ -38,7 +38,10 @@ const PRESSURE = arrow("M120 60v-22M116 44l4-6 4 6M120 60v22M116 76l4 6 4-6M80 6
 const PULL = arrow("M192 60h38M222 55l8 5-8 5M48 60H10M18 55l-8 5 8 5", "F", [216, 48]);
 const STRAND = '<circle class="rubber" cx="120" cy="60" r="30"/>';
 
-/** Drawings by the keys of fields; `web/symbols.mjs` makes those of the glossary of them. @type {Record<string, () => string>} */
+/**
+ * Drawings by the keys of fields; `web/symbols.mjs` makes those of the glossary of them.
+ * @type {Record<string, () => string>}
+ */
 export const DRAWINGS = {
   D: () => BODY + dimension(120, 36, 120, 84, "D0"),
   s: () => BODY + dimension(120, 22, 120, 36, "") + dimension(120, 60, 120, 46, "") + "<text x='128' y='30'>s</text>",

@@ -164,7 +164,8 @@ export const point = ({ p, e, F }) => ({ pressure_mpa: p, ...(F === undefined ? 
  */
 export async function canonical(state, ask) {
   if (state.file && !Object.keys(state.said).length) return state.file;
-  return /** @type {string} */ ((await ask("check", { ...fields(state), muscle_file: true, only_data: true })).muscle_file);
+  return /** @type {string} */ ((await ask("check", { ...fields(state), muscle_file: true,
+    only_data: true })).muscle_file);
 }
 
 /**
@@ -256,7 +257,8 @@ const template = (hasMass) => `#:schema joint.schema.json\n\n[joint]\nradius = "
  * A request for a joint with this muscle against itself or another one: that of a file, where there is one, with what
  * was typed over it.
  * @param {string} file the muscle's @param {string} second file of the other one; empty where it is the same
- * @param {{ r?: number, low?: number, high?: number, e0?: number, mass?: number, centre?: number, inertia?: number }} of
+ * @param {{ r?: number, low?: number, high?: number, e0?: number, mass?: number, centre?: number,
+   inertia?: number }} of
  *   mm, degrees, ratio, kg, kg m²; the arm hangs at the neutral angle @param {string} [text] a joint file
  */
 export function joint(file, second, { r, low, high, e0, mass, centre, inertia }, text = template(Number(mass) > 0)) {
@@ -264,7 +266,8 @@ export function joint(file, second, { r, low, high, e0, mass, centre, inertia },
   const said = (/** @type {number | undefined} */ value, /** @type {string} */ unit) =>
     value === undefined ? undefined : `${value} ${unit}`;
   const put = { "muscle_1.file": "muscle.toml", "muscle_2.file": other, "joint.radius": said(r, "mm"),
-    "joint.inertia": said(inertia || undefined, "kg m2"), "link.mass": said(mass, "kg"), "link.centre": said(centre, "mm"),
+    "joint.inertia": said(inertia || undefined, "kg m2"), "link.mass": said(mass, "kg"), "link.centre": said(centre,
+      "mm"),
     "joint.range": low === undefined || high === undefined ? undefined : `${low}..${high} deg`,
     "muscle_1.contraction_at_neutral": neutral, "muscle_2.contraction_at_neutral": neutral };
   // What stays empty is not stated.

@@ -4,7 +4,10 @@ import { muscle } from "./muscle.js";
 import { MEASURES, POINT } from "./state.js";
 import { show } from "./units.js";
 
-/** The muscle as words of an address, and what led to it. @typedef {{ words: Record<string, string>, name: string }} Step */
+/**
+ * The muscle as words of an address, and what led to it.
+ * @typedef {{ words: Record<string, string>, name: string }} Step
+ */
 /** @type {Step[]} */ let steps = [];
 let at = -1;
 
@@ -19,7 +22,8 @@ function nameOf(before, now) {
 
 /** The muscle as it is now becomes a step, where it is another one. */
 export function record() {
-  const { u, ...all } = muscle.params(), words = Object.fromEntries(Object.entries(all).flatMap(([k, word]) => (word ? [[k, word]] : [])));
+  const { u, ...all } = muscle.params(), words = Object.fromEntries(Object.entries(all).flatMap(([k,
+    word]) => (word ? [[k, word]] : [])));
   const before = steps[at]?.words;
   if (before && JSON.stringify(before) === JSON.stringify(words)) return;
   steps = [...steps.slice(0, at + 1), { words, name: before ? nameOf(before, words) : "" }].slice(-200);

@@ -28,7 +28,10 @@ export function stated(text) {
   walk(text, (place, value) => { if (!found.has(place)) found.set(place, value); });
   return found;
 }
-/** A file with other values where it states some. @param {string} text @param {Record<string, string | undefined>} put */
+/**
+ * A file with other values where it states some.
+ * @param {string} text @param {Record<string, string | undefined>} put
+ */
 export const replaced = (text, put) => walk(text, (place) => put[place]);
 
 /** The name that a muscle file states. @param {string} file */

@@ -73,7 +73,10 @@ export function reach(list) {
  * @typedef {{ outer: Piece, inner: Piece, walls: Piece[] }} Mesh
  */
 
-/** What gives a picture of a view, by its canvas: it is drawn for it. @type {WeakMap<HTMLCanvasElement, () => string>} */
+/**
+ * What gives a picture of a view, by its canvas: it is drawn for it.
+ * @type {WeakMap<HTMLCanvasElement, () => string>}
+ */
 export const pictures = new WeakMap();
 
 export class View {
@@ -211,7 +214,10 @@ export class View {
     else this.section();
   }
 
-  /** A shape by its largest stretch. @param {Shape & { muscle: { length_mm: number, outer_diameter_mm: number } }} shape @param {number} [least] */
+  /**
+   * A shape by its largest stretch.
+   * @param {Shape & { muscle: { length_mm: number, outer_diameter_mm: number } }} shape @param {number} [least]
+   */
   stretched(shape, least = 1.2) {
     this.set(shape, { field: "max_stretch", low: 1, high: Math.max(least, reach(shape.arrays.max_stretch)[1]),
       restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });

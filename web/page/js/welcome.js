@@ -1,6 +1,7 @@
 // The first view: what must it pull? Three candidates answer, and one click leads to the living muscle. Beside it ways
 // for who has a muscle or measurements; until somebody hides it.
 import { address } from "./address.js";
+import { engine } from "./ask.js";
 import { candidatesView } from "./candidates.js";
 import { byId, el } from "./dom.js";
 import { form } from "./form.js";
@@ -26,7 +27,8 @@ function question(hide) {
   const fields = form(WANTED, () => ask());
   const shown = candidatesView((one, request) => {
     hide();
-    location.hash = address("muscle", muscle.paramsOf(candidate(one, request, { p: one.pressure_mpa, e: one.points[0].contraction })));
+    location.hash = address("muscle", muscle.paramsOf(candidate(one, request, { p: one.pressure_mpa,
+      e: one.points[0].contraction })));
   });
   let asking = 0;
   async function ask() {
@@ -38,14 +40,16 @@ function question(hide) {
   // What each is.
   for (const [key, { row }] of fields.rows) {
     const svg = /** @type {(() => string) | undefined} */ (drawing(WANTED.find((f) => f.key === key)?.field));
-    if (svg) row.insertAdjacentHTML("afterbegin", `<svg class="drawn" viewBox="0 0 240 120" aria-hidden="true">${svg()}</svg>`);
+    if (svg) row.insertAdjacentHTML("afterbegin",
+      `<svg class="drawn" viewBox="0 0 240 120" aria-hidden="true">${svg()}</svg>`);
   }
   fields.element.addEventListener("input", () => setTimeout(ask, 300));
   const more = () => {
     const texts = fields.texts(), of = Object.fromEntries(WANTED.map(({ key, value }) => [key, texts[key] || value]));
     location.hash = address("design", of);
   };
-  return { ask, element: el("div", { class: "question" }, el("h2", {}, "What must it pull?"), fields.element, shown.element,
+  return { ask, element: el("div", { class: "question" }, el("h2", {}, "What must it pull?"), fields.element,
+    shown.element,
     el("p", { class: "row" }, el("button", { type: "button", onclick: more }, "More wishes, all muscles and the map")),
     el("details", { class: "small" }, el("summary", {}, "The narrowest in words"), shown.said)) };
 }
@@ -74,5 +78,7 @@ export function welcome(on) {
       el("h2", {}, "I have measurements"),
       el("p", { class: "row" }, el("button", { type: "button", onclick: go("data") }, "Pulls of a muscle"),
         el("button", { type: "button", onclick: go("rubber") }, "A test of a rubber"))));
-  setTimeout(asked.ask, 600);
+  // The engine of the search is loaded with the first question, where it is not a server's.
+  if (engine().files.length) asked.element.addEventListener("focusin", asked.ask, { once: true });
+  else setTimeout(asked.ask, 600);
 }

@@ -127,7 +127,8 @@ function sync(controls, { rubber, braid, strands, held }) {
   if (said.rubber === undefined) rubber.first(partName(shown?.rubber) || "silicone (Antonelli 2018)");
   if (said.braid === undefined) braid.first(shown?.sleeve ?? "own angle");
   if (said.k === undefined)
-    strands.first(said.braid ? "of the sleeve" : ofStrands ? "of its strands" : braidName(shown?.braid) || "braid (Antonelli 2018)");
+    strands.first(said.braid ? "of the sleeve" : ofStrands ? "of its strands" : braidName(shown?.braid)
+      || "braid (Antonelli 2018)");
   rubber.set(String(said.rubber ?? ""));
   braid.set(String(said.braid ?? ""));
   strands.set(typeof said.k === "number" ? "k" : String(said.k ?? ""));

@@ -137,7 +137,8 @@ export class Curves {
     if (test === "isotonic")
       return exact.ask("contraction", { ...fields, force_n: fixed, pressure_mpa: pressure }, (a) =>
         take(100 * a.contraction, a.contraction_uncertainty && 100 * a.contraction_uncertainty));
-    const at = test === "isobaric" ? { pressure_mpa: fixed, contraction: x / 100 } : { pressure_mpa: pressure, contraction: fixed };
+    const at = test === "isobaric" ? { pressure_mpa: fixed, contraction: x / 100 } : { pressure_mpa: pressure,
+      contraction: fixed };
     exact.ask("force", { ...fields, ...at }, (a) =>
       take(outside("force", a.force_n), a.uncertainty_n && outside("force", a.uncertainty_n)));
   }

@@ -12,7 +12,10 @@ export const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
 /** Points of a curve of the family, and of that of the state. */
 export const FAMILY = 13, FINE = 21;
 /** Closer where curves bend: at the beginning. @param {number} count @param {number} end */
-const steps = (count, end) => Array.from({ length: count }, (_, i) => end * (i / (count - 1)) * (0.4 + (0.6 * i) / (count - 1)));
+const steps = (count, end) => {
+  const shares = Array.from({ length: count }, (_, i) => i / (count - 1));
+  return shares.map((t) => end * t * (0.4 + 0.6 * t));
+};
 
 /** Contractions up to a little beyond the free one. @param {Store} store @param {number} count */
 export function reachOf(store, count) {
@@ -117,8 +120,9 @@ export function ownSeries(answer, test, top) {
       branch === "contraction" ? " while it shortens" : branch === "elongation" ? " while it lengthens" : "";
     const label = i ? {} : { end: name, at: /** @type {"start" | "end"} */ (test === "isobaric" ? "start" : "end") };
     const curve = line(list, test);
-    return /** @type {import("../chart.js").Series} */ ({ name: name + words, ...label, colour, strong: true, smooth: true,
-      fixed: branches.length > 1 ? undefined : answer.fixed[0], dash: branch === "elongation" ? "dash" : "solid", ...curve });
+    return /** @type {import("../chart.js").Series} */ ({ name: name + words, ...label, colour, strong: true,
+      smooth: true, fixed: branches.length > 1 ? undefined : answer.fixed[0],
+      dash: branch === "elongation" ? "dash" : "solid", ...curve });
   });
 }
 

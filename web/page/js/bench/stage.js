@@ -131,7 +131,8 @@ function contracting(store) {
 /** The pressure rises, the muscle shortens, and both go back. @param {Store} store */
 function pumping(store) {
   let running = 0;
-  const button = el("button", { type: "button", title: "Fills it, lets it shorten, and lets go", onclick: start }, "Pump");
+  const button = el("button", { type: "button", title: "Fills it, lets it shorten, and lets go", onclick: start },
+    "Pump");
   function start() {
     if (running) return stop();
     const { p, e } = muscle, began = performance.now();
@@ -140,8 +141,10 @@ function pumping(store) {
     const step = () => {
       const share = Math.min(1, (performance.now() - began) / 4500);
       // Three stills where motion is not wanted.
-      const t = 3 * (still ? Math.ceil(share * 3) / 3 : share), part = (/** @type {number} */ x) => Math.min(1, Math.max(0, x));
-      if (share < 1) store.ask({ pressure_mpa: p * (part(t) - part(t - 2)), contraction: e * (part(t - 1) - part(t - 2)) });
+      const t = 3 * (still ? Math.ceil(share * 3) / 3 : share);
+      const part = (/** @type {number} */ x) => Math.min(1, Math.max(0, x));
+      if (share < 1) store.ask({ pressure_mpa: p * (part(t) - part(t - 2)),
+        contraction: e * (part(t - 1) - part(t - 2)) });
       else store.ask();
       if (share < 1) running = still ? window.setTimeout(step, 660) : requestAnimationFrame(step);
       else stop();

@@ -23,7 +23,8 @@ const MODELS =
 function sideForm(name, ask) {
   const measure = (/** @type {Measure} */ { key, field, label, kind }, more = {}) =>
     ({ key: name + key, field, label, kind, ...more });
-  const model = { key: `${name}model`, field: "model", label: "Model", options: MODELS, value: name === "b" ? "thick-wall" : "fe" };
+  const model = { key: `${name}model`, field: "model", label: "Model", options: MODELS,
+    value: name === "b" ? "thick-wall" : "fe" };
   const fields = form(name === "a" ? [model] : [model, ...QUANTITIES.map((m) => measure(m)),
     { key: `${name}rubber`, field: "rubber", label: "Rubber" },
     { key: `${name}braid`, field: "braid", label: "Braid" },
@@ -95,7 +96,8 @@ function sideOf(name, { ask, paint }) {
       const put = (/** @type {string} */ key, /** @type {string | null | undefined} */ text) =>
         fields.usual(name + key, side.file ? "as in its file" : text ?? "");
       for (const m of QUANTITIES) {
-        const value = shownValue(muscle.state, muscle.shown, m), sleeve = m.key === "angle" && fields.text(`${name}braid`);
+        const value = shownValue(muscle.state, muscle.shown, m), sleeve = m.key === "angle"
+          && fields.text(`${name}braid`);
         put(m.key, sleeve ? "of the sleeve" : value === undefined ? "" : show(m.kind, value));
       }
       put("rubber", muscle.shown?.rubber);
@@ -126,11 +128,13 @@ const ROWS = [
 export function mount(main) {
   const sides = ["a", "b"].map((name) => sideOf(name, { ask: () => ask(), paint: () => paint() })), [, b] = sides;
   const chart = new Chart("compare", { tools: el("h2", {}, "Pull over contraction") }), numbers = el("div", {});
-  main.replaceChildren(el("div", { class: "pair" }, el("div", {}, sides[0].element, numbers, chart.element), b.element));
+  main.replaceChildren(el("div", { class: "pair" }, el("div", {}, sides[0].element, numbers, chart.element),
+    b.element));
 
   async function ask() {
     sides.forEach((side) => side.usual());
-    write(address("compare", { ...muscle.params(), ...Object.assign({}, ...sides.map((s) => s.fields.texts())), bfile: b.file }));
+    write(address("compare", { ...muscle.params(), ...Object.assign({}, ...sides.map((s) => s.fields.texts())),
+      bfile: b.file }));
     await Promise.all(sides.map((side) => side.ask()));
   }
   function paint() {

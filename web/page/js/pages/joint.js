@@ -92,7 +92,8 @@ function moveBox(v, question) {
   });
   const about = "From the angle above at the required stiffness. Motion shows how valves and arm follow.";
   return { job: play, element: el("details", {}, el("summary", {}, "Move the arm"),
-    el("p", { class: "small soft" }, about), field("angle", "Move to", "angle", -60, 60), field("seconds", "Within", "time", 0.1, 5), play.element) };
+    el("p", { class: "small soft" }, about), field("angle", "Move to", "angle", -60, 60), field("seconds", "Within",
+      "time", 0.1, 5), play.element) };
 }
 
 /**

@@ -17,7 +17,8 @@ export function mount(main) {
     curves = new Curves(store),
     numbers = numbersView(store);
   main.replaceChildren(el("div", { class: "bench" }, controls.element,
-    el("div", { class: "middle" }, stage.stage, stage.tools, curves.chart.element, curves.points.element, curves.over.element),
+    el("div", { class: "middle" }, stage.stage, stage.tools, curves.chart.element, curves.points.element,
+      curves.over.element),
     el("div", { class: "side" }, said, numbers.element)));
 
   /** What is shown belongs to the last muscle that had an answer. @param {boolean} on */

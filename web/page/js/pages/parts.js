@@ -166,7 +166,8 @@ export function mount(main) {
       count.textContent = "Muscles whose pulls were measured. Open one: it becomes the muscle.";
       return list.replaceChildren(library((problem) => list.replaceChildren(problemBox(problem)), () => {}));
     }
-    const { head, text, rows } = LISTS[/** @type {Kind} */ (state.kind)], all = rows(parts), shown = all.filter(matches);
+    const { head, text, rows } = LISTS[/** @type {Kind} */ (state.kind)], all = rows(parts),
+      shown = all.filter(matches);
     cast.row.hidden = state.kind !== "tubes";
     fits.row.hidden = state.kind !== "sleeves";
     count.textContent = `${shown.length} of ${all.length} ${state.kind}. What no source states is marked as estimated.`;

@@ -15,7 +15,8 @@ import { number, onUnits, show } from "../units.js";
 /** @type {import("../form.js").Field[]} */
 export const FIELDS = [
   { key: "laws", field: "laws", label: "Laws", words: true, hint: "all that the points determine" },
-  { key: "set", field: "set", label: "Constants of the table", words: true, hint: "area=8mm2, gauge_length=25mm, mode=planar" },
+  { key: "set", field: "set", label: "Constants of the table", words: true,
+    hint: "area=8mm2, gauge_length=25mm, mode=planar" },
   { key: "upto", field: "up_to_stretch", label: "Up to a stretch of", kind: "number", hint: "all points" },
   { key: "stable", field: "stable", label: "In a muscle", value: "",
     options: [["", "fit as the points are"], ["yes", "only what stays stable"]] },

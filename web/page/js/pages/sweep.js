@@ -62,7 +62,8 @@ class SweepPage {
     this.chart = new Chart("sweep", { tools: this.title, tall: true });
     const run = el("button", { type: "button", class: "main", onclick: () => this.#run() }, "Compute");
     main.replaceChildren(el("div", { class: "bench two" },
-      el("section", { class: "controls", "aria-label": "Measure and range" }, el("h2", {}, "Sweep"), this.what.element, this.ends,
+      el("section", { class: "controls", "aria-label": "Measure and range" }, el("h2", {}, "Sweep"), this.what.element,
+        this.ends,
         this.result.element, el("p", { class: "row" }, run, this.bar)),
       el("div", { class: "middle" }, this.said, this.chart.element)));
     atEnd(onUnits(() => {
