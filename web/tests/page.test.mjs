@@ -424,7 +424,7 @@ inBrowser(({ name, url, open, blank }) => {
     });
     await page.goto(url());
     await alive(page);
-    await page.waitForSelector("svg.section polygon");
+    await page.waitForSelector("svg.section clipPath", { state: "attached" });
     await context.close();
   });
 });

@@ -21,6 +21,18 @@ const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp:
  *   change: (value: number | undefined, settled: boolean) => void }} Spec
  */
 
+/**
+ * What is said below a field: a note, or what is wrong with it.
+ * @param {HTMLElement} field @param {HTMLElement} box
+ */
+export const saying = (field, box) => (text = "", wrong = false) => {
+  box.className = wrong ? "wrong" : "note small soft";
+  box.textContent = wrong ? inWords(text) : text;
+  box.hidden = !text;
+  if (wrong && text) field.setAttribute("aria-invalid", "true");
+  else field.removeAttribute("aria-invalid");
+};
+
 /** A field with a slider, where that has ends. */
 class Quantity {
   /** @type {number | undefined} */ #now;
@@ -47,10 +59,11 @@ class Quantity {
       ? el("button", { type: "button", class: "bare", title: "Change the unit everywhere",
         onclick: () => changeUnit(kind) })
       : el("span", { class: "soft" });
-    this.wrong = el("p", { class: "wrong", id: `${id}w`, hidden: true, role: "status" });
+    const below = el("p", { id: `${id}w`, hidden: true, role: "status" });
+    this.say = saying(this.field, below);
     const name = el("label", { for: id }, label, symbol ? " " : "", symbol ? el("i", { class: "soft" }, symbol) : null);
     this.element = el("div", { class: "quantity" }, name, this.field, this.unit, Number.isNaN(low) ? null : this.slider,
-      this.wrong);
+      below);
     sketched(this.element, key, field);
     if (about) this.element.dataset.about = about;
     this.#listen();
@@ -65,16 +78,16 @@ class Quantity {
   set(v) {
     if (v === this.#now) return;
     this.#now = v;
-    this.#good();
+    this.say();
     const fieldToo = !this.#typing();
     if (!fieldToo) this.#painted = undefined;
     this.#paint(fieldToo);
   }
   /** What is wrong with it, said by the engine; empty where nothing is. @param {string} message */
   mark(message) {
-    if (message) return this.#wrongly(message);
+    if (message) return this.say(message, true);
     if (!this.field.getAttribute("aria-invalid")) return;
-    this.#good();
+    this.say();
     this.#paint(!this.#typing());
   }
   /** @param {number} low @param {number} high */
@@ -137,7 +150,7 @@ class Quantity {
       this.#take(Math.min(this.#high, Math.max(this.#low, inside(kind, next))), true);
     });
     field.addEventListener("change", () => {
-      this.#read().catch((problem) => this.#wrongly(problem.message));
+      this.#read().catch((problem) => this.say(problem.message, true));
     });
     field.addEventListener("keydown", (event) => {
       if (event.key !== "Enter") return;
@@ -153,7 +166,7 @@ class Quantity {
   #take(value, settled, note, fieldToo = true) {
     this.#turn++;
     this.#now = value;
-    this.#good(note);
+    this.say(note);
     if (!fieldToo) this.#painted = undefined;
     this.#paint(fieldToo);
     this.spec.change(value, settled);
@@ -172,7 +185,7 @@ class Quantity {
     const reading = value === undefined ? (await understood([{ text: asked, kind }]))[0] : { value };
     // A later text or a drag counts, whichever is read first.
     if (turn !== this.#turn) return;
-    if (reading.problem) return this.#wrongly(reading.problem.message);
+    if (reading.problem) return this.say(reading.problem.message, true);
     this.#take(reading.value, true, note, field.value.trim() === text);
   }
 
@@ -206,22 +219,6 @@ class Quantity {
     const words = capital([expectation(kind), ...bounds].filter(Boolean).join(", "));
     this.field.title = [about, words].filter(Boolean).join(" ");
     this.field.placeholder = usual !== undefined ? this.#asText(usual) : kind === "ratio" ? "%" : "";
-  }
-
-  #good(note = "") {
-    const { field, wrong } = this;
-    field.removeAttribute("aria-invalid");
-    wrong.className = "note small soft";
-    wrong.textContent = note;
-    wrong.hidden = !note;
-  }
-  /** @param {string} message */
-  #wrongly(message) {
-    const { field, wrong } = this;
-    field.setAttribute("aria-invalid", "true");
-    wrong.className = "wrong";
-    wrong.textContent = inWords(message);
-    wrong.hidden = false;
   }
 }
 

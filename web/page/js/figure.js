@@ -37,10 +37,7 @@ export class Figures {
   }
 }
 
-/**
- * @param {Panel} panel @param {Figure} figure
- * @returns {import("./chart.js").Spec}
- */
+/** @param {Panel} panel @param {Figure} figure @returns {import("./chart.js").Spec} */
 function spec(panel, figure) {
   const numbers = figure.panels.flatMap((p) =>
     p.series.map((s, i) => s.colour ?? i),
@@ -69,12 +66,6 @@ function spec(panel, figure) {
   };
   const range = (/** @type {Panel["x"]} */ axis) =>
     axis.range ? { range: axis.range } : { rangemode: axis.from_zero ? "tozero" : "normal" };
-  return {
-    x: panel.x.label,
-    y: panel.y.label,
-    series: panel.series.map(one),
-    marks: panel.marks.map((m) => ({ x: m.x, y: m.y, text: m.label })),
-    xaxis: range(panel.x),
-    yaxis: range(panel.y),
-  };
+  return { x: panel.x.label, y: panel.y.label, series: panel.series.map(one),
+    marks: panel.marks.map((m) => ({ x: m.x, y: m.y, text: m.label })), xaxis: range(panel.x), yaxis: range(panel.y) };
 }

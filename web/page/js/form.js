@@ -1,6 +1,7 @@
 // A form of quantities as people type them, read by the engine in one question; and long work with progress and a way
 // to end it.
 import { longWork, understood } from "./ask.js";
+import { saying } from "./controls.js";
 import { capital, el, problemBox } from "./dom.js";
 import { isAbort, problemOf } from "./engine/problem.js";
 import { muscle } from "./muscle.js";
@@ -19,7 +20,8 @@ import { inWords } from "./words.js";
  * @typedef {{ key: string, field: string, label: string, kind?: Kind, list?: boolean, pair?: [Kind, string][],
  *   words?: boolean, or?: string[], factor?: boolean, hidden?: boolean, options?: [string, string][], value?: string,
  *   hint?: string }} Field
- * @typedef {{ input: HTMLInputElement | HTMLSelectElement, wrong: HTMLElement, row: HTMLElement }} Row
+ * @typedef {{ input: HTMLInputElement | HTMLSelectElement, say: (text?: string, wrong?: boolean) => void,
+ *   row: HTMLElement }} Row
  * @typedef {{ key: string, text: string, kind: Kind, list: boolean, take: (value: Value) => void }} Asked
  */
 
@@ -43,12 +45,12 @@ function fieldRow(f, submit) {
     event.preventDefault();
     submit();
   });
-  const wrong = el("p", { class: "wrong", id: `${id}w`, hidden: true });
+  const below = el("p", { id: `${id}w`, hidden: true });
   const line = el("div", { class: "choice", style: "margin:0;grid-template-columns:minmax(0,5fr) minmax(0,6fr)" },
     el("label", { for: id }, f.label), input);
-  const row = el("div", { style: "margin-bottom:8px", hidden: f.hidden }, line, wrong);
+  const row = el("div", { style: "margin-bottom:8px", hidden: f.hidden }, line, below);
   sketched(row, f.field, f.key);
-  return { input, wrong, row };
+  return { input, say: saying(input, below), row };
 }
 
 /** What a form asks the engine of its texts, and what it says of bare numbers. */
@@ -109,13 +111,7 @@ class Form {
 
   /** @param {string} key @param {string} message */
   mark(key, message) {
-    const of = this.rows.get(key);
-    if (!of) return;
-    of.wrong.className = "wrong";
-    of.wrong.textContent = inWords(message);
-    of.wrong.hidden = !message;
-    if (message) of.input.setAttribute("aria-invalid", "true");
-    else of.input.removeAttribute("aria-invalid");
+    this.rows.get(key)?.say(message, true);
   }
 
   /**
@@ -138,11 +134,9 @@ class Form {
       if (problem) this.mark(key, problem.message);
       else take(list ? (intervals && ends(readings[i])) || values : value);
     });
-    for (const [key, note] of notes) {
-      const wrong = this.rows.get(key)?.wrong;
-      if (wrong?.hidden) Object.assign(wrong, { className: "note small soft", textContent: note, hidden: false });
-    }
-    return readings.some(({ problem }) => problem) ? undefined : values;
+    const bad = new Set(asked.flatMap(({ key }, i) => (readings[i].problem ? [key] : [])));
+    for (const [key, note] of notes) if (!bad.has(key)) this.rows.get(key)?.say(note);
+    return bad.size ? undefined : values;
   }
 
   /** The texts, for an address: those that are not the usual ones. */

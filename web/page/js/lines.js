@@ -7,11 +7,7 @@ import { number, plusMinus } from "./units.js";
 const NEAR = 48;
 /** So long the pointer rests before what is below it is computed, in milliseconds. */
 const REST = 200;
-const colours = () => ({
-  ink: token("--ink"),
-  line: token("--line"),
-  faint: token("--faint"),
-  paper: token("--paper"),
+const colours = () => ({ ink: token("--ink"), line: token("--line"), faint: token("--faint"), paper: token("--paper")
 });
 /** The unit of an axis. @param {string} title */
 const unit = (title) => { const [, u] = /\[(.+)\]/.exec(title) ?? []; return u ? ` ${u}` : ""; };
@@ -35,18 +31,13 @@ export class Lines {
     this.tip = el("div", { class: "tip small", hidden: true });
     this.hair = el("i", { class: "hair", hidden: true });
     this.box = el("i", { class: "box", hidden: true });
-    this.all = el(
-      "button",
-      { type: "button", class: "all small", hidden: true, onclick: () => this.zoom(undefined) },
-      "Show all",
-    );
+    this.all = el("button", { type: "button", class: "all small", hidden: true, onclick: () => this.zoom(undefined) },
+      "Show all");
     host.replaceChildren(this.drawn, this.hair, this.box, this.dot, this.tip, this.all);
     host.tabIndex = 0;
     host.setAttribute("role", "group");
-    host.setAttribute(
-      "aria-label",
-      `${name.replaceAll("-", " ")}: arrow keys read its points, + and − zoom, 0 shows all`,
-    );
+    host.setAttribute("aria-label",
+      `${name.replaceAll("-", " ")}: arrow keys read its points, + and − zoom, 0 shows all`);
     this.ends = new AbortController();
     this.listen();
   }
@@ -93,10 +84,8 @@ export class Lines {
     const [cx, cy] = [at.x(px ?? at.left + at.w / 2), at.y(py ?? at.top + at.h / 2)];
     const about = (/** @type {[number, number]} */ [low, high], /** @type {number} */ c, on = true) =>
       /** @type {[number, number]} */ (on ? [c + (low - c) * by, c + (high - c) * by] : [low, high]);
-    this.zoom({
-      x: about(at.reach.x, cx, px === undefined || px > at.left),
-      y: about(at.reach.y, cy, py === undefined || py < at.top + at.h),
-    });
+    this.zoom({ x: about(at.reach.x, cx, px === undefined || px > at.left),
+      y: about(at.reach.y, cy, py === undefined || py < at.top + at.h) });
   }
 
   /** What lies at a place, in words. @param {{ which: number, x: number, y: number, half?: number }} found */
@@ -216,12 +205,8 @@ export class Lines {
    */
   selected(from, px, py) {
     const { left, top, w, h } = /** @type {import("./plot.js").Frame} */ (this.at);
-    const sorted = (
-      /** @type {number} */ a,
-      /** @type {number} */ b,
-      /** @type {number} */ low,
-      /** @type {number} */ size,
-    ) => [Math.max(low, Math.min(a, b)), Math.min(low + size, Math.max(a, b))];
+    const sorted = (/** @type {number} */ a, /** @type {number} */ b, /** @type {number} */ low,
+      /** @type {number} */ size) => [Math.max(low, Math.min(a, b)), Math.min(low + size, Math.max(a, b))];
     const [x0, x1] = from.what === "y" ? [left, left + w] : sorted(from.px, px, left, w);
     const [y0, y1] = from.what === "x" ? [top, top + h] : sorted(from.py, py, top, h);
     return { x0, x1, y0, y1 };
@@ -240,10 +225,8 @@ export class Lines {
     this.box.hidden = true;
     const { at } = this, { x0, x1, y0, y1 } = this.selected(from, px, py);
     if (!at || x1 - x0 < 6 || y1 - y0 < 6) return;
-    this.zoom({
-      x: from.what === "y" ? at.reach.x : [at.x(x0), at.x(x1)],
-      y: from.what === "x" ? at.reach.y : [at.y(y1), at.y(y0)],
-    });
+    this.zoom({ x: from.what === "y" ? at.reach.x : [at.x(x0), at.x(x1)],
+      y: from.what === "x" ? at.reach.y : [at.y(y1), at.y(y0)] });
   }
 
   /** @param {string} key @returns whether it means something here */

@@ -36,10 +36,7 @@ export const colourOf = (s, i) => s.colour ?? KINDS[i % KINDS.length];
 
 /** What the axes have to show of the curves. @param {Curves} spec @returns {Reach} */
 export function reachOf(spec) {
-  const [x, y] = [
-    [Infinity, -Infinity],
-    [Infinity, -Infinity],
-  ];
+  const [x, y] = [[Infinity, -Infinity], [Infinity, -Infinity]];
   const take = (/** @type {number[]} */ r, /** @type {number} */ v) => {
     r[0] = Math.min(r[0], v);
     r[1] = Math.max(r[1], v);
@@ -62,10 +59,8 @@ export function reachOf(spec) {
     take(x, m.x);
     take(y, m.y);
   }
-  return {
-    x: axisReach(x, spec.xaxis ?? {}, points ? 0.03 : 0),
-    y: axisReach(y, spec.yaxis ?? { rangemode: "tozero" }, 0.05),
-  };
+  return { x: axisReach(x, spec.xaxis ?? {}, points ? 0.03 : 0),
+    y: axisReach(y, spec.yaxis ?? { rangemode: "tozero" }, 0.05) };
 }
 
 /** @param {number[]} found @param {Axis} axis @param {number} spare @returns {[number, number]} */
@@ -88,10 +83,8 @@ export function ticks([low, high], most) {
   const values = Array.from({ length: Math.max(0, Math.min(50, count)) }, (_, i) =>
     Number(((first + i) * step).toPrecision(12)),
   );
-  return values.map((value) => ({
-    value,
-    text: number(value, Math.max(3, Math.ceil(Math.log10(Math.max(1, Math.abs(value) / step)) + 2))),
-  }));
+  return values.map((value) => ({ value,
+    text: number(value, Math.max(3, Math.ceil(Math.log10(Math.max(1, Math.abs(value) / step)) + 2))) }));
 }
 
 /**
@@ -281,13 +274,8 @@ function labels(spec, { px, py, left, top, w, h, reach }, { ink, paper }) {
     const y = py(/** @type {number} */ (s.y[i]));
     if (y < top - 20 || y > top + h + 20) return [];
     return [
-      {
-        x: start ? px(s.x[i]) + 8 : Math.min(px(s.x[i]), left + w) + 5,
-        y: start ? y - 4 : y + 4,
-        text: s.end,
-        strong: s.strong,
-        colour: s.colour ? colourOf(s, k) : ink,
-      },
+      { x: start ? px(s.x[i]) + 8 : Math.min(px(s.x[i]), left + w) + 5, y: start ? y - 4 : y + 4, text: s.end,
+        strong: s.strong, colour: s.colour ? colourOf(s, k) : ink },
     ];
   });
   apart(ends, top + h + 6);
@@ -366,13 +354,8 @@ export function valueAt(s, x, of = "y") {
  */
 export function nearest(spec, at, x, y) {
   /** @type {{ far: number, which: number, x: number, y: number, half?: number } | undefined} */ let best;
-  const take = (
-    /** @type {number} */ which,
-    /** @type {number} */ vx,
-    /** @type {number} */ vy,
-    /** @type {number | undefined} */ half,
-    more = 0,
-  ) => {
+  const take = (/** @type {number} */ which, /** @type {number} */ vx, /** @type {number} */ vy,
+    /** @type {number | undefined} */ half, more = 0) => {
     const far = Math.hypot(at.px(vx) - x, at.py(vy) - y) + more;
     if (!best || far < best.far) best = { far, which, x: vx, y: vy, half };
   };

@@ -1,8 +1,9 @@
-// The muscle in space: one lit surface turned about the axis, its strands, and the terminals. WebGL2; without it a
-// section as SVG.
+// The muscle in space: one lit surface turned about the axis, its strands, and the terminals. WebGL2; without it an
+// SVG.
 //
 // What the engine knows along the half muscle goes into one small texture; where each point of surface or strand lies
 // follows from it on the graphics processor, so that a new shape costs one upload of a few kilobytes.
+import { body } from "./body.js";
 import { el } from "./dom.js";
 import { FRAGMENT, SURFACE } from "./shaders.js";
 
@@ -19,16 +20,13 @@ const FITTING = [
   [1.02, -0.12], [1.14, -0.12], [1.14, -0.12], [1.14, 0.06], [1.14, 0.06], [1.05, 0.12], [1.05, 0.2], [1.14, 0.26],
   [1.14, 0.26], [1.14, 0.36], [1.14, 0.36], [1.05, 0.42], [1.05, 0.5], [1.14, 0.56], [1.14, 0.56], [1.14, 0.72],
   [1.14, 0.72], [0.62, 0.72], [0.62, 0.72], [0.62, 0.98], [0.62, 0.98], [0.36, 0.98], [0.36, 0.98], [0.36, 1.1],
-  [0.42, 1.14], [0.36, 1.22], [0.42, 1.26], [0.36, 1.34], [0.36, 1.42], [0.36, 1.42], [0.18, 1.42],
-];
+  [0.42, 1.14], [0.36, 1.22], [0.42, 1.26], [0.36, 1.34], [0.36, 1.42], [0.36, 1.42], [0.18, 1.42]];
 
 /** @param {WebGL2RenderingContext} gl @param {string} vertex */
 function program(gl, vertex) {
   const made = /** @type {WebGLProgram} */ (gl.createProgram());
-  for (const [kind, source] of /** @type {[number, string][]} */ ([
-    [gl.VERTEX_SHADER, vertex],
-    [gl.FRAGMENT_SHADER, FRAGMENT],
-  ])) {
+  for (const [kind, source] of /** @type {[number, string][]} */ ([[gl.VERTEX_SHADER, vertex],
+    [gl.FRAGMENT_SHADER, FRAGMENT]])) {
     const shader = /** @type {WebGLShader} */ (gl.createShader(kind));
     gl.shaderSource(shader, source);
     gl.compileShader(shader);
@@ -170,11 +168,8 @@ export class View {
       Array.from({ length: AROUND + 1 }, (_, k) => /** @type {[number, number]} */ ([(2 * Math.PI * k) / AROUND, row]));
     const wall = (/** @type {number} */ angle) =>
       Array.from({ length: across }, (_, i) => /** @type {[number, number]} */ ([angle, i]));
-    this.parts = {
-      outer: grid(round(across - 1)),
-      inner: grid(round(0)),
-      walls: [grid(wall(0)), grid(wall(Math.PI / 2))],
-    };
+    this.parts = { outer: grid(round(across - 1)), inner: grid(round(0)),
+      walls: [grid(wall(0)), grid(wall(Math.PI / 2))] };
     this.meshes.set(key, this.parts);
   }
 
@@ -482,30 +477,15 @@ export class View {
     canvas.addEventListener("pointercancel", up);
   }
 
-  /** Without WebGL: outer and inner line of the section. */
+  /** Without WebGL: the muscle from the side. */
   section() {
-    if (!this.shape) return;
-    const { stations, across, arrays, length_mm } = this.shape;
-    const { restLength } = this.show;
-    const line = (/** @type {number} */ i, /** @type {number} */ sign) => {
-      const points = [];
-      for (let j = 1 - stations; j < stations; j++) {
-        const at = Math.abs(j) * across + i;
-        points.push(
-          `${((j < 0 ? -1 : 1) * arrays.z_mm[at] + 0.5 * (length_mm - restLength)).toFixed(2)},` +
-            `${(sign * arrays.r_mm[at]).toFixed(2)}`,
-        );
-      }
-      return points;
-    };
-    const wall = (/** @type {number} */ sign) => [...line(across - 1, sign), ...line(0, sign).reverse()].join(" ");
-    const most = Math.max(1.3 * this.largest(), 10);
-    const box = `${-0.6 * restLength} ${-most} ${1.2 * restLength} ${2 * most}`;
-    const svg = `<svg class="section" xmlns="http://www.w3.org/2000/svg" viewBox="${box}" role="img" ` +
-      `aria-label="Section of the deformed muscle"><g fill="#9a8f86" stroke="currentColor" stroke-width="0.5">` +
-      `<polygon points="${wall(1)}"/><polygon points="${wall(-1)}"/></g></svg>`;
+    const { shape, show: { restLength, restRadius } } = this;
+    if (!shape) return;
+    const most = Math.max(1.3 * this.largest(), 10), { length_mm: length, arrays: { strand_angle_deg: angles } } = shape;
+    const muscle = body({ length, diameter: 2 * restRadius, bulged: 2 * this.largest(), angle: angles[0] });
     this.stage.querySelector("svg.section")?.remove();
-    this.stage.insertAdjacentHTML("afterbegin", svg);
+    this.stage.insertAdjacentHTML("afterbegin", `<svg class="section" xmlns="http://www.w3.org/2000/svg" role="img" `
+      + `aria-label="The deformed muscle" viewBox="${-0.1 * restLength} ${-most} ${1.2 * restLength} ${2 * most}">${muscle}</svg>`);
     // Of a box that is fitted into the stage whole.
     this.half = 0.5 * Math.max(1.2 * restLength, (2 * most * this.width) / Math.max(1, this.height));
     this.drawn?.();

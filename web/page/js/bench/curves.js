@@ -11,8 +11,7 @@ import { Points } from "./points.js";
 /** @typedef {import("./store.js").Store} Store */
 /** @typedef {import("./family.js").Answer} Answer */
 const TESTS = /** @type {[string, string][]} */ ([
-  ["isobaric", "Isobaric"], ["isometric", "Isometric"], ["isotonic", "Isotonic"], ["along", "Along the muscle"],
-]);
+  ["isobaric", "Isobaric"], ["isometric", "Isometric"], ["isotonic", "Isotonic"], ["along", "Along the muscle"]]);
 
 export class Curves {
   /** @param {Store} store */
@@ -99,16 +98,16 @@ export class Curves {
     const key = JSON.stringify([names, fields, muscle.p, contractions]);
     if (key === this.keys.over) return;
     this.keys.over = key;
-    const found = /** @type {Answer[]} */ ([]);
-    const isobaric = /** @type {const} */ ("isobaric");
-    const common = { test: isobaric, ...fields, extrapolate: true, pressures_mpa: [muscle.p], contractions };
-    const next = (/** @type {string[]} */ [model, ...rest]) => {
+    const found = /** @type {Answer[]} */ ([]), test_ = /** @type {const} */ ("isobaric");
+    const common = { test: test_, ...fields, extrapolate: true, pressures_mpa: [muscle.p], contractions };
+    const next = () => {
       if (this.keys.over !== key) return;
-      if (!model) { this.overlays = found; return this.draw(); }
-      const take = (/** @type {Answer} */ answer) => { found.push(answer); next(rest); };
-      this.slots.over.ask("curve", { ...common, model }, take, () => next(rest));
+      const model = names.shift(), take = (/** @type {Answer} */ answer) => { found.push(answer); next(); };
+      if (model) return this.slots.over.ask("curve", { ...common, model }, take, next);
+      this.overlays = found;
+      this.draw();
     };
-    next(names);
+    next();
   }
 
   draw() {
@@ -174,26 +173,15 @@ const friction = () => typeof muscle.shown?.friction_coefficient === "number";
 
 /** @param {Store} store @param {() => void} changed */
 function overlayChoice(store, changed) {
-  const boxes = OVERLAYS.map((name) =>
-    el("input", {
-      type: "checkbox",
-      id: `over-${name}`,
-      onchange: () => {
-        store.wanted.over = OVERLAYS.filter((_, i) => boxes[i].checked).join(",");
-        changed();
-      },
-    }),
-  );
+  const boxes = OVERLAYS.map((name) => el("input", { type: "checkbox", id: `over-${name}`, onchange() {
+    store.wanted.over = OVERLAYS.filter((_, i) => boxes[i].checked).join(",");
+    changed();
+  } }));
   const dash = (/** @type {number} */ i) =>
     el("i", { style: `display:inline-block;width:16px;border-top:2px dashed ${KINDS[i + 1]};vertical-align:middle` });
   const labels = OVERLAYS.map((name, i) => el("label", { for: `over-${name}` }, boxes[i], ` ${name} `, dash(i)));
   return {
-    element: el(
-      "div",
-      { class: "row small" },
-      el("span", { class: "soft" }, "Other models at this pressure:"),
-      ...labels,
-    ),
+    element: el("div", { class: "row small" }, el("span", { class: "soft" }, "Other models at this pressure:"), ...labels),
     /** @param {string[]} names */
     set(names) { OVERLAYS.forEach((name, i) => { boxes[i].checked = names.includes(name); }); },
   };

@@ -16,9 +16,7 @@ export function dimensions(stage, store, view) {
   const svg = document.createElementNS(SVG, "svg"), lines = document.createElementNS(SVG, "g");
   svg.setAttribute("class", "dimensions");
   svg.setAttribute("aria-hidden", "true");
-  const handles = [
-    ["D", "Drag to change the outer diameter"],
-    ["L", "Drag to change the length"],
+  const handles = [["D", "Drag to change the outer diameter"], ["L", "Drag to change the length"]
   ].map(([key, title]) => handle(key, title));
   svg.append(lines, ...handles);
   stage.append(svg);
@@ -32,11 +30,7 @@ export function dimensions(stage, store, view) {
     // On a narrow page they would lie on each other: there are sliders.
     handles.forEach((one) => { one.style.display = seen.width > 560 ? "" : "none"; });
     lines.innerHTML = drawing(places, shape, seen.show, seen.width, seen.height);
-    const {
-      rest: [, b],
-      up,
-      radius,
-    } = places;
+    const { rest: [, b], up, radius } = places;
     [[b[0] + up[0] * radius, b[1] + up[1] * radius], b].forEach(([x, y], i) =>
       handles[i].setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)})`),
     );
@@ -90,14 +84,8 @@ function layout(view, shape, length, radius) {
   const [dx, dy] = [rest[1][0] - rest[0][0], rest[1][1] - rest[0][1]], long = Math.hypot(dx, dy) || 1;
   const along = /** @type {Place} */ ([dx / long, dy / long]), up = /** @type {Place} */ ([along[1], -along[0]]);
   const perPixel = view.millimetresPerPixel;
-  return {
-    ends,
-    rest,
-    along,
-    up: up[1] > 0 ? /** @type {Place} */ ([-up[0], -up[1]]) : up,
-    radius: radius / perPixel,
-    bulge: view.largest() / perPixel,
-  };
+  return { ends, rest, along, up: up[1] > 0 ? /** @type {Place} */ ([-up[0], -up[1]]) : up, radius: radius / perPixel,
+    bulge: view.largest() / perPixel };
 }
 
 /**

@@ -28,46 +28,31 @@ export function reachOf(store, count) {
  * @param {Store} store @param {number[]} measured
  */
 export function familyOf(store, measured) {
-  const { test } = store.wanted;
-  const shown = outside("pressure", Math.max(muscle.p, 0.02)),
-    step = niceUp(shown / 5),
-    count = Math.ceil(shown / step - 1e-9);
-  let top = inside("pressure", count * step);
-  if (test === "isobaric" && measured.length) {
-    top = Math.max(top, ...measured);
-    return { top, request: { pressures_mpa: measured, contractions: reachOf(store, FAMILY) } };
-  }
-  const pressures = Array.from({ length: count }, (_, i) =>
-    inside("pressure", Number(((i + 1) * step).toPrecision(12))),
-  );
-  if (test === "isobaric") return { top, request: { pressures_mpa: pressures, contractions: reachOf(store, FAMILY) } };
-  const over = steps(FAMILY, top), blocked = store.facts.characteristics?.blocked_force_n ?? 500;
+  const { test } = store.wanted, contractions = reachOf(store, FAMILY);
+  const shown = outside("pressure", Math.max(muscle.p, 0.02)), step = niceUp(shown / 5);
+  const count = Math.ceil(shown / step - 1e-9), round = (/** @type {number} */ i) => Number((i * step).toPrecision(12));
+  const pressures = Array.from({ length: count }, (_, i) => inside("pressure", round(i + 1)));
+  const top = inside("pressure", count * step), over = steps(FAMILY, top);
+  if (test === "isobaric" && measured.length)
+    return { top: Math.max(top, ...measured), request: { pressures_mpa: measured, contractions } };
+  if (test === "isobaric") return { top, request: { pressures_mpa: pressures, contractions } };
   if (test === "isometric") return { top, request: { contractions: [0, 0.05, 0.1, 0.15, 0.2], pressures_mpa: over } };
-  return {
-    top,
-    request: {
-      forces_n: [0.1, 0.3, 0.5, 0.7].map((x) => Math.max(1, twoDigits(x * blocked))),
-      pressures_mpa: over.slice(1),
-    },
-  };
+  const blocked = store.facts.characteristics?.blocked_force_n ?? 500;
+  const forces = [0.1, 0.3, 0.5, 0.7].map((x) => Math.max(1, twoDigits(x * blocked)));
+  return { top, request: { forces_n: forces, pressures_mpa: over.slice(1) } };
 }
 
 /** The curve through the present state. @param {Store} store @param {number} top */
 export function ownOf(store, top) {
-  const { test } = store.wanted;
+  const { test } = store.wanted, over = steps(FINE, top);
   if (test === "isobaric") return { pressures_mpa: [muscle.p], contractions: reachOf(store, FINE) };
-  const over = steps(FINE, top);
   if (test === "isometric") return { contractions: [muscle.e], pressures_mpa: over };
   return { forces_n: [Math.max(1e-3, store.point?.force_n ?? muscle.F ?? 1)], pressures_mpa: over.slice(1) };
 }
 
 /** @param {number} fixed @param {string} test */
 const named = (fixed, test) =>
-  test === "isobaric"
-    ? show("pressure", fixed, 3)
-    : test === "isotonic"
-      ? show("force", fixed, 3)
-      : show("ratio", fixed, 3);
+  show(test === "isobaric" ? "pressure" : test === "isotonic" ? "force" : "ratio", fixed, 3);
 
 /** Points of one curve as a series. @param {Point[]} list @param {string} test */
 function line(list, test) {
@@ -79,11 +64,8 @@ function line(list, test) {
     const half = list.map((q) => (of(q) ? 100 * Number(of(q)) : null));
     return { x, y: list.map((q) => (ok(q) ? 100 * Number(q.contraction) : null)), half };
   }
-  return {
-    x,
-    y: list.map((q) => ("force_n" in q ? outside("force", q.force_n) : null)),
-    half: list.map((q) => ("force_n" in q && q.uncertainty_n ? outside("force", q.uncertainty_n) : null)),
-  };
+  return { x, y: list.map((q) => ("force_n" in q ? outside("force", q.force_n) : null)),
+    half: list.map((q) => ("force_n" in q && q.uncertainty_n ? outside("force", q.uncertainty_n) : null)) };
 }
 
 /**

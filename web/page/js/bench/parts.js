@@ -7,10 +7,8 @@ import { inWords } from "../words.js";
 /** @typedef {import("./store.js").Store} Store */
 /** Name of each part, and what reduces it. @type {Record<string, [string, string]>} */
 const PARTS = {
-  friction: [
-    "friction, not measured",
-    "Pull the muscle at one pressure in both directions, and identify the friction in Measurements.",
-  ],
+  friction: ["friction, not measured",
+    "Pull the muscle at one pressure in both directions, and identify the friction in Measurements."],
   measured: ["model against tests", "Identify the rubber from the muscle's own pull in Measurements."],
   rubber: ["rubber", "Identify the rubber from the muscle's own pull, or test the rubber in tension."],
   braid: ["stiffness of the braid", "Measure the sleeve, or identify the stiffness from the muscle's own pull."],
@@ -26,12 +24,8 @@ const PARTS = {
 export function partsView(store) {
   const list = el("dl", { class: "parts" }),
     note = el("p", { class: "small soft" });
-  const element = el(
-    "div",
-    { class: "breakdown", role: "region", "aria-label": "Parts of the ±", hidden: true },
-    list,
-    note,
-  );
+  const element = el("div", { class: "breakdown", role: "region", "aria-label": "Parts of the ±", hidden: true }, list,
+    note);
   let key = "";
   function paint() {
     const { point, facts } = store;
@@ -56,9 +50,6 @@ export function partsView(store) {
 function row(name, value, most) {
   const [words, remedy] = PARTS[name] ?? [name.replaceAll("_", " "), ""];
   const bar = el("i", { style: `width:${Math.max(1, (100 * value) / most).toFixed(1)}%` });
-  return [
-    el("dt", {}, words),
-    el("dd", {}, `± ${show("force", value, 2)}`),
-    el("dd", { class: "wide" }, bar, value > 0.3 * most ? remedy : ""),
-  ];
+  return [el("dt", {}, words), el("dd", {}, `± ${show("force", value, 2)}`),
+    el("dd", { class: "wide" }, bar, value > 0.3 * most ? remedy : "")];
 }

@@ -135,32 +135,20 @@ export class Store {
     const fields = muscle.fields(), supply = this.supply(), key = JSON.stringify([fields, supply]);
     if (key === this.rangesKey) return;
     this.rangesKey = key;
-    const states = [
-      { pressure_mpa: supply, contraction: 0 },
-      { pressure_mpa: supply, force_n: 0 },
-      { pressure_mpa: supply / 10, contraction: 0 },
-    ];
+    const states = [{ pressure_mpa: supply, contraction: 0 }, { pressure_mpa: supply, force_n: 0 },
+      { pressure_mpa: supply / 10, contraction: 0 }];
     const found = /** @type {Record<string, [number, number]>} */ ({});
-    const next = () => {
-      const at = states.shift();
-      if (!at || this.rangesKey !== key) return;
-      const done = () => {
-        if (states.length) return next();
-        if (this.rangesKey !== key) return;
-        this.ranges = Object.keys(found).length ? found : undefined;
-        this.tell("ranges");
+    const done = () => {
+      if (this.rangesKey !== key) return;
+      const at = states.shift(), take = (/** @type {object} */ answer) => {
+        widen(found, /** @type {Shape} */ (answer));
+        done();
       };
-      this.slots.range.ask(
-        "shape",
-        { ...fields, ...at },
-        (answer) => {
-          widen(found, /** @type {Shape} */ (answer));
-          done();
-        },
-        done,
-      );
+      if (at) return this.slots.range.ask("shape", { ...fields, ...at }, take, done);
+      this.ranges = Object.keys(found).length ? found : undefined;
+      this.tell("ranges");
     };
-    next();
+    done();
   }
 
   end() {
