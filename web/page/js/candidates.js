@@ -5,7 +5,7 @@ import { el } from "./dom.js";
 import { show, withUncertainty } from "./units.js";
 import { inWords } from "./words.js";
 
-/** @typedef {import("../../types/commands").Commands["design"]} Design */
+/** @typedef {Commands["design"]} Design */
 /** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /** What each is the best for, and what is asked for it. @type {[string, Design["request"]][]} */
 const WISHES = [["Narrowest in use", { objective: "bulged-diameter" }], ["Least air", { objective: "air" }],
@@ -24,10 +24,7 @@ export function picture(c, wide, tall) {
     + `${ground(length, bulged / 2)}${body({ length, diameter, bulged, angle })}</svg>`;
 }
 
-/**
- * Cards of candidates.
- * @param {(candidate: Candidate, request: Design["request"]) => void} open
- */
+/** Cards of candidates. @param {(candidate: Candidate, request: Design["request"]) => void} open */
 export function candidatesView(open) {
   const element = el("div", { class: "candidates", "aria-live": "polite" });
   const said = el("ul", { class: "decision small" });

@@ -7,10 +7,6 @@ import { number, outside } from "./units.js";
 
 export { KINDS };
 
-/**
- * @typedef {import("./plot.js").Series} Series
- * @typedef {import("./plot.js").Curves} Spec
- */
 
 const VIRIDIS = [[68, 1, 84], [71, 44, 122], [59, 81, 139], [44, 113, 142], [33, 144, 141], [39, 173, 129],
   [92, 200, 99], [170, 220, 50], [253, 231, 37]];
@@ -160,7 +156,7 @@ export class Chart {
 /**
  * Points of an isobaric curve as a line of pull over contraction in %; it ends at the free contraction, wherever the
  * points lie.
- * @param {import("../../types/commands").Commands["curve"]["answer"]["points"]} points
+ * @param {Commands["curve"]["answer"]["points"]} points
  */
 export function isobar(points) {
   const slack = points.findIndex((q) => "force_n" in q && q.slack), last = points[slack];

@@ -16,15 +16,12 @@ const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp:
  * that
  * `clears` may be emptied, and then has the usual value.
  * @typedef {{ key?: string, field?: string, label: string, symbol?: string, about?: string,
- *   kind: import("./units.js").Kind, unit?: string, value?: number, above?: number, minimum?: number, maximum?: number,
+ *   kind: Kind, unit?: string, value?: number, above?: number, minimum?: number, maximum?: number,
  *   usual?: number, low?: number, high?: number, around?: boolean, clears?: boolean,
  *   change: (value: number | undefined, settled: boolean) => void }} Spec
  */
 
-/**
- * What is said below a field: a note, or what is wrong with it.
- * @param {HTMLElement} field @param {HTMLElement} box
- */
+/** What is said below a field: a note, or what is wrong with it. @param {HTMLElement} field @param {HTMLElement} box */
 export const saying = (field, box) => (text = "", wrong = false) => {
   box.className = wrong ? "wrong" : "note small soft";
   box.textContent = wrong ? inWords(text) : text;

@@ -9,7 +9,7 @@ import { corners, levels, picture, pieces, sampled, valueBetween } from "./map.j
 import { muscle } from "./muscle.js";
 import { outside, show, unitName } from "./units.js";
 
-/** @typedef {import("../../types/commands").Commands["design"]} Design */
+/** @typedef {Commands["design"]} Design */
 /** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /**
  * @typedef {Candidate | NonNullable<Design["answer"]["closest"]>} Best
@@ -190,7 +190,7 @@ const rgb = (/** @type {string} */ hex) => [1, 3, 5].map((i) => Number.parseInt(
 /**
  * @param {Found} found @param {{ outer_diameter_mm: number, wall_mm: number }} best
  * @param {number} finer how much finer the picture is than the muscles
- * @returns {import("./chart.js").Spec}
+ * @returns {Spec}
  */
 function spec({ D, S, nodes, limits }, best, finer) {
   const [x, y] = [D.map((d) => outside("length", d)), S.map((s) => outside("length", s))];

@@ -5,7 +5,7 @@ import { table, warnings } from "./form.js";
 import { number, outside, show, unitName, withUncertainty } from "./units.js";
 import { inWords } from "./words.js";
 
-/** @typedef {import("../../types/commands").Commands["design"]["answer"]} Answer */
+/** @typedef {Commands["design"]["answer"]} Answer */
 /** @typedef {Answer["candidates"][number]} Candidate */
 /** Prices of tubes and sleeves by their names, where the catalogue has them. @typedef {Map<string, string>} Prices */
 

@@ -2,7 +2,7 @@
 import { Chart, KINDS, isDark, viridis } from "./chart.js";
 import { el, token } from "./dom.js";
 
-/** @typedef {NonNullable<import("../../types/commands").Commands["curve"]["answer"]["figure"]>} Figure */
+/** @typedef {NonNullable<Commands["curve"]["answer"]["figure"]>} Figure */
 /** @typedef {Figure["panels"][number]} Panel */
 const DASHES = /** @type {const} */ (["solid", "dash", "dot", "dash"]);
 
@@ -37,7 +37,7 @@ export class Figures {
   }
 }
 
-/** @param {Panel} panel @param {Figure} figure @returns {import("./chart.js").Spec} */
+/** @param {Panel} panel @param {Figure} figure @returns {Spec} */
 function spec(panel, figure) {
   const numbers = figure.panels.flatMap((p) =>
     p.series.map((s, i) => s.colour ?? i),
@@ -49,7 +49,7 @@ function spec(panel, figure) {
     if (figure.palette !== "sequential") return KINDS[n % KINDS.length];
     return isDark() ? viridis(0.42 + (0.58 * n) / most, 1) : viridis(n / most);
   };
-  /** @returns {import("./chart.js").Series} */
+  /** @returns {Series} */
   const one = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {
     const dash =
       s.style === "dashed"

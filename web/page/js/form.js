@@ -13,7 +13,6 @@ import { inWords } from "./words.js";
  * `pair`: a list of two quantities joined by @, such as 700N@15%, 300N@20%: kinds and fields of both. `words`: a list
  * of words. `or`: words that may stand in place of a quantity. `factor`: a ratio that nobody writes in %. `hidden`:
  * until it is shown.
- * @typedef {import("./units.js").Kind} Kind
  * @typedef {number | number[] | { low: number, high: number } | undefined} Value
  * What a form reads; which fields with which values there are its list of fields decides, and the engine checks.
  * @typedef {Record<string, any>} Read
@@ -179,7 +178,7 @@ class Form {
       input.after(list);
     }
   }
-  /** Shows a problem at its field, or says that it has none. @param {import("./engine/problem.js").Problem} problem */
+  /** Shows a problem at its field, or says that it has none. @param {Problem} problem */
   at(problem) {
     const f = this.fields.find((x) => x.field === problem.field);
     if (f) this.mark(f.key, problem.message);
@@ -201,12 +200,12 @@ function ends({ interval }) {
 
 /**
  * A button that starts long work, with progress, a way to end it, and its problems below.
- * @template {keyof import("../../types/commands").Commands} K
+ * @template {keyof Commands} K
  * @param {string} label @param {K} command
- * @param {() => Promise<import("../../types/commands").Commands[K]["request"] | undefined>} request nothing where
+ * @param {() => Promise<Commands[K]["request"] | undefined>} request nothing where
  *   there is none to ask
- * @param {(answer: import("../../types/commands").Commands[K]["answer"]) => void} take
- * @param {(problem: import("./engine/problem.js").Problem) => void} [fail]
+ * @param {(answer: Commands[K]["answer"]) => void} take
+ * @param {(problem: Problem) => void} [fail]
  */
 export function job(label, command, request, take, fail) {
   const start = el("button", { type: "button", class: "main", onclick: () => run() }, label);

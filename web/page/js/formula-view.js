@@ -15,7 +15,7 @@ export const PUBLISHED = { name: "Formula (Antonelli 2018)",
 
 /**
  * A formula as a fit gives it.
- * @typedef {import("../../types/commands").Commands["fit"]["answer"]} Fitted
+ * @typedef {Commands["fit"]["answer"]} Fitted
  * @typedef {Omit<Fitted, "figures" | "tables">} File
  */
 /** @param {File} file a formula */

@@ -56,7 +56,7 @@ async function openEntry({ file = "", part, page = "muscle", words = {}, joint, 
   location.hash = address(page, { ...words, u: unitsInAddress(), file: text, joint: jointText });
 }
 
-/** @typedef {import("../../types/commands").Commands["check"]["answer"]} Shown */
+/** @typedef {Commands["check"]["answer"]} Shown */
 /** What the engine says of the files, once. @type {Map<string, Promise<Shown>>} */ const asked = new Map();
 /** @param {Entry} entry @returns {Promise<import("./thumbnail.js").Measures>} */
 async function measures({ file = "", size: [D, s, L, angle] = [] }) {

@@ -83,7 +83,7 @@ function load(point, angle, arm, size) {
 
 /**
  * What the torque can be at each angle: between the pairs of pressures that pull hardest to either side.
- * @param {number[]} angles @param {(number | null)[][]} torques by pair @returns {import("./chart.js").Series[]}
+ * @param {number[]} angles @param {(number | null)[][]} torques by pair @returns {Series[]}
  */
 export function reachable(angles, torques) {
   const known = angles.map((_, i) =>

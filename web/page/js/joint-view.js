@@ -5,7 +5,7 @@ import { capital, el } from "./dom.js";
 import { reachable } from "./joint-drawing.js";
 import { number, outside, show, unitName } from "./units.js";
 
-/** @typedef {import("../../types/commands").Commands["joint"]["answer"]} Answer */
+/** @typedef {Commands["joint"]["answer"]} Answer */
 /**
  * A point as the page shows it.
  * @typedef {Answer["points"][number] & { model: string, words?: string | null }} Point
@@ -59,7 +59,7 @@ export function numbersView(point, which) {
  * Torques over the angle at pairs of pressures.
  * @param {Family} family
  * @param {Point | undefined} point
- * @returns {import("./chart.js").Spec}
+ * @returns {Spec}
  */
 export function torqueChart({ answer, angles, pairs }, point) {
   const series = pairs.map((pair, i) => {
@@ -73,7 +73,7 @@ export function torqueChart({ answer, angles, pairs }, point) {
     series: [...reachable(angles, series.map((s) => s.y)), ...series], marks };
 }
 
-/** Rest angles and stiffnesses that it reaches. @param {Reached} map @returns {import("./chart.js").Spec} */
+/** Rest angles and stiffnesses that it reaches. @param {Reached} map @returns {Spec} */
 export function reachChart(map) {
   const points = map.points.filter((q) => q !== null), unit = unitName("pressure"), stiffness = "angular-stiffness";
   const mean = (/** @type {Reach} */ { pressures_mpa: list }) =>

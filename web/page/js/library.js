@@ -6,7 +6,7 @@ import { muscle } from "./muscle.js";
 import { thumbnail } from "./thumbnail.js";
 import { show } from "./units.js";
 
-/** @typedef {import("../../types/commands").Commands["parts-list"]["answer"]["muscles"][number]} Entry */
+/** @typedef {Commands["parts-list"]["answer"]["muscles"][number]} Entry */
 
 /** Opens one on the page Muscle. @param {string} name @param {Record<string, string>} [at] words of its point */
 export async function openPart(name, at = {}) {
@@ -29,11 +29,7 @@ function card(entry, opened, fail) {
     el("span", { class: "small soft" }, `${name}: ${size}${pull}`));
 }
 
-/**
- * Buttons of all muscles of the library.
- * @param {(problem: unknown) => void} fail
- * @param {() => void} opened
- */
+/** Buttons of all muscles of the library. @param {(problem: unknown) => void} fail @param {() => void} opened */
 export function library(fail, opened) {
   const box = el("div", { class: "gallery" }, el("span", { class: "small soft" }, "The library is being read."));
   engine().ask("parts-list", { kind: "muscles" }).then(

@@ -20,7 +20,7 @@ export class Lines {
   constructor(host, name, drag) {
     this.host = host;
     this.drag = drag;
-    /** @type {import("./plot.js").Curves | undefined} */ this.spec = undefined;
+    /** @type {Spec | undefined} */ this.spec = undefined;
     /** @type {import("./plot.js").Frame | undefined} */ this.at = undefined;
     /** @type {import("./plot.js").Reach | undefined} */ this.zoomed = undefined;
     /** What the keyboard reads: curve and point. @type {[number, number] | undefined} */ this.read = undefined;
@@ -42,7 +42,7 @@ export class Lines {
     this.listen();
   }
 
-  /** @param {import("./plot.js").Curves} spec */
+  /** @param {Spec} spec */
   draw(spec) {
     this.spec = spec;
     const { clientWidth: width, clientHeight: height } = this.host;
@@ -90,7 +90,7 @@ export class Lines {
 
   /** What lies at a place, in words. @param {{ which: number, x: number, y: number, half?: number }} found */
   words({ which, x, y, half }) {
-    const spec = /** @type {import("./plot.js").Curves} */ (this.spec);
+    const spec = /** @type {Spec} */ (this.spec);
     return `${spec.series[which].name}: ${number(x, 4)}${unit(spec.x)}, ${plusMinus(y, half)}${unit(spec.y)}`;
   }
 
@@ -262,7 +262,7 @@ export class Lines {
 
   /** The drawing as text of an SVG file. @param {number} width @param {number} height */
   svg(width, height) {
-    const spec = /** @type {import("./plot.js").Curves} */ (this.spec);
+    const spec = /** @type {Spec} */ (this.spec);
     return drawing(spec, frame(spec, width, height, this.zoomed ?? reachOf(spec)), colours(), true);
   }
 

@@ -89,7 +89,7 @@ function levelLine({ x, y, values }, level) {
  * Pieces of lines as a curve that nobody reads off.
  * @param {import("./border.js").Segment[]} list @param {object} look
  */
-export const pieces = (list, look) => /** @type {import("./plot.js").Series} */ ({ name: "", silent: true,
+export const pieces = (list, look) => /** @type {Series} */ ({ name: "", silent: true,
   x: list.flatMap(([a, , b]) => [a, b, b]), y: list.flatMap(([, a, , b]) => [a, b, null]), ...look });
 
 /**

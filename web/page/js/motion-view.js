@@ -3,14 +3,14 @@ import { KINDS } from "./chart.js";
 import { table } from "./form.js";
 import { number, outside, show, unitName } from "./units.js";
 
-/** @typedef {import("../../types/commands").Commands["motion"]["answer"]} Run */
+/** @typedef {Commands["motion"]["answer"]} Run */
 /** Whether it is a joint's. @param {Run} run */
 export const isJoint = (run) => Boolean(run.series.angle_deg);
 /** Series of pressures. */
 /** @typedef {"pressure_1_mpa" | "pressure_2_mpa" | "command_1" | "command_2" | "pressure_mpa" | "command"} Key */
 const pressures = (/** @type {number[]} */ list) => list.map((p) => outside("pressure", p));
 
-/** @param {Run} run @returns {import("./chart.js").Spec} */
+/** @param {Run} run @returns {Spec} */
 export function pressureChart({ series: s, ...run }) {
   const t = s.time_s,
     line = (/** @type {Key} */ key, /** @type {string} */ name, /** @type {number} */ colour,
@@ -24,7 +24,7 @@ export function pressureChart({ series: s, ...run }) {
   return { x: "time [s]", y: `pressure [${unitName("pressure")}]`, series };
 }
 
-/** @param {Run} run @returns {import("./chart.js").Spec} */
+/** @param {Run} run @returns {Spec} */
 export function wayChart(run) {
   const { series: s } = run;
   if (isJoint(run))

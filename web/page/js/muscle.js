@@ -19,11 +19,10 @@ export async function loadMeasures() {
 
 /**
  * What the engine read: all of `check`, or the measures of another answer.
- * @typedef {import("../../types/commands").Commands} Commands
  * @typedef {Commands["force"]["answer"]["muscle"] & Partial<Commands["check"]["answer"]>} Shown
  */
 export class MuscleState {
-  /** @type {import("./state.js").State} */ #state = prototype();
+  /** @type {State} */ #state = prototype();
   /** @type {Shown | undefined} */ #shown = undefined;
   /** @type {Set<() => void>} */ #listeners = new Set();
   #telling = 0;
@@ -163,7 +162,7 @@ export class MuscleState {
     return plain ? "" : query(params);
   }
 
-  /** Words of the address with another state. @param {import("./state.js").State} state */
+  /** Words of the address with another state. @param {State} state */
   paramsOf(state) {
     const out = words(state, typed);
     out.u = unitsInAddress() || undefined;

@@ -8,7 +8,7 @@ import { replaced } from "./toml.js";
  * A quantity: key of the address, field of requests, key and table of muscle files, kind, unit of a plain number,
  * name, symbol, what it is, the
  * values that it may have and the one where nothing is stated, and the ends of its slider, where it has one.
- * @typedef {{ key: string, field: string, filed?: string, group?: string, kind: import("./units.js").Kind, unit?:
+ * @typedef {{ key: string, field: string, filed?: string, group?: string, kind: Kind, unit?:
  *   string, label: string, symbol?: string, about?: string,
  *   above?: number, minimum?: number, maximum?: number, usual?: number, low?: number, high?: number, around?: boolean
  * }} Measure
@@ -33,7 +33,6 @@ const OWN = {
 const STRAND_DIAMETER = { key: "sd", field: "strand_diameter_mm", group: "braid", kind: "length",
   label: "Diameter of a strand", low: 0.05, high: 1 };
 
-/** @typedef {import("../../types/commands").Commands} Commands */
 /**
  * The muscle in a request: fields of measures, rubber, sleeve, file.
  * @typedef {Omit<Commands["check"]["request"], "pressure_mpa" | "model" | "muscle_file" | "only_data">} Fields
@@ -47,14 +46,14 @@ export let MEASURES = /** @type {Measure[]} */ ([]);
 export let QUANTITIES = MEASURES, STRANDS = MEASURES, ENDS = MEASURES, MORE = MEASURES;
 export let STIFFNESS = STRAND_DIAMETER;
 
-/** @param {import("../../types/commands").Commands["measures"]["answer"]} answer */
+/** @param {Commands["measures"]["answer"]} answer */
 export function takeMeasures({ measures }) {
   MEASURES = measures.flatMap(
     ({ key, group, field, label, quantity, unit, symbol, about, above, minimum, maximum, default: usual }) => {
       if (!field) return [];
       // Pressures of a muscle are moduli.
       const kind =
-        /** @type {import("./units.js").Kind} */ (quantity === "pressure" ? "modulus" : quantity ?? "number");
+        /** @type {Kind} */ (quantity === "pressure" ? "modulus" : quantity ?? "number");
       const name = label.charAt(0).toUpperCase() + label.slice(1);
       const own = OWN[field],
         found =
@@ -196,7 +195,7 @@ export function missing({ said }, sleeves) {
 
 /**
  * Words of the address: all that is said, to the last digit.
- * @param {State} state @param {(kind: import("./units.js").Kind, value: number) => string} typed
+ * @param {State} state @param {(kind: Kind, value: number) => string} typed
  */
 export function words({ file, said, p, e, F }, typed) {
   /** @type {Record<string, string | undefined>} */
@@ -276,11 +275,7 @@ export function joint(file, second, { r, low, high, e0, mass, centre, inertia },
     muscles: [{ name: "muscle.toml", text: file }, ...(second ? [{ name: other, text: second }] : [])] };
 }
 
-/**
- * A step of this muscle's pressure.
- * @param {string} file the muscle's
- * @param {import("./form.js").Read} read fields of the form
- */
+/** A step of this muscle's pressure. @param {string} file the muscle's @param {Read} read fields of the form */
 export function motion(file, { model, ...step }) {
   return { step, muscle: { name: "muscle", text: file }, model };
 }
@@ -289,7 +284,7 @@ export function motion(file, { model, ...step }) {
  * One side of a comparison: this muscle, or that of a file of its own, with what the side says over it, at the side's
  * point or this one's.
  * @param {State} state @param {string} own a muscle file
- * @param {import("./form.js").Read} read fields of the side's form
+ * @param {Read} read fields of the side's form
  */
 export function side(state, own, { model, pressure_mpa, contraction, ...over }) {
   // What a side says ousts what excludes it, as on the page Muscle.

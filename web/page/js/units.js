@@ -2,7 +2,7 @@
 
 /**
  * Kinds of the engine, moduli (pressures that are always in MPa), and plain numbers (ratios that nobody writes in %).
- * @typedef {import("../../types/commands").Commands["units"]["answer"]["kinds"][number]["kind"]} EngineKind
+ * @typedef {Commands["units"]["answer"]["kinds"][number]["kind"]} EngineKind
  * @typedef {EngineKind | "modulus" | "number"} Kind
  */
 /** The engine's kind. @param {Kind} kind @returns {EngineKind} */
@@ -37,7 +37,7 @@ const chosen = Object.fromEntries(Object.entries(CHOICES).map(([kind, list]) => 
  */
 const listeners = new Set(), /** @type {Set<() => void>} */ readers = new Set();
 
-/** @param {Pick<import("../../types/commands").Commands["units"]["answer"], "kinds">} answer of `units` */
+/** @param {Pick<Commands["units"]["answer"], "kinds">} answer of `units` */
 export function takeUnits(answer) {
   for (const { kind, expectation, units } of answer.kinds) kinds.set(kind, { expectation, units });
   const pressure = kinds.get("pressure");

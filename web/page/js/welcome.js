@@ -14,7 +14,7 @@ import { drawing } from "./sketch.js";
 import { candidate } from "./state.js";
 
 const seen = remembered("welcomed");
-/** @type {import("./form.js").Field[]} */
+/** @type {Field[]} */
 const WANTED = [
   { key: "F", field: "force_n", label: "It pulls", kind: "force", value: "300 N" },
   { key: "e", field: "contraction", label: "while it shortens by", kind: "ratio", value: "15 %" },

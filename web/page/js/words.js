@@ -35,7 +35,7 @@ const LABELS = {
 /** In backquotes, or as a word that only a field or a key is. */
 let pattern = /$^/;
 
-/** Names of measures, by field, key and key in its table. @param {readonly import("./state.js").Measure[]} measures */
+/** Names of measures, by field, key and key in its table. @param {readonly Measure[]} measures */
 export function learn(measures) {
   for (const { field, filed, label } of measures) {
     const name = label.replace(/^[A-Z](?!oung)/, (letter) => letter.toLowerCase());

@@ -2,7 +2,7 @@
 import { KINDS } from "../chart.js";
 import { outside, unitName } from "../units.js";
 
-/** @param {NonNullable<import("./store.js").Store["shape"]>} shape @returns {import("../chart.js").Spec} */
+/** @param {NonNullable<Store["shape"]>} shape @returns {Spec} */
 export function along({ arrays, stations, across }) {
   /** Of the half muscle, that of the whole. @param {(j: number) => number} at @param {number} sign */
   const mirror = (at, sign) => {

@@ -7,7 +7,6 @@ import { CONTRACTION, ENDS, LOAD, MORE, PRESSURE, QUANTITIES, STIFFNESS, STRANDS
 import { braidName, partName } from "../words.js";
 import { niceUp } from "./round.js";
 
-/** @typedef {import("./store.js").Store} Store */
 /** Tables of the muscle file as the page calls them. @type {Record<string, string>} */
 const GROUPS = { tube: "Tube", braid: "Braid", terminals: "Ends", friction: "Friction" };
 const ORDER = Object.keys(GROUPS);
@@ -15,7 +14,7 @@ const ORDER = Object.keys(GROUPS);
 /** @param {Store} store */
 export function controlsView(store) {
   const controls = /** @type {Record<string, ReturnType<typeof quantity>>} */ ({});
-  const make = (/** @type {import("../state.js").Measure} */ spec) => {
+  const make = (/** @type {Measure} */ spec) => {
     const change = (/** @type {number | undefined} */ value, /** @type {boolean} */ settled) =>
       store.changed(spec.key, value, settled);
     controls[spec.key] = quantity({ ...spec, value: muscle.value(spec.key), clears: Boolean(spec.group), change });
@@ -72,10 +71,7 @@ export function controlsView(store) {
   return { element, revealAll, anchor, braids: () => picks.braid.options(muscle.sleeves.map((s) => s.name)) };
 }
 
-/**
- * @param {(spec: import("../state.js").Measure) => HTMLElement} make @param {ReturnType<typeof choices>} picks
- * @param {Node} needed
- */
+/** @param {(spec: Measure) => HTMLElement} make @param {ReturnType<typeof choices>} picks @param {Node} needed */
 function section(make, { rubber, braid, strands, held }, needed) {
   const group = (/** @type {string} */ name, /** @type {Node[]} */ ...list) =>
     el("details", {}, el("summary", {}, name), ...list);
@@ -103,10 +99,7 @@ function choices(store) {
   };
 }
 
-/**
- * All other measures, by the tables of the muscle file.
- * @param {(spec: import("../state.js").Measure) => HTMLElement} make
- */
+/** All other measures, by the tables of the muscle file. @param {(spec: Measure) => HTMLElement} make */
 function moreMeasures(make) {
   const groups = [...new Set(MORE.map(({ group = "" }) => group))].sort((a, b) => ORDER.indexOf(a) - ORDER.indexOf(b));
   const box = (/** @type {string} */ group) =>

@@ -8,7 +8,6 @@ import { along } from "./along.js";
 import { FAMILY, OVERLAYS, familyOf, familySeries, overlay, ownOf, ownSeries, reachOf } from "./family.js";
 import { Points } from "./points.js";
 
-/** @typedef {import("./store.js").Store} Store */
 /** @typedef {import("./family.js").Answer} Answer */
 const TESTS = /** @type {[string, string][]} */ ([
   ["isobaric", "Isobaric"], ["isometric", "Isometric"], ["isotonic", "Isotonic"], ["along", "Along the muscle"]]);
@@ -127,7 +126,7 @@ export class Curves {
 
   /**
    * A curve by finite elements where the pointer rests.
-   * @param {import("../chart.js").Series} s @param {number} x @param {(y: number, half?: number | null) => void} take
+   * @param {Series} s @param {number} x @param {(y: number, half?: number | null) => void} take
    */
   exact({ fixed }, x, take) {
     const { test } = this.store.wanted, fields = muscle.fields(), { exact } = this.slots;

@@ -3,8 +3,6 @@
 import { muscle } from "../muscle.js";
 import { show } from "../units.js";
 
-/** @typedef {import("./store.js").Store} Store */
-/** @typedef {import("../view3d.js").View} View */
 /** @typedef {[number, number]} Place */
 const SVG = "http://www.w3.org/2000/svg";
 /** Pixels between the muscle and a dimension line. */

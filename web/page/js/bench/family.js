@@ -4,8 +4,7 @@ import { muscle } from "../muscle.js";
 import { inside, outside, show } from "../units.js";
 import { niceUp, twoDigits } from "./round.js";
 
-/** @typedef {import("./store.js").Store} Store */
-/** @typedef {import("../../../types/commands").Commands["curve"]["answer"]} Answer */
+/** @typedef {Commands["curve"]["answer"]} Answer */
 /** @typedef {Answer["points"][number]} Point */
 /** Other models that can be laid over. */
 export const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
@@ -81,7 +80,7 @@ export function familySeries(answer, test, top, own) {
     const name = named(fixed, test),
       colour = test === "isobaric" ? pressureColour(fixed, top) : hue(i);
     return [
-      /** @type {import("../chart.js").Series} */ ({ name, end: name, at: test === "isobaric" ? "start" : "end", colour,
+      /** @type {Series} */ ({ name, end: name, at: test === "isobaric" ? "start" : "end", colour,
         smooth: true, fixed, ...line(answer.points.slice(i * count, (i + 1) * count), test) }),
     ];
   });
@@ -102,7 +101,7 @@ export function ownSeries(answer, test, top) {
       branch === "contraction" ? " while it shortens" : branch === "elongation" ? " while it lengthens" : "";
     const label = i ? {} : { end: name, at: /** @type {"start" | "end"} */ (test === "isobaric" ? "start" : "end") };
     const curve = line(list, test);
-    return /** @type {import("../chart.js").Series} */ ({ name: name + words, ...label, colour, strong: true,
+    return /** @type {Series} */ ({ name: name + words, ...label, colour, strong: true,
       smooth: true, fixed: branches.length > 1 ? undefined : answer.fixed[0],
       dash: branch === "elongation" ? "dash" : "solid", ...curve });
   });
@@ -112,6 +111,6 @@ export function ownSeries(answer, test, top) {
 export function overlay(answer) {
   const colour = KINDS[OVERLAYS.indexOf(answer.model) + 1] ?? KINDS[6];
   const { half, ...curve } = isobar(answer.points);
-  return /** @type {import("../chart.js").Series} */ ({ name: `${answer.model} at ${show("pressure", answer.fixed[0], 3)}`,
+  return /** @type {Series} */ ({ name: `${answer.model} at ${show("pressure", answer.fixed[0], 3)}`,
     dash: "dash", colour, smooth: true, ...curve });
 }

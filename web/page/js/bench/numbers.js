@@ -8,7 +8,6 @@ import { partsView } from "./parts.js";
 import { solveView } from "./solve.js";
 import { tornadoView } from "./tornado.js";
 
-/** @typedef {import("./store.js").Store} Store */
 
 /** @param {Store} store */
 export function numbersView(store) {

@@ -4,7 +4,6 @@ import { muscle } from "../muscle.js";
 import { show } from "../units.js";
 import { inWords } from "../words.js";
 
-/** @typedef {import("./store.js").Store} Store */
 /** Name of each part, and what reduces it. @type {Record<string, [string, string]>} */
 const PARTS = {
   friction: ["friction, not measured",

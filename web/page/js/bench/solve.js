@@ -7,8 +7,6 @@ import { CONTRACTION, PRESSURE, QUANTITIES, fields, point, say } from "../state.
 import { meant, show } from "../units.js";
 import { inWords } from "../words.js";
 
-/** @typedef {import("./store.js").Store} Store */
-/** @typedef {import("../state.js").Measure} Measure */
 /** Secants at most, and as near as this, as a share of the wanted pull. */
 const MOST = 12, NEAR = 2e-4;
 

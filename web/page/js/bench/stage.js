@@ -10,7 +10,6 @@ import { View, reach } from "../view3d.js";
 import { dimensions } from "./dimensions.js";
 import { niceUp } from "./round.js";
 
-/** @typedef {import("./store.js").Store} Store */
 /** What colours the muscle: field, name, kind of its unit. */
 const SHOWN = /** @type {[string, string, string][]} */ ([["max_stretch", "Largest stretch", ""],
   ["hoop_stretch", "Hoop stretch", ""], ["stress_hoop_mpa", "Hoop stress", "pressure"],

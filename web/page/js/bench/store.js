@@ -9,12 +9,10 @@ import { niceUp } from "./round.js";
 
 /** Keys of the address that are the page's own. */
 export const OWN = ["test", "show", "cut", "over"];
-/** @typedef {import("../../../types/commands").Commands} Commands */
 /** @typedef {Commands["shape"]["answer"] & { arrays: Record<string, Float32Array> }} Shape */
-/** @typedef {import("../engine/problem.js").Problem} Problem */
 /**
  * What views are told: of an answer whether it belongs to the pump, of a problem the state that it is about.
- * @typedef {{ answer: boolean, problem: { problem: Problem, state: import("../state.js").State }, facts: undefined,
+ * @typedef {{ answer: boolean, problem: { problem: Problem, state: State }, facts: undefined,
  *   sync: undefined, changed: undefined, look: undefined, ranges: undefined }} Told
  * @typedef {keyof Told} Event
  */
@@ -87,7 +85,7 @@ export class Store {
     });
   }
 
-  /** @param {import("../state.js").State} state @param {Shape} answer */
+  /** @param {State} state @param {Shape} answer */
   take(state, answer) {
     muscle.shown = { ...muscle.shown, ...answer.muscle };
     if (state.F !== undefined) {

@@ -5,8 +5,6 @@ import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, fields, point, say } from "../state.js";
 import { number, outside, show, unitName } from "../units.js";
 
-/** @typedef {import("./store.js").Store} Store */
-/** @typedef {import("../state.js").Measure} Measure */
 /** Changes, by keys of measures. @type {Record<string, number>} */
 const STEPS = { D: 1, s: 0.1, L: 1, angle: 1, p: 0.01, e: 0.01 };
 /** After a change it waits so long, in milliseconds. */

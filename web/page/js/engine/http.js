@@ -4,7 +4,6 @@ import { Problem, gone } from "./problem.js";
 
 const API = new URL("../../api/", import.meta.url);
 
-/** @typedef {import("../../../types/commands").Commands} Commands */
 
 export class Engine {
   get about() {

@@ -3,7 +3,6 @@
 // drags; the whole one is loaded when it is first needed.
 import { Problem, gone } from "./problem.js";
 
-/** @typedef {import("../../../types/commands").Commands} Commands */
 
 /** Commands of the small module; it has no `fe3d`, and reads no files of formulas and loads. */
 const LIVE = ["force", "pressure", "contraction", "curve", "shape", "check", "measures", "quantities", "units"];

@@ -16,8 +16,6 @@ import { View } from "../view3d.js";
 const MODELS =
   /** @type {[string, string][]} */ (["fe", "universal", "thick-wall", "ideal", "paper", "chou-hannaford",
     "force-balance", "tondu-lopez"].map((m) => [m, m]));
-/** @typedef {import("../../../types/commands").Commands} Commands */
-/** @typedef {import("../state.js").Measure} Measure */
 
 /** Fields of a side: its model, and of B what it changes. @param {string} name @param {() => void} ask */
 function sideForm(name, ask) {

@@ -14,7 +14,6 @@ import { measured } from "../measured.js";
 import { muscle } from "../muscle.js";
 import { number, onUnits, show, unitName } from "../units.js";
 
-/** @typedef {import("../../../types/commands").Commands} Commands */
 /** @typedef {Commands["compare"]["answer"]["understood"][number]["columns"][number]} Column */
 const HEADING = "pressure_bar,contraction,force_n\n", CONSTANTS = "constants";
 
@@ -61,7 +60,7 @@ const errorTable = (models) => {
   return table(["model", "rms", "largest", "mean", "points"], rows, { label: "errors of the models" });
 };
 
-/** What is asked of the table. @type {import("../form.js").Field[]} */
+/** What is asked of the table. @type {Field[]} */
 export const FIELDS = [
   { key: "free", field: "free", label: "Free constants", words: true, hint: "modulus; or mu, braid.angle" },
   { key: "models", field: "models", label: "Models", words: true, value: "fe, thick-wall, ideal" },

@@ -20,8 +20,7 @@ const OBJECTIVES = /** @type {[string, string][]} */ ([
   ["bulged-diameter", "smallest diameter in use"],
   ["length", "shortest"],
 ]);
-/** @typedef {import("../form.js").Field} Field */
-/** @typedef {import("../../../types/commands").Commands["design"]} Design */
+/** @typedef {Commands["design"]} Design */
 /** @typedef {Design["request"]} Asked */
 /** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /** @type {Field[]} */
@@ -93,10 +92,7 @@ function specification(submit) {
     options: (/** @type {string} */ key, /** @type {string[]} */ names) => choice.options(key, names),
     texts: () => Object.assign({}, ...forms.map((f) => f.texts())),
     set: (/** @type {URLSearchParams} */ params) => forms.forEach((f) => f.set(params)),
-    /**
-     * Fields of the request, or nothing where a text cannot be read.
-     * @returns {Promise<Asked | undefined>}
-     */
+    /** Fields of the request, or nothing where a text cannot be read. @returns {Promise<Asked | undefined>} */
     async read() {
       const [want, space, tolerance] = await Promise.all([wanted.read(), choice.read({ intervals: true }),
         spread.read()]);
@@ -107,7 +103,7 @@ function specification(submit) {
       return { ...want, ...space, figure: unitName("pressure"),
         ...(Object.keys(tolerance).length ? { tolerance } : {}) };
     },
-    /** @param {import("../engine/problem.js").Problem} problem */
+    /** @param {Problem} problem */
     at(problem) {
       forms.some((f) => f.at(problem));
       for (const key of lacking())

@@ -13,9 +13,7 @@ import { fileName } from "../toml.js";
 import { withViewer } from "../report.js";
 import { number, onUnits, show, unitName } from "../units.js";
 
-/** @typedef {import("../../../types/commands").Commands} Commands */
 /** @typedef {Commands["export-list"]["answer"]["targets"][number]} Target */
-/** @typedef {import("../form.js").Field} Field */
 /** What a report states of itself; the name is that of the muscle. @type {Field[]} */
 export const TITLE = [
   { key: "project", field: "project", label: "Project" },

@@ -32,7 +32,7 @@ pressures = "0..0.25:0.01 MPa"
 /** The plan that was computed before: it is computed again when one comes back. */
 const COMPUTED = /** @type {const} */ ("campaign");
 
-/** How a formula is fitted. @type {import("../form.js").Field[]} */
+/** How a formula is fitted. @type {Field[]} */
 export const HOW = [
   { key: "method", field: "method", label: "Method",
     options: [["paper", "seven steps (Antonelli 2018)"], ["global", "one least-squares problem"]], value: "paper" },
@@ -42,7 +42,7 @@ export const HOW = [
 
 /** @param {HTMLElement} main */
 export function mount(main) {
-  /** @type {import("../../../types/commands").Commands["plan"]["answer"] | undefined} */ let made;
+  /** @type {Commands["plan"]["answer"] | undefined} */ let made;
   /** @type {import("../formula-view.js").File | typeof PUBLISHED} */ let formula = PUBLISHED;
   const plan = el("textarea", { rows: 20, style: "width:100%;font:13px ui-monospace,monospace",
     "aria-label": "Plan (TOML)", spellcheck: "false" });

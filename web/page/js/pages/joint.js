@@ -17,8 +17,7 @@ import { visit } from "../visit.js";
 
 /** @typedef {import("../joint-view.js").Answer} Answer */
 /** @typedef {import("../joint-view.js").Family} Family */
-/** @typedef {import("../engine/problem.js").Problem} Problem */
-/** @typedef {import("../../../types/commands").Commands["joint"]["request"]} Request */
+/** @typedef {Commands["joint"]["request"]} Request */
 /** @typedef {import("../joint-words.js").Key} Key */
 /** @typedef {import("../joint-words.js").Values} Values */
 
@@ -83,7 +82,7 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
 function moveBox(v, question) {
   const to = { angle: -20, seconds: 1 };
   const field = (/** @type {"angle" | "seconds"} */ key, /** @type {string} */ label,
-    /** @type {import("../units.js").Kind} */ kind, /** @type {number} */ low, /** @type {number} */ high) =>
+    /** @type {Kind} */ kind, /** @type {number} */ low, /** @type {number} */ high) =>
     quantity({ label, kind, low, high, value: to[key], change(value) {
       if (value !== undefined) to[key] = value;
     } }).element;

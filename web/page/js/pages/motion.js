@@ -18,7 +18,7 @@ import { onUnits } from "../units.js";
 import { View } from "../view3d.js";
 
 const DRIVE = "drive";
-/** @type {import("../form.js").Field[]} */
+/** @type {Field[]} */
 export const STEP = [
   { key: "to", field: "pressure_mpa", label: "Step to", kind: "pressure", value: "3 bar" },
   { key: "supply", field: "supply_mpa", label: "Supply", kind: "pressure", value: "6 bar" },

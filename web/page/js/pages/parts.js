@@ -12,7 +12,7 @@ import { notice } from "../notice.js";
 import { number, onUnits, show } from "../units.js";
 import { inWords } from "../words.js";
 
-/** @typedef {import("../../../types/commands").Commands["parts-list"]["answer"]} Parts */
+/** @typedef {Commands["parts-list"]["answer"]} Parts */
 /** @typedef {"tubes" | "sleeves" | "rubbers"} Kind */
 const LISTED = /** @type {Kind[]} */ (["tubes", "sleeves", "rubbers"]);
 const KINDS = /** @type {[string, string][]} */ ([["tubes", "Tubes"], ["sleeves", "Sleeves"], ["rubbers", "Rubbers"],

@@ -10,9 +10,9 @@ import { muscle } from "../muscle.js";
 import { fileName } from "../toml.js";
 import { number, onUnits, show } from "../units.js";
 
-/** @typedef {import("../../../types/commands").Commands["rubber"]["answer"]} Answer */
+/** @typedef {Commands["rubber"]["answer"]} Answer */
 /** @typedef {Answer["laws"][number]} Law */
-/** @type {import("../form.js").Field[]} */
+/** @type {Field[]} */
 export const FIELDS = [
   { key: "laws", field: "laws", label: "Laws", words: true, hint: "all that the points determine" },
   { key: "set", field: "set", label: "Constants of the table", words: true,

@@ -13,12 +13,11 @@ import { CONTRACTION, MEASURES, PRESSURE, fields, point, say } from "../state.js
 import { number, onUnits, outside, show, unitName } from "../units.js";
 import { inWords } from "../words.js";
 
-/** @typedef {import("../../../types/commands").Commands["shape"]["answer"]} Answer */
-/** @typedef {import("../state.js").Measure} Measure */
+/** @typedef {Commands["shape"]["answer"]} Answer */
 /** @typedef {{ value: number, answer?: Answer, why?: string }} Row */
 /**
  * A result: name, kind, its field, and that of half of its ± where it is known.
- * @type {{ key: string, label: string, kind: import("../units.js").Kind, of: keyof Answer, half?: keyof Answer }[]}
+ * @type {{ key: string, label: string, kind: Kind, of: keyof Answer, half?: keyof Answer }[]}
  */
 const RESULTS = [
   { key: "F", label: "pull", kind: "force", of: "force_n", half: "uncertainty_n" },
@@ -112,7 +111,7 @@ export function mount(main) {
     }
     bar.hidden = true;
   }
-  /** @param {import("../state.js").State} of @param {number} value @param {AbortSignal} signal @returns {Promise<Row>} */
+  /** @param {State} of @param {number} value @param {AbortSignal} signal @returns {Promise<Row>} */
   const at = (of, value, signal) => engine().ask("shape", { ...fields(of), ...point(of) }, { lane: "curves", signal }).then(
     (answer) => ({ value, answer }), (problem) => {
       // A muscle that cannot be is a gap in the curve; an engine that is gone ends the sweep.
@@ -125,7 +124,7 @@ export function mount(main) {
     const { kind, label, symbol } = measure(), y = RESULTS.find(({ key }) => key === asked.y) ?? RESULTS[0];
     const list = (/** @type {keyof Answer} */ of) => rows.map(({ answer }) =>
       typeof answer?.[of] === "number" ? outside(y.kind, answer[of]) : null);
-    const unit = (/** @type {import("../units.js").Kind} */ k) => (k === "number" ? "–" : unitName(k));
+    const unit = (/** @type {Kind} */ k) => (k === "number" ? "–" : unitName(k));
     const name = `${y.label} over ${label.toLowerCase()}`, now = outside(kind, muscle.value(asked.x) ?? NaN);
     const curve = { name, x: rows.map(({ value }) => outside(kind, value)), y: list(y.of), half: y.half && list(y.half),
       colour: KINDS[0], strong: true, smooth: true };
