@@ -37,8 +37,7 @@ const answers = new Map();
 const MOST_ANSWERS = 16;
 /**
  * Long work with progress; what was asked before is answered at once.
- * @template {keyof Commands} K
- * @param {K} command @param {Commands[K]["request"]} request
+ * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
  * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} options
  * @returns {Promise<Commands[K]["answer"]>}
  */
@@ -70,10 +69,8 @@ export class Slot {
 
   /**
    * Asks, or waits for the question before.
-   * @template {keyof Commands} K
-   * @param {K} command @param {Commands[K]["request"]} request
-   * @param {(answer: Commands[K]["answer"]) => void} take
-   * @param {(problem: Problem) => void} [fail]
+   * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
+   * @param {(answer: Commands[K]["answer"]) => void} take @param {(problem: Problem) => void} [fail]
    */
   ask(command, request, take, fail) {
     const go = async () => {

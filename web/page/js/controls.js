@@ -224,9 +224,7 @@ export const quantity = (spec) => new Quantity(spec);
 
 /**
  * A list to choose from.
- * @param {string} label
- * @param {[string, string][]} options
- * @param {string} value
+ * @param {string} label @param {[string, string][]} options @param {string} value
  * @param {(value: string) => void} change
  */
 export function choice(label, options, value, change) {

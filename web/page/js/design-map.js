@@ -135,8 +135,7 @@ function hovering(chart, of) {
 
 /**
  * The muscles of the map.
- * @param {Design["request"]} of the request of the search
- * @param {Best} best its winner, or what came closest
+ * @param {Design["request"]} of the request of the search @param {Best} best its winner, or what came closest
  * @param {number} [across] diameters @param {number} [up] walls
  * @returns {Design["request"] & { outer_diameter_mm: number[], wall_mm: number[] }}
  */
@@ -189,8 +188,7 @@ const rgb = (/** @type {string} */ hex) => [1, 3, 5].map((i) => Number.parseInt(
 
 /**
  * @param {Found} found @param {{ outer_diameter_mm: number, wall_mm: number }} best
- * @param {number} finer how much finer the picture is than the muscles
- * @returns {Spec}
+ * @param {number} finer how much finer the picture is than the muscles @returns {Spec}
  */
 function spec({ D, S, nodes, limits }, best, finer) {
   const [x, y] = [D.map((d) => outside("length", d)), S.map((s) => outside("length", s))];

@@ -26,10 +26,7 @@ const grams = (/** @type {number | null | undefined} */ g) => (g ? `${number(g, 
 /** @param {Prices} prices @param {boolean} liquid whether the muscles are filled with one @returns {Column[]} */
 function columns(prices, liquid) {
   /**
-   * @param {string} head
-   * @param {string} kind
-   * @param {(c: Candidate) => number | null | undefined} of
-   * @returns {Column}
+   * @param {string} head @param {string} kind @param {(c: Candidate) => number | null | undefined} of @returns {Column}
    */
   const quantity = (head, kind, of, digits = 4) => [head, unitName(kind), (c) => show(kind, of(c), digits), (c) => {
     const v = of(c);
@@ -68,8 +65,7 @@ const filled = (candidates) => candidates.some((c) => c.liquid_volume_mm3);
 
 /**
  * Columns that tell the candidates apart: a rubber that tubes name, and one length of all, is said above.
- * @param {Candidate[]} candidates
- * @param {Prices} prices
+ * @param {Candidate[]} candidates @param {Prices} prices
  */
 function shownColumns(candidates, prices) {
   const named = candidates.every((c) => c.tube), sleeved = candidates.every((c) => c.sleeve);
@@ -88,132 +84,100 @@ function rowsOf(candidates, prices) {
 
 /**
  * The decision, and how to ask for a muscle that is sure.
- * @param {Answer} answer
- * @param {(words: Record<string, string>) => void} ask
+ * @param {Answer} answer @param {(words: Record<string, string>) => void} ask
  */
 function head(answer, ask) {
-  const [best] = answer.candidates, words = answer.uncertainty_words;
-  const size = `Outer diameter ${show("length", best.outer_diameter_mm, 4)}, wall ${
-    show("length", best.wall_mm)
-  }, length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`;
+  const [best] = answer.candidates, words = answer.uncertainty_words, { joint } = best;
+  const size = `Outer diameter ${show("length", best.outer_diameter_mm, 4)}, wall ${show("length", best.wall_mm)}, `
+    + `length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`;
+  const sentences = [words?.text, words?.bench].flatMap((text) => (text ? [`${inWords(text)}.`] : []));
   return [
     el("h2", {}, size),
     el("ul", { class: "decision" }, ...(answer.decision ?? []).map((line) => el("li", {}, inWords(line)))),
-    best.joint
-      ? el("p", {},
-        `Pulley of radius ${show("length", best.joint.radius_mm, 3)}, ${
-          show("ratio", best.joint.contraction_at_neutral, 3)
-        } contracted at the neutral angle.`)
-      : null,
-    answer.searched.guaranteed
-      ? null
-      : el("button", { type: "button", onclick: () => ask({ sure: "95 %" }) }, "Design for a guaranteed pull (95 %)"),
-    words?.text
-      ? el("p", { class: "small soft" },
-        [words.text, words.bench].filter(Boolean).map((text) => `${inWords(/** @type {string} */ (text))}.`).join(" "))
-      : null,
+    joint && el("p", {}, `Pulley of radius ${show("length", joint.radius_mm, 3)}, `
+      + `${show("ratio", joint.contraction_at_neutral, 3)} contracted at the neutral angle.`),
+    !answer.searched.guaranteed && el("button", { type: "button", onclick: () => ask({ sure: "95 %" }) },
+      "Design for a guaranteed pull (95 %)"),
+    sentences.length > 0 && el("p", { class: "small soft" }, sentences.join(" ")),
   ];
 }
 
 /** Tables below that of the muscles. @param {Answer} answer */
-function details(answer) {
-  const [best] = answer.candidates, out = [];
-  if (best.points.length > 1)
-    out.push(
-      table(["pull", "at", "set"], best.points.map((
-        p,
-      ) => [withUncertainty("force", p.force_n, p.uncertainty_n), show("ratio", p.contraction, 3),
-        show("pressure", p.pressure_mpa, 3)]
-      ), { text: [], label: "the operating points" }),
-    );
-  const spread = answer.tolerance;
-  if (spread?.length)
-    out.push(
-      table(["within the tolerances, at", "and", "least pull", "largest pull", "likely"], spread.map((
-        t,
-      ) => [show("ratio", t.contraction, 3), show("pressure", t.pressure_mpa, 3), show("force", t.low_n),
-        show("force", t.high_n), `± ${show("force", t.likely_n, 2)}`]
-      ), { text: [], label: "spread of the pull" }),
-    );
-  return out;
+function details({ candidates: [best], tolerance: spread = [] }) {
+  const points = best.points.map((p) => [withUncertainty("force", p.force_n, p.uncertainty_n),
+    show("ratio", p.contraction, 3), show("pressure", p.pressure_mpa, 3)]);
+  const pulls = (spread ?? []).map((t) => [show("ratio", t.contraction, 3), show("pressure", t.pressure_mpa, 3),
+    show("force", t.low_n), show("force", t.high_n), `± ${show("force", t.likely_n, 2)}`]);
+  return [
+    points.length > 1 && table(["pull", "at", "set"], points, { text: [], label: "the operating points" }),
+    pulls.length > 0 && table(["within the tolerances, at", "and", "least pull", "largest pull", "likely"], pulls,
+      { text: [], label: "spread of the pull" }),
+  ];
 }
 
 /** A candidate in use, to the scale of all. @param {Candidate} c @param {Candidate[]} all */
 function inUse(c, all) {
   const most = (/** @type {(one: Candidate) => number} */ of) => Math.max(...all.map(of));
-  const box = el("span", { class: "thumbnail" }), width = (/** @type {Candidate} */ one) =>
-    one.bulged_diameter_mm ?? one.outer_diameter_mm;
-  box.innerHTML = picture(c, most((one) => one.length_mm), most(width));
+  const box = el("span", { class: "thumbnail" });
+  box.innerHTML = picture(c, most((one) => one.length_mm),
+    most((one) => one.bulged_diameter_mm ?? one.outer_diameter_mm));
   return box;
 }
 
+/** What there is of a list. @param {(HTMLElement | false | null | undefined)[]} list */
+const there = (list) => list.flatMap((part) => (part ? [part] : []));
+
 /**
  * What was found.
- * @param {Answer} answer
- * @param {Prices} prices
+ * @param {Answer} answer @param {Prices} prices
  * @param {{ open: (c: Candidate) => void, ask: (words: Record<string, string>) => void }} act
  */
 export function foundView(answer, prices, { open, ask }) {
-  const list = shownColumns(answer.candidates, prices),
-    rows = answer.candidates.map((c) => [inUse(c, answer.candidates), ...list.map(([, , cell]) => cell(c))]);
+  const { candidates, assumptions = [] } = answer, list = shownColumns(candidates, prices);
+  const rows = candidates.map((c) => [inUse(c, candidates), ...list.map(([, , cell]) => cell(c))]);
   const text = list.flatMap(([name], i) => (["tube", "sleeve", "rubber", "price"].includes(name) ? [i + 1] : []));
-  const save = () => download("design.csv", csv(rowsOf(answer.candidates, prices)), "text/csv");
-  const assumed = answer.assumptions?.length
-    ? el("details", { class: "small" }, el("summary", {}, "What was assumed"),
-      el("ul", {}, ...answer.assumptions.map((text) => el("li", {}, capital(inWords(text))))))
-    : null;
-  return [
+  const save = () => download("design.csv", csv(rowsOf(candidates, prices)), "text/csv");
+  const words = `${answer.fitting} of ${answer.looked_at} muscles fit; searched with ${answer.searched_with}, computed `
+    + `by ${answer.model}. Click one to show it. Guaranteed at: the lower end of the ± meets the requirement there.`;
+  return there([
     ...head(answer, ask),
     warnings(answer.warnings),
-    table(["", ...list.map(([name]) => name)], rows, { text, pick: (i) => open(answer.candidates[i]),
+    table(["", ...list.map(([name]) => name)], rows, { text, pick: (i) => open(candidates[i]),
       label: "Muscles that fit, best first" }),
-    el("p", { class: "row small soft" },
-      el("span", { class: "grow" },
-        `${answer.fitting} of ${answer.looked_at} muscles fit; searched with ${answer.searched_with}, computed by `
-
-          + `${answer.model}. Click one to show it. Guaranteed at: the lower end of the ± meets the requirement there.`),
+    el("p", { class: "row small soft" }, el("span", { class: "grow" }, words),
       el("button", { type: "button", onclick: save, title: "The table of the muscles as a file" }, "CSV of the table")),
     ...details(answer),
     boughtView(answer),
-    assumed,
-  ].filter((part) => part !== null);
+    assumptions.length > 0 && el("details", { class: "small" }, el("summary", {}, "What was assumed"),
+      el("ul", {}, ...assumptions.map((line) => el("li", {}, capital(inWords(line)))))),
+  ]);
 }
 
 /** Muscles as sold that would do. @param {Answer} answer */
 function boughtView({ bought }) {
   const one = (/** @type {NonNullable<Answer["bought"]>[number]} */ b) =>
-    `${b.product} (${b.name}, L0 ${show("length", b.length_mm)}): ${show("force", b.force_n, 3)} ± ${
-      show("force", b.uncertainty_n, 2)
-    } at ${show("ratio", b.wanted.contraction, 3)} and ${show("pressure", b.pressure_mpa, 3)}`;
+    `${b.product} (${b.name}, L0 ${show("length", b.length_mm)}): ${withUncertainty("force", b.force_n, b.uncertainty_n)} `
+    + `at ${show("ratio", b.wanted.contraction, 3)} and ${show("pressure", b.pressure_mpa, 3)}`;
   return bought?.length ? el("p", { class: "small" }, `Sold muscles that fit: ${bought.map(one).join("; ")}.`) : null;
 }
 
 /** What comes closest where nothing fits. @param {Answer} answer */
 export function closestView(answer) {
-  const c = answer.closest;
-  if (!c) return [el("h2", {}, "Nothing fits."), warnings(answer.warnings)];
-  return [
+  const c = answer.closest, size = c && `D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}`;
+  return there([
     el("h2", {}, "Nothing fits."),
-    el("p", {},
-      `Closest: D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}${
-        c.sleeve ? ` in ${c.sleeve}` : ""
-      }: ${inWords(c.reason)}.`),
+    c && el("p", {}, `Closest: ${size}${c.sleeve ? ` in ${c.sleeve}` : ""}: ${inWords(c.reason)}.`),
     warnings(answer.warnings),
-    c.hint ? el("p", {}, capital(inWords(c.hint))) : null,
+    c?.hint ? el("p", {}, capital(inWords(c.hint))) : null,
     boughtView(answer),
-    el("ul", {}, ...c.relaxations.map((r) => el("li", {}, capital(inWords(r.text))))),
-  ].filter((part) => part !== null);
+    c && el("ul", {}, ...c.relaxations.map((r) => el("li", {}, capital(inWords(r.text))))),
+  ]);
 }
 
 /** @param {Answer} answer */
 export function rejectedView({ rejected }) {
-  if (!rejected?.length) return [];
-  const rows = rejected.map((
-    r,
-  ) => [show("length", r.outer_diameter_mm), show("length", r.wall_mm), show("length", r.length_mm),
-    inWords(r.reason)]
-  );
-  return [
-    el("details", {}, el("summary", {}, "Why others fail"), table(["D0", "s", "L0", "reason"], rows, { text: [3] })),
-  ];
+  const rows = (rejected ?? []).map((r) => [...[r.outer_diameter_mm, r.wall_mm, r.length_mm].map((v) => show("length", v)),
+    inWords(r.reason)]);
+  return there([rows.length > 0 && el("details", {}, el("summary", {}, "Why others fail"),
+    table(["D0", "s", "L0", "reason"], rows, { text: [3] }))]);
 }

@@ -4,11 +4,8 @@ import { inWords } from "./words.js";
 
 /**
  * An element: attributes by name, listeners as `onclick` functions, children as nodes or texts.
- * @template {keyof HTMLElementTagNameMap} K
- * @param {K} tag
- * @param {Record<string, unknown>} [attributes]
- * @param {...(Node | string | null | undefined | false)} children
- * @returns {HTMLElementTagNameMap[K]}
+ * @template {keyof HTMLElementTagNameMap} K @param {K} tag @param {Record<string, unknown>} [attributes]
+ * @param {...(Node | string | null | undefined | false)} children @returns {HTMLElementTagNameMap[K]}
  */
 export function el(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
@@ -66,10 +63,7 @@ export function csv(rows) {
 
 /**
  * Tabs over one panel.
- * @param {string} label
- * @param {[string, string][]} tabs
- * @param {string} chosen
- * @param {(name: string) => void} choose
+ * @param {string} label @param {[string, string][]} tabs @param {string} chosen @param {(name: string) => void} choose
  */
 export function tabs(label, tabs, chosen, choose) {
   const list = el("div", { role: "tablist", "aria-label": label });

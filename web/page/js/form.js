@@ -116,8 +116,7 @@ class Form {
   /**
    * Fields of a request, or nothing where a text cannot be understood: it is marked. An interval without a step is its
    * two ends where those are wanted, else a list.
-   * @param {{ intervals?: boolean }} [options]
-   * @returns {Promise<Read | undefined>}
+   * @param {{ intervals?: boolean }} [options] @returns {Promise<Read | undefined>}
    */
   async read({ intervals = false } = {}) {
     const reading = new Reading();
@@ -191,8 +190,7 @@ export const form = (fields, submit) => new Form(fields, submit);
 
 /**
  * The ends of an interval without a step, which a search takes as a whole.
- * @param {import("./ask.js").Readings[number]} reading
- * @returns {{ low: number, high: number } | undefined}
+ * @param {import("./ask.js").Readings[number]} reading @returns {{ low: number, high: number } | undefined}
  */
 function ends({ interval }) {
   return interval ? { low: interval[0], high: interval[1] } : undefined;
@@ -200,12 +198,10 @@ function ends({ interval }) {
 
 /**
  * A button that starts long work, with progress, a way to end it, and its problems below.
- * @template {keyof Commands} K
- * @param {string} label @param {K} command
+ * @template {keyof Commands} K @param {string} label @param {K} command
  * @param {() => Promise<Commands[K]["request"] | undefined>} request nothing where
  *   there is none to ask
- * @param {(answer: Commands[K]["answer"]) => void} take
- * @param {(problem: Problem) => void} [fail]
+ * @param {(answer: Commands[K]["answer"]) => void} take @param {(problem: Problem) => void} [fail]
  */
 export function job(label, command, request, take, fail) {
   const start = el("button", { type: "button", class: "main", onclick: () => run() }, label);
@@ -258,8 +254,7 @@ export function job(label, command, request, take, fail) {
 
 /**
  * A table.
- * @param {string[]} head
- * @param {(string | Node)[][]} rows
+ * @param {string[]} head @param {(string | Node)[][]} rows
  * @param {{ text?: number[], pick?: (row: number) => void, label?: string }} [options] columns of text are aligned
  *   left
  */

@@ -73,8 +73,7 @@ async function measures({ file = "", size: [D, s, L, angle] = [] }) {
 
 /**
  * Cards of all muscles; pictures are drawn after some milliseconds.
- * @param {(problem: unknown) => void} fail
- * @param {() => void} [opened]
+ * @param {(problem: unknown) => void} fail @param {() => void} [opened]
  */
 export function gallery(fail, opened, wait = 0) {
   return el("div", { class: "gallery" }, ...GALLERY.map((entry) => {

@@ -57,9 +57,7 @@ export function numbersView(point, which) {
 
 /**
  * Torques over the angle at pairs of pressures.
- * @param {Family} family
- * @param {Point | undefined} point
- * @returns {Spec}
+ * @param {Family} family @param {Point | undefined} point @returns {Spec}
  */
 export function torqueChart({ answer, angles, pairs }, point) {
   const series = pairs.map((pair, i) => {

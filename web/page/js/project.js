@@ -78,8 +78,7 @@ export async function openProject(text) {
 
 /**
  * The muscles of the project, in the window Open.
- * @param {(problem: unknown) => void} fail
- * @param {() => void} close
+ * @param {(problem: unknown) => void} fail @param {() => void} close
  */
 export function shelf(fail, close) {
   const list = el("ul", { class: "shelf" });

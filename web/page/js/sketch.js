@@ -15,11 +15,7 @@ const PULLEY = '<circle class="plain" cx="150" cy="60" r="22"/><path class="arm"
   + '<path class="plain" d="M100 38h50M100 82h50"/>';
 /**
  * A dimension line between two points, with its symbol.
- * @param {number} x1
- * @param {number} y1
- * @param {number} x2
- * @param {number} y2
- * @param {string} text
+ * @param {number} x1 @param {number} y1 @param {number} x2 @param {number} y2 @param {string} text
  */
 function dimension(x1, y1, x2, y2, text) {
   const long = Math.hypot(x2 - x1, y2 - y1) || 1, [u, v] = [(x2 - x1) / long, (y2 - y1) / long];

@@ -169,9 +169,7 @@ export async function canonical(state, ask) {
 
 /**
  * A measure as a control shows it: what is said, or what the engine read.
- * @param {State} state
- * @param {object | undefined} shown an answer's muscle
- * @param {Measure} measure
+ * @param {State} state @param {object | undefined} shown an answer's muscle @param {Measure} measure
  */
 export function shownValue(state, shown, { key, field, usual }) {
   const said = state.said[key];
@@ -183,8 +181,7 @@ export function shownValue(state, shown, { key, field, usual }) {
 
 /**
  * What a named sleeve needs beside its name: keys of measures.
- * @param {{ said: State["said"] }} state
- * @param {{ name: string, missing: string }[]} sleeves those of the library
+ * @param {{ said: State["said"] }} state @param {{ name: string, missing: string }[]} sleeves those of the library
  */
 export function missing({ said }, sleeves) {
   if (said.braid === undefined || said.k !== undefined) return [];
@@ -283,8 +280,7 @@ export function motion(file, { model, ...step }) {
 /**
  * One side of a comparison: this muscle, or that of a file of its own, with what the side says over it, at the side's
  * point or this one's.
- * @param {State} state @param {string} own a muscle file
- * @param {Read} read fields of the side's form
+ * @param {State} state @param {string} own a muscle file @param {Read} read fields of the side's form
  */
 export function side(state, own, { model, pressure_mpa, contraction, ...over }) {
   // What a side says ousts what excludes it, as on the page Muscle.
@@ -303,10 +299,8 @@ export function side(state, own, { model, pressure_mpa, contraction, ...over }) 
  */
 /**
  * The muscle of a candidate of a design: what the search chose, with what it was given of the strands.
- * @param {Chosen} candidate
- * @param {Commands["design"]["request"]} asked the request
- * @param {{ p: number, e: number }} at
- * @returns {State}
+ * @param {Chosen} candidate @param {Commands["design"]["request"]} asked the request
+ * @param {{ p: number, e: number }} at @returns {State}
  */
 export function candidate(candidate, asked, { p, e }) {
   /** @type {Record<string, number | string>} */

@@ -31,8 +31,7 @@ const BESIDE = {
 };
 
 /**
- * @param {Measures | undefined} of nothing leaves it empty
- * @param {string} [label] without one it is decoration
+ * @param {Measures | undefined} of nothing leaves it empty @param {string} [label] without one it is decoration
  * @param {string} [page] what it is shown for
  */
 export function thumbnail(of, label, page = "") {

@@ -77,8 +77,7 @@ export const outside = (kind, inside) => {
 };
 /**
  * The other way, as the engine reads it: to 15 digits, so that 0.7 bar is 0.07 MPa.
- * @param {string} kind
- * @param {number} shown
+ * @param {string} kind @param {number} shown
  */
 export const inside = (kind, shown) => {
   const u = factor(kind);
@@ -144,8 +143,7 @@ export function meant(kind, typed) {
 
 /**
  * Numbers of a form without any unit have the one that is shown: `2.5` and `1..3` in bar.
- * @param {string} kind
- * @param {string} text
+ * @param {string} kind @param {string} text
  */
 export function withUnit(kind, text) {
   const hasUnit = /[a-z%°‰]/i.test(text.replace(/\de[-+]?\d/gi, ""));

@@ -15,8 +15,7 @@ export class Engine {
   }
 
   /**
-   * @template {keyof Commands} K
-   * @param {K} command @param {Commands[K]["request"]} request
+   * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
    * @param {{ lane?: import("./wasm.js").LaneName, signal?: AbortSignal }} [options]
    * @returns {Promise<Commands[K]["answer"]>}
    */
@@ -35,8 +34,7 @@ export class Engine {
 
   /**
    * Long work, without progress; the signal ends it.
-   * @template {keyof Commands} K
-   * @param {K} command @param {Commands[K]["request"]} request
+   * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
    * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} [options]
    * @returns {Promise<Commands[K]["answer"]>}
    */

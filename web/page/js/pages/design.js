@@ -125,9 +125,7 @@ const priced = () => (prices ??= engine().ask("parts-list", { kind: "tubes" }).t
 
 /**
  * The address of a muscle of the search: that muscle, and nothing of the one of the other pages.
- * @param {import("../state.js").Chosen} c
- * @param {Asked} of the request
- * @param {{ p: number, e: number }} at
+ * @param {import("../state.js").Chosen} c @param {Asked} of the request @param {{ p: number, e: number }} at
  */
 const linked = (c, of, at) => address("muscle", muscle.paramsOf(candidate(c, of, at)));
 

@@ -97,8 +97,7 @@ function moveBox(v, question) {
 
 /**
  * The arm is dragged about its axis.
- * @param {HTMLElement} arm
- * @param {(angle: number, settled: boolean) => void} turned
+ * @param {HTMLElement} arm @param {(angle: number, settled: boolean) => void} turned
  */
 function turning(arm, turned) {
   let on = false;

@@ -32,9 +32,7 @@ const STEP_KEYS = STEP.map(({ key }) => key).filter((key) => key !== "model");
 
 /**
  * A drive file with the muscle of the page, or with the joint of the page Joint.
- * @param {string} text
- * @param {string} file
- * @param {string | undefined} model
+ * @param {string} text @param {string} file @param {string | undefined} model
  */
 async function driven(text, file, model) {
   const drive = { name: "drive.toml", text }, of = stated(text);
