@@ -69,15 +69,10 @@ export function designMap(linked) {
   function pick(x, y) {
     const middle = best(), [d, s] = measures(x, y);
     if (!middle || !answer) return;
-    const at = {
-      p: Number(answer.max_pressure_mpa),
-      e: "points" in middle ? Number(middle.points[0]?.contraction ?? 0.1) : 0.1,
-    };
-    const link = linked({ ...middle, rubber: middle.rubber ?? "", outer_diameter_mm: d, wall_mm: s }, at);
-    picked.replaceChildren(
-      `D0 ${show("length", d)}, s ${show("length", s)}: `,
-      el("a", { href: link }, "see this muscle"),
-    );
+    const e = "points" in middle ? Number(middle.points[0]?.contraction ?? 0.1) : 0.1;
+    const link = linked({ ...middle, rubber: middle.rubber ?? "", outer_diameter_mm: d, wall_mm: s },
+      { p: Number(answer.max_pressure_mpa), e });
+    picked.replaceChildren(`D0 ${show("length", d)}, s ${show("length", s)}: `, el("a", { href: link }, "see this muscle"));
   }
 
   return {
@@ -141,24 +136,17 @@ function hovering(chart, of) {
  */
 function asked(of, best, across = ACROSS, up = UP) {
   const { figure, tolerance, ...rest } = of;
-  const span = (
-    /** @type {number} */ mid,
-    /** @type {number} */ low,
-    /** @type {number} */ high,
-    /** @type {number} */ n,
-  ) => Array.from({ length: n }, (_, i) => Number((low * mid + ((high - low) * mid * i) / (n - 1)).toPrecision(4)));
+  const span = (/** @type {number} */ low, /** @type {number} */ high, /** @type {number} */ n) =>
+    Array.from({ length: n }, (_, i) => Number((low + ((high - low) * i) / (n - 1)).toPrecision(4)));
   // Within the sleeve, where there is one.
-  const range = muscle.sleeves.find((s) => s.name === best.sleeve);
-  const [least, most] = [range?.least_diameter_mm ?? 0, range?.largest_diameter_mm ?? Infinity].map(
-    (d) => d / best.outer_diameter_mm,
-  );
-  const D = span(best.outer_diameter_mm, Math.max(0.5, least), Math.min(1.9, most), across),
-    S = span(Math.max(best.wall_mm, 1.5), 0.2, 2.6, up);
+  const range = muscle.sleeves.find((s) => s.name === best.sleeve), middle = best.outer_diameter_mm;
+  const wall = Math.max(best.wall_mm, 1.5), S = span(0.2 * wall, 2.6 * wall, up);
+  const D = span(Math.max(0.5 * middle, range?.least_diameter_mm ?? 0),
+    Math.min(1.9 * middle, range?.largest_diameter_mm ?? Infinity), across);
   // With a named sleeve the diameter sets the angle; parts are varied as if any size of them were sold.
-  const part =
-    best.sleeve && !of.braids?.length
-      ? { rubbers: best.rubber ? [best.rubber] : undefined, braids: [best.sleeve] }
-      : {};
+  const part = best.sleeve && !of.braids?.length
+    ? { rubbers: best.rubber ? [best.rubber] : undefined, braids: [best.sleeve] }
+    : {};
   const angle = of.braids?.length || best.sleeve ? {} : { angle_deg: best.angle_deg };
   const length = { length_mm: of.stroke_mm ? undefined : best.length_mm };
   return { ...rest, ...length, ...angle, ...part, outer_diameter_mm: D, wall_mm: S, model: "universal", verify: "none",

@@ -39,10 +39,7 @@ export class Figures {
 
 /** @param {Panel} panel @param {Figure} figure @returns {Spec} */
 function spec(panel, figure) {
-  const numbers = figure.panels.flatMap((p) =>
-    p.series.map((s, i) => s.colour ?? i),
-  );
-  const most = Math.max(1, ...numbers);
+  const most = Math.max(1, ...figure.panels.flatMap((p) => p.series.map((s, i) => s.colour ?? i)));
   const colour = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {
     const n = s.colour ?? i;
     if (s.neutral && figure.palette !== "sequential") return token("--ink");
@@ -51,14 +48,9 @@ function spec(panel, figure) {
   };
   /** @returns {Series} */
   const one = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {
-    const dash =
-      s.style === "dashed"
-        ? "dash"
-        : s.style === "dotted"
-          ? "dot"
-          : s.style === "auto" && figure.palette !== "sequential"
-            ? DASHES[(s.colour ?? i) % DASHES.length]
-            : "solid";
+    const auto = figure.palette === "sequential" ? "solid" : DASHES[(s.colour ?? i) % DASHES.length];
+    const styles = { dashed: "dash", dotted: "dot", auto };
+    const dash = /** @type {Series["dash"]} */ (/** @type {Record<string, string>} */ (styles)[s.style] ?? "solid");
     const line = { colour: colour(s, i), x: s.points.map((p) => p[0]), y: s.points.map((p) => p[1]) };
     if (s.style === "band") return { ...line, name: "±", band: true, legend: "" };
     const name = s.label || s.end_label || panel.y.label, mode = s.style === "points" ? "markers" : "lines";

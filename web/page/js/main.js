@@ -173,7 +173,11 @@ addEventListener("keydown", (event) => {
   event.preventDefault();
   walk(key === "y" || event.shiftKey ? 1 : -1);
 }, true);
-onWritten(() => keep().then(link, () => {}));
+// A page writes at the end of a gesture.
+onWritten(() => {
+  changed();
+  keep().then(link, () => {});
+});
 onKept(link);
 muscle.onChange(changed);
 // A link that is followed right after a gesture has the muscle of that gesture.
