@@ -54,6 +54,25 @@ export function download(name, content, type) {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
+/**
+ * An element that is dragged: told where, and whether it is the end or the beginning of the gesture.
+ * @param {HTMLElement | SVGElement} element
+ * @param {(event: PointerEvent, settled: boolean, begins: boolean) => void} act
+ */
+export function dragging(element, act) {
+  let on = false;
+  for (const type of /** @type {const} */ (["pointerdown", "pointermove", "pointerup", "pointercancel"])) {
+    element.addEventListener(type, (/** @type {any} */ event) => {
+      if (type === "pointerdown") {
+        on = true;
+        element.setPointerCapture(event.pointerId);
+      }
+      if (on && type !== "pointercancel") act(event, type === "pointerup", type === "pointerdown");
+      on &&= type === "pointerdown" || type === "pointermove";
+    });
+  }
+}
+
 /** Rows as CSV. @param {readonly (readonly (string | number | null | undefined)[])[]} rows */
 export function csv(rows) {
   const quoted = (/** @type {string | number | null | undefined} */ v) =>

@@ -50,8 +50,7 @@ export function helpLink() {
       el("p", {}, el("a", { href: address("about", muscle.params()), onclick: close }, "About"),
         ": accuracy, verification, models, sources."),
       DOCUMENTATION ?
-        el("p", {},
-          el("a", { href: book(pageOf(page).help), target: "_blank", rel: "noopener" }, "Read more in the book"))
+        el("iframe", { class: "book", title: "The book", src: book(pageOf(page).help) })
         : el("p", { class: "small soft" }, "The book comes with the program: ",
           el("code", {}, `docs/${pageOf(page).help.split("#")[0]}.md`), ". On the command line: ",
           el("code", {}, "mckibben help"), "."),

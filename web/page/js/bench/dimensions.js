@@ -1,5 +1,6 @@
 // Dimension lines over the muscle, and its shape at rest as a ghost. The handles change the diameter and the length at
 // rest.
+import { dragging } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { show } from "../units.js";
 
@@ -40,28 +41,21 @@ export function dimensions(stage, store, view) {
     circle.setAttribute("r", "5");
     words.textContent = title;
     circle.append(words);
-    /** @type {{ x: number, y: number, value: number } | undefined} */ let from;
-    const moved = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
-      if (!from) return;
-      const { up, along, rest } = layout(view(), store.shape, view().show.restLength, view().show.restRadius);
-      const [dx, dy] = [event.clientX - from.x, event.clientY - from.y], perPixel = view().millimetresPerPixel;
+    let from = { x: 0, y: 0, value: 0 };
+    dragging(circle, (event, settled, begins) => {
+      if (begins) {
+        from = { x: event.clientX, y: event.clientY, value: Number(muscle.value(key)) };
+        event.stopPropagation();
+      }
+      const seen = view(), { restLength, restRadius } = seen.show;
+      const { up, along, rest } = layout(seen, store.shape, restLength, restRadius);
+      const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
       // Along the axis lengths are foreshortened.
       const long = Math.hypot(rest[1][0] - rest[0][0], rest[1][1] - rest[0][1]);
-      const by =
-        key === "D"
-          ? 2 * (dx * up[0] + dy * up[1]) * perPixel
-          : ((dx * along[0] + dy * along[1]) * view().show.restLength) / Math.max(20, long);
-      const value = Math.max(1, Math.round(10 * (from.value + by)) / 10);
-      store.changed(key, value, settled);
-    };
-    circle.addEventListener("pointerdown", (event) => {
-      from = { x: event.clientX, y: event.clientY, value: Number(muscle.value(key)) };
-      circle.setPointerCapture(event.pointerId);
-      event.stopPropagation();
+      const by = key === "D" ? 2 * (dx * up[0] + dy * up[1]) * seen.millimetresPerPixel
+        : ((dx * along[0] + dy * along[1]) * restLength) / Math.max(20, long);
+      if (!begins) store.changed(key, Math.max(1, Math.round(10 * (from.value + by)) / 10), settled);
     });
-    circle.addEventListener("pointermove", (event) => moved(event, false));
-    circle.addEventListener("pointerup", (event) => { moved(event, true); from = undefined; });
-    circle.addEventListener("pointercancel", () => { from = undefined; });
     return circle;
   }
   return {

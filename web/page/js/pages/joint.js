@@ -4,7 +4,7 @@ import { address, write } from "../address.js";
 import { Chart } from "../chart.js";
 import { fileField, quantity } from "../controls.js";
 import { pack } from "../deflate.js";
-import { el, problemBox } from "../dom.js";
+import { dragging, el, problemBox } from "../dom.js";
 import { job, warnings } from "../form.js";
 import { jointDrawing } from "../joint-drawing.js";
 import { angleAt, numbersView, reachChart, torqueChart } from "../joint-view.js";
@@ -95,28 +95,6 @@ function moveBox(v, question) {
       "time", 0.1, 5), play.element) };
 }
 
-/**
- * The arm is dragged about its axis.
- * @param {HTMLElement} arm @param {(angle: number, settled: boolean) => void} turned
- */
-function turning(arm, turned) {
-  let on = false;
-  const turn = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
-    const angle = angleAt(arm, event);
-    if (angle !== undefined) turned(angle, settled);
-  };
-  arm.addEventListener("pointerdown", (event) => {
-    on = true;
-    arm.setPointerCapture(event.pointerId);
-    turn(event, false);
-  });
-  arm.addEventListener("pointermove", (event) => on && turn(event, false));
-  arm.addEventListener("pointerup", (event) => {
-    if (on) turn(event, true);
-    on = false;
-  });
-}
-
 /** Pressures at angles, with the stiffness that the page asks for. @param {Values} v @param {number[]} list */
 const wanted = (v, list) => ({ angles_deg: list, max_pressure_mpa: v.pmax,
   ...(v.K > 0 ? { stiffness_nm_per_rad: v.K } : {}) });
@@ -203,7 +181,10 @@ class JointPage {
     main.replaceChildren(el("div", { class: "bench" }, this.bench.element,
       el("div", { class: "middle" }, this.arm, charts, this.map.element),
       el("div", { class: "side" }, this.said, this.numbers)));
-    turning(this.arm, (angle, settled) => this.#turned(angle, settled));
+    dragging(this.arm, (event, settled) => {
+      const angle = angleAt(this.arm, event);
+      if (angle !== undefined) this.#turned(angle, settled);
+    });
     atEnd(onUnits(() => {
       this.#paint();
       this.#mapped(this.#reached);
