@@ -1,5 +1,6 @@
 // A drawing of what a symbol measures: shown while its name is pointed at, or its field has the focus.
 import { el } from "./dom.js";
+import { MEASURES, POINT } from "./state.js";
 
 // The muscle in section, at rest: tube from 40 to 200, its axis at y = 60.
 const BODY = '<path class="rubber" d="M40 36h160v10H40zM40 74h160v10H40z"/>'
@@ -67,28 +68,13 @@ export const DRAWINGS = {
   e0: () => PULLEY + dimension(20, 110, 100, 110, "L0 (1 − ε0)"),
   K: () => PULLEY + arrow("M214 30l6 14M216 38l4 6 1-7", "K = −∂τ/∂φ", [146, 20]),
 };
-/** Fields of other names that mean the same. @type {Record<string, string>} */
-const SAME = {
-  outer_diameter_mm: "D",
-  wall_mm: "s",
-  length_mm: "L",
-  angle_deg: "angle",
-  pressure_mpa: "p",
-  contraction: "e",
-  force_n: "F",
-  stiffness: "k",
-  strand_diameter_mm: "sd",
-  strand_modulus_mpa: "sE",
-  max_pressure_mpa: "p",
-  supply_mpa: "p",
-  max_bulged_diameter_mm: "bulge",
-  stroke_mm: "stroke",
-  radius_mm: "r",
-  pmax: "p",
-};
+/** Fields of other names that mean the same, but for those of measures. @type {Record<string, string>} */
+const SAME = { max_pressure_mpa: "p", supply_mpa: "p", pmax: "p", max_bulged_diameter_mm: "bulge", stroke_mm: "stroke",
+  radius_mm: "r" };
 
-/** The drawing of a key or a field, where there is one. @param {string | undefined} key */
-export const drawing = (key) => DRAWINGS[key ?? ""] ?? DRAWINGS[SAME[key ?? ""]];
+/** The drawing of a key or a field, where there is one. @param {string} [key] @returns {(() => string) | undefined} */
+export const drawing = (key = "") =>
+  DRAWINGS[key] ?? DRAWINGS[SAME[key] ?? [...MEASURES, ...POINT].find(({ field }) => field === key)?.key ?? ""];
 
 /** Marks the row of a field as one with a drawing. @param {HTMLElement} row @param {...(string | undefined)} keys */
 export function sketched(row, ...keys) {

@@ -22,6 +22,9 @@ const FITTING = [
   [1.14, 0.72], [0.62, 0.72], [0.62, 0.72], [0.62, 0.98], [0.62, 0.98], [0.36, 0.98], [0.36, 0.98], [0.36, 1.1],
   [0.42, 1.14], [0.36, 1.22], [0.42, 1.26], [0.36, 1.34], [0.36, 1.42], [0.36, 1.42], [0.18, 1.42]];
 
+/** A row of the mesh about the axis: angles and rows. @param {number} row */
+const round = (row) => Array.from({ length: AROUND + 1 }, (_, k) => [(2 * Math.PI * k) / AROUND, row]);
+
 /** @param {WebGL2RenderingContext} gl @param {string} vertex */
 function program(gl, vertex) {
   const made = /** @type {WebGLProgram} */ (gl.createProgram());
@@ -150,51 +153,33 @@ export class View {
     const key = `${stations}x${across}`;
     this.parts = this.meshes.get(key);
     if (this.parts) return;
-    const last = stations - 1, count = 2 * last + 1;
-    const grid = (/** @type {[number, number][]} */ columns) => {
-      // Columns of (angle, row); neighbours are joined.
-      const data = /** @type {number[]} */ ([]), index = /** @type {number[]} */ ([]);
-      columns.forEach(([angle, row], k) => {
-        for (let j = -last; j <= last; j++) data.push(j, angle, row);
-        if (k === 0) return;
-        for (let i = 0; i < count - 1; i++) {
-          const a = (k - 1) * count + i, b = k * count + i;
-          index.push(a, a + 1, b, b, a + 1, b + 1);
-        }
-      });
-      return this.buffers(this.surface, data, index, [["station", 1], ["angle", 1], ["row", 1]]);
-    };
-    const round = (/** @type {number} */ row) =>
-      Array.from({ length: AROUND + 1 }, (_, k) => /** @type {[number, number]} */ ([(2 * Math.PI * k) / AROUND, row]));
-    const wall = (/** @type {number} */ angle) =>
-      Array.from({ length: across }, (_, i) => /** @type {[number, number]} */ ([angle, i]));
-    this.parts = { outer: grid(round(across - 1)), inner: grid(round(0)),
-      walls: [grid(wall(0)), grid(wall(Math.PI / 2))] };
+    const last = stations - 1, along = Array.from({ length: 2 * last + 1 }, (_, i) => i - last);
+    const wall = (/** @type {number} */ angle) => Array.from({ length: across }, (_, i) => [angle, i]);
+    this.parts = { outer: this.grid(along, round(across - 1)), inner: this.grid(along, round(0)),
+      walls: [this.grid(along, wall(0)), this.grid(along, wall(Math.PI / 2))] };
     this.meshes.set(key, this.parts);
   }
 
-  /**
-   * @param {WebGLProgram | undefined} of @param {number[]} data @param {number[]} index
-   * @param {[string, number][]} parts
-   */
-  buffers(of, data, index, parts) {
-    const gl = /** @type {WebGL2RenderingContext} */ (this.gl), program = /** @type {WebGLProgram} */ (of);
+  /** Columns of angle and row over stations; neighbours are joined. @param {number[]} along @param {number[][]} columns */
+  grid(along, columns) {
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl), program = /** @type {WebGLProgram} */ (this.surface);
+    const data = columns.flatMap(([angle, row]) => along.flatMap((j) => [j, angle, row])), count = along.length;
+    const index = columns.slice(1).flatMap((_, k) => along.slice(1).flatMap((__, i) => {
+      const a = k * count + i, b = a + count;
+      return [a, a + 1, b, b, a + 1, b + 1];
+    }));
     const array = gl.createVertexArray();
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(data), gl.STATIC_DRAW);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint32Array(index), gl.STATIC_DRAW);
-    const stride = 4 * parts.reduce((sum, [, size]) => sum + size, 0);
-    let offset = 0;
-    for (const [name, size] of parts) {
+    ["station", "angle", "row"].forEach((name, i) => {
       const at = gl.getAttribLocation(program, name);
-      if (at >= 0) {
-        gl.enableVertexAttribArray(at);
-        gl.vertexAttribPointer(at, size, gl.FLOAT, false, stride, offset);
-      }
-      offset += 4 * size;
-    }
+      if (at < 0) return;
+      gl.enableVertexAttribArray(at);
+      gl.vertexAttribPointer(at, 1, gl.FLOAT, false, 12, 4 * i);
+    });
     return { array, count: index.length };
   }
 
@@ -289,48 +274,33 @@ export class View {
     }
     paint(0, [0.56, 0.58, 0.61]);
     gl.uniform1f(at("shine"), 0.35);
-    this.plugs(at);
+    this.plugs(at, draw);
     gl.uniform1f(at("shine"), 0);
     this.drawn?.();
   }
 
-  /** The fittings at both ends, each with its port. @param {(name: string) => WebGLUniformLocation | null} at */
-  plugs(at) {
+  /**
+   * The fittings at both ends, each with its port.
+   * @param {(name: string) => WebGLUniformLocation | null} at @param {(part: Piece) => void} draw
+   */
+  plugs(at, draw) {
     const { gl, shape } = this;
     if (!gl || !shape) return;
     const last = shape.arrays.z_mm.length - 1, end = shape.arrays.z_mm[last], r = shape.arrays.r_mm[last];
     const profile = FITTING.map(([a, z]) => [a * r, end + z * r]);
     // The first and the last texel only give the others neighbours.
-    const all = [profile[0], ...profile, profile[profile.length - 1]], count = profile.length;
+    const all = [profile[0], ...profile, profile[profile.length - 1]];
     this.plugTexture ??= gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, this.plugTexture);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     const texels = new Float32Array(all.flatMap(([a, z]) => [a, z, 0, 0]));
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, all.length, 1, 0, gl.RGBA, gl.FLOAT, texels);
-    this.plug ??= [1, -1].map((sign) => this.revolved(sign, count));
+    this.plug ??= [1, -1].map((sign) => this.grid(profile.map((_, j) => sign * (j + 1)), round(0)));
     gl.uniform1f(at("flat_normal"), 0);
     gl.uniform1f(at("cut"), 0);
-    for (const part of this.plug) {
-      gl.bindVertexArray(part.array);
-      gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0);
-    }
+    this.plug.forEach(draw);
     gl.bindTexture(gl.TEXTURE_2D, this.texture ?? null);
-  }
-
-  /** A profile of so many stations, turned about the axis. @param {number} sign @param {number} count */
-  revolved(sign, count) {
-    const data = /** @type {number[]} */ ([]),
-      index = /** @type {number[]} */ ([]);
-    for (let k = 0; k <= AROUND; k++)
-      for (let j = 1; j <= count; j++) data.push(sign * j, (2 * Math.PI * k) / AROUND, 0);
-    for (let k = 0; k < AROUND; k++) {
-      for (let j = 0; j < count - 1; j++) {
-        const [a, b] = [count * k + j, count * (k + 1) + j];
-        index.push(a, a + 1, b, b, a + 1, b + 1);
-      }
-    }
-    return this.buffers(this.surface, data, index, [["station", 1], ["angle", 1], ["row", 1]]);
   }
 
   /** The left end stays where it is; the picture is as wide as the muscle at rest. @param {number} aspect */

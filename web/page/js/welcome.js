@@ -39,7 +39,7 @@ function question(hide) {
   }
   // What each is.
   for (const [key, { row }] of fields.rows) {
-    const svg = /** @type {(() => string) | undefined} */ (drawing(WANTED.find((f) => f.key === key)?.field));
+    const svg = drawing(WANTED.find((f) => f.key === key)?.field);
     if (svg) row.insertAdjacentHTML("afterbegin",
       `<svg class="drawn" viewBox="0 0 240 120" aria-hidden="true">${svg()}</svg>`);
   }
