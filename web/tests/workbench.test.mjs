@@ -690,6 +690,8 @@ inBrowser(({ name, url, open, blank }) => {
     await type(page, "Pressure p", "2,3 bar");
     await page.getByText("2,3 bar was read as 2.3 bar.").waitFor();
     await reads(page, PULL, asShown(ask("force", "-p", "2.3bar", "-e", "15%")));
+    await type(page, "Length L0", "1.234,5 mm");
+    await page.getByText("1.234,5 mm was read as 1234.5 mm.").waitFor();
     await type(page, "Length L0", "1,200");
     await page.waitForSelector("[aria-invalid=true]");
     await page.goto(`${url()}#design?F=300N&e=12,5%25`);

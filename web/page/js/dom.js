@@ -43,6 +43,12 @@ export function problemBox(thrown) {
     el("p", {}, capital(inWords(problem.message))), hint);
 }
 
+/**
+ * What belongs to an older question, beside the problem of the newest one.
+ * @param {HTMLElement[]} parts @param {boolean} on
+ */
+export const dim = (parts, on) => parts.forEach((part) => part.classList.toggle("stale", on));
+
 /** @param {string} text */
 export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 

@@ -116,8 +116,9 @@ export function typed(kind, value) {
  * engine asks about.
  */
 const COMMA = /^([-+]?)(\d+),(\d+)(?![\d,.])(.*)$/s;
-/** With a point in place of a decimal comma. @param {string} text */
+/** With a point in place of a decimal comma; points before it separate thousands. @param {string} text */
 function pointed(text) {
+  if (/^[-+]?\d{1,3}(\.\d{3})+,\d+(?![\d,.])/.test(text)) return text.replaceAll(".", "").replace(",", ".");
   const [, sign, whole, decimals, rest] = COMMA.exec(text) ?? [];
   return whole !== undefined && (decimals.length !== 3 || /^0*$/.test(whole)) &&
       !/\d/.test(rest.replace(/[a-z]+\d/gi, ""))

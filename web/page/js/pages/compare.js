@@ -5,7 +5,7 @@ import { address, write } from "../address.js";
 import { Chart, KINDS, isobar } from "../chart.js";
 import { fileField } from "../controls.js";
 import { pack } from "../deflate.js";
-import { capital, el, problemBox } from "../dom.js";
+import { capital, dim, el, problemBox } from "../dom.js";
 import { form, table, warnings } from "../form.js";
 import { atEnd, held } from "../life.js";
 import { muscle } from "../muscle.js";
@@ -51,7 +51,7 @@ function sideOf(name, { ask, paint }) {
   const element = el("section", { "aria-label": name.toUpperCase() },
     el("h2", {}, name === "a" ? "A: the muscle" : "B: with changes"), stage, said, which,
     el("div", { class: "controls" }, fields.element, box));
-  const stale = (/** @type {boolean} */ on) => [stage, which].forEach((part) => part.classList.toggle("stale", on));
+  const stale = (/** @type {boolean} */ on) => dim([stage, which], on);
   const side = {
     name,
     fields,

@@ -4,7 +4,7 @@ import { address, write } from "../address.js";
 import { problemOf } from "../engine/problem.js";
 import { columnChoice, headings } from "../columns.js";
 import { fileField } from "../controls.js";
-import { download, el, problemBox } from "../dom.js";
+import { dim, download, el, problemBox } from "../dom.js";
 import { Figures } from "../figure.js";
 import { form, job, table, warnings } from "../form.js";
 import { example } from "../gallery.js";
@@ -85,7 +85,7 @@ class DataPage {
     this.figures = new Figures("data");
     this.fitted = new Figures("identified");
     this.identify = job("Identify", "identify", () => this.#request(), (answer) => this.#identified(answer),
-      () => this.#dim([this.found, this.fitted.element], true));
+      () => dim([this.found, this.fitted.element], true));
     main.replaceChildren(el("div", { class: "bench two" }, this.#controls(),
       el("div", { class: "middle" }, this.understood, this.errors, this.figures.element, this.found,
         this.fitted.element)));
@@ -130,15 +130,13 @@ class DataPage {
   #identified(answer) {
     this.#known = answer;
     keepFile(CONSTANTS, true);
-    this.#dim([this.found, this.fitted.element], false);
+    dim([this.found, this.fitted.element], false);
     this.#paint();
     this.fitted.show(answer.figure);
   }
 
   /** @param {unknown} why */
   #fail(why) { this.understood.replaceChildren(problemBox(why)); }
-  /** @param {HTMLElement[]} parts @param {boolean} on */
-  #dim(parts, on) { parts.forEach((part) => part.classList.toggle("stale", on)); }
   #place() {
     const own = { ...this.what.texts(), columns: this.columns.text() };
     write(address("data", { ...muscle.params(), ...own }));
@@ -169,13 +167,13 @@ class DataPage {
     try {
       this.#compared = await engine().ask("compare", request, { signal });
       this.#paint();
-      this.#dim([this.errors, this.figures.element], false);
+      dim([this.errors, this.figures.element], false);
       this.figures.show(this.#compared.figure);
     } catch (why) {
       if (signal.aborted) return;
       this.#fail(why);
       if (problemOf(why).kind === "data") this.columns.open();
-      this.#dim([this.errors, this.figures.element], true);
+      dim([this.errors, this.figures.element], true);
     }
   }
 

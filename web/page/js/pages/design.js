@@ -4,7 +4,7 @@ import { address, write } from "../address.js";
 import { designMap } from "../design-map.js";
 import { designTarget } from "../design-target.js";
 import { closestView, foundView, rejectedView } from "../design-view.js";
-import { el, problemBox } from "../dom.js";
+import { dim, el, problemBox } from "../dom.js";
 import { Figures } from "../figure.js";
 import { form, job } from "../form.js";
 import { atEnd } from "../life.js";
@@ -162,9 +162,7 @@ export function mount(main) {
     stale(true);
   });
   /** What is shown belongs to the last specification that had an answer. @param {boolean} on */
-  const stale = (on) =>
-    [results, target.element, ...map.elements, figures.element].forEach((part) =>
-      part.classList.toggle("stale", on && Boolean(found)));
+  const stale = (on) => dim([results, target.element, ...map.elements, figures.element], on && Boolean(found));
   const place = () => {
     if (main.contains(results)) write(address("design", { ...spec.texts(), m: muscle.word() }));
   };

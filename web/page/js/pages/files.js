@@ -2,9 +2,8 @@
 // finite-element programs.
 import { engine } from "../ask.js";
 import { address, write } from "../address.js";
-import { build } from "../build-view.js";
 import { choice } from "../controls.js";
-import { download, el, problemBox } from "../dom.js";
+import { download, el } from "../dom.js";
 import { filesView } from "../files-view.js";
 import { form, job, warnings } from "../form.js";
 import { atEnd } from "../life.js";
@@ -131,21 +130,27 @@ function elementsCard(place) {
   return { job: go, state, pick, element: card("Finite elements", about, pick.element, go.element, done) };
 }
 
-/** Drawing, plugs, steps and test sheet. */
+/** Cut list, drawing, plugs, steps and test sheet. */
 function workshopCard() {
   const done = el("div", {});
-  const make = () => build(done).catch((problem) => done.replaceChildren(problemBox(problem)));
-  const button = el("button", { type: "button", class: "main", onclick: make }, "Make the build sheet");
+  const go = job("Make the build sheet", "build", async () => ({ ...muscle.fields(), pressure_mpa: muscle.p || undefined }),
+    (answer) => {
+      const [at, proof] = [answer.pressure_mpa, answer.proof_pressure_mpa].map((p) => show("pressure", p, 3));
+      const cut = `At ${at}: cut ${show("length", answer.cut.tube_mm)} of tube. Proof test with water at ${proof}.`;
+      done.replaceChildren(el("p", {}, cut), warnings(answer.warnings),
+        filesView(answer.files, fileName(muscle.name, "-build")));
+    });
   const about = "Cut list, plugs to print or turn, drawing, bill of materials, steps, and the sheet of the first test.";
-  return card("Workshop", about, button, done);
+  return { job: go, element: card("Workshop", about, go.element, done) };
 }
 
 /** @param {HTMLElement} main */
 export function mount(main) {
   const report = reportCard(() => place()), out = exportCard(() => place()), elements = elementsCard(() => place());
+  const workshop = workshopCard();
   const forms = [report.form, out.form];
   main.replaceChildren(
-    el("div", { class: "cards-of-files" }, report.element, workshopCard(), out.element, elements.element));
+    el("div", { class: "cards-of-files" }, report.element, workshop.element, out.element, elements.element));
 
   const place = () => {
     if (!main.contains(report.element)) return;
@@ -170,7 +175,7 @@ export function mount(main) {
       out.paint();
     },
     unmount() {
-      [report, out, elements].forEach(({ job }) => job.end());
+      [report, workshop, out, elements].forEach(({ job }) => job.end());
     },
   };
 }

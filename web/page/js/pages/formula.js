@@ -1,6 +1,6 @@
 // A campaign of finite-element tests and the formula fitted to it: errors, figures, surfaces, and the file.
 import { address, write } from "../address.js";
-import { download, el } from "../dom.js";
+import { dim, download, el } from "../dom.js";
 import { form, job } from "../form.js";
 import { PUBLISHED, errorsView, figuresView, surfaces } from "../formula-view.js";
 import { fileOf, keepFile } from "../kept.js";
@@ -50,8 +50,7 @@ export function mount(main) {
   plan.addEventListener("input", () => keepFile("plan", plan.value === PLAN ? undefined : plan.value));
   const how = form(HOW, () => (made ? fit.run() : paint()));
   const table1 = el("p", { class: "small" }), errors = el("div", {}), figures = el("div", {}), shown = surfaces();
-  const stale = (/** @type {boolean} */ on) =>
-    [errors, shown.element, figures].forEach((part) => part.classList.toggle("stale", on));
+  const stale = (/** @type {boolean} */ on) => dim([errors, shown.element, figures], on);
   const campaign = job("Compute the plan", "plan", async () => ({ plan: { name: "page.toml", text: plan.value } }),
     (answer) => {
       made = answer;

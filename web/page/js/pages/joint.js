@@ -4,7 +4,7 @@ import { address, write } from "../address.js";
 import { Chart } from "../chart.js";
 import { fileField, quantity } from "../controls.js";
 import { pack } from "../deflate.js";
-import { dragging, el, problemBox } from "../dom.js";
+import { dim, dragging, el, problemBox } from "../dom.js";
 import { job, warnings } from "../form.js";
 import { jointDrawing } from "../joint-drawing.js";
 import { angleAt, numbersView, reachChart, torqueChart } from "../joint-view.js";
@@ -249,7 +249,7 @@ class JointPage {
     if (map) this.reach.show(reachChart(map));
   }
   /** @param {boolean} on */
-  #stale(on) { [this.arm, this.numbers].forEach((part) => part.classList.toggle("stale", on)); }
+  #stale(on) { dim([this.arm, this.numbers], on); }
   #drawArm() {
     const { length_mm: length = 285, outer_diameter_mm: diameter = 30, angle_deg: angle = 28 } = muscle.shown ?? {};
     const { v } = this.joint, point = this.#point;

@@ -4,7 +4,7 @@ import { address, write } from "../address.js";
 import { Chart } from "../chart.js";
 import { fileField } from "../controls.js";
 import { pack } from "../deflate.js";
-import { el, problemBox } from "../dom.js";
+import { dim, el, problemBox } from "../dom.js";
 import { form, job, warnings } from "../form.js";
 import { example } from "../gallery.js";
 import { JointWords } from "../joint-words.js";
@@ -159,7 +159,7 @@ export function mount(main) {
   );
 
   /** What is shown belongs to the last step that had an answer. @param {boolean} on */
-  const stale = (on) => [shown.stage, numbers, charts.element].forEach((part) => part.classList.toggle("stale", on));
+  const stale = (on) => dim([shown.stage, numbers, charts.element], on);
   const place = () =>
     write(address("motion", { ...muscle.params(), ...fields.texts(), [DRIVE]: drive }));
 

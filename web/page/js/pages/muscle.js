@@ -4,7 +4,7 @@ import { Curves } from "../bench/curves.js";
 import { numbersView } from "../bench/numbers.js";
 import { stageView } from "../bench/stage.js";
 import { OWN, Store } from "../bench/store.js";
-import { el, problemBox, say } from "../dom.js";
+import { dim, el, problemBox, say } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { onUnits, withUncertainty } from "../units.js";
 
@@ -22,8 +22,7 @@ export function mount(main) {
     el("div", { class: "side" }, said, numbers.element)));
 
   /** What is shown belongs to the last muscle that had an answer. @param {boolean} on */
-  const stale = (on) =>
-    [stage.stage, numbers.element, curves.chart.element].forEach((part) => part.classList.toggle("stale", on));
+  const stale = (on) => dim([stage.stage, numbers.element, curves.chart.element], on);
   store.on("answer", (pumped) => {
     said.replaceChildren();
     stale(false);

@@ -1,7 +1,7 @@
 // Laws of rubber from a test of it: constants, curves with the points, and the muscle with that rubber.
 import { address, write } from "../address.js";
 import { fileField } from "../controls.js";
-import { download, el } from "../dom.js";
+import { dim, download, el } from "../dom.js";
 import { Figures } from "../figure.js";
 import { form, job, table, warnings } from "../form.js";
 import { fileOf, keepFile } from "../kept.js";
@@ -70,8 +70,7 @@ export function mount(main) {
         fit.element),
       el("div", { class: "middle" }, understood, laws, figures.element)),
   );
-  const stale = (/** @type {boolean} */ on) =>
-    [laws, figures.element].forEach((part) => part.classList.toggle("stale", on));
+  const stale = (/** @type {boolean} */ on) => dim([laws, figures.element], on);
   const place = () => {
     if (main.contains(laws)) write(address("rubber", { ...muscle.params(), ...fields.texts() }));
   };
