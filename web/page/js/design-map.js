@@ -33,7 +33,7 @@ export function designMap(linked) {
   /** @type {Found | undefined} */ let found;
   let mapping = new AbortController(), finer = FINER;
   const live = new Slot();
-  const title = el("h2", {}, "Feasible region over diameter and wall");
+  const title = el("h2", {}, "Feasible region over diameter and wall (first estimate: universal)");
   const feasible = new Chart("design-map", {
     tools: title,
     tall: true,

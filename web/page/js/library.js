@@ -1,10 +1,10 @@
 // Muscles of the library: identified from measured points, each a button that opens it.
 import { address } from "./address.js";
 import { engine } from "./ask.js";
-import { el } from "./dom.js";
+import { capital, el } from "./dom.js";
 import { muscle } from "./muscle.js";
 import { thumbnail } from "./thumbnail.js";
-import { show } from "./units.js";
+import { show, withUncertainty } from "./units.js";
 
 /** @typedef {Commands["parts-list"]["answer"]["muscles"][number]} Entry */
 
@@ -20,12 +20,12 @@ export async function openPart(name, at = {}) {
 function card(entry, opened, fail) {
   const { name, blocked_force_n: force, uncertainty_n: half } = entry;
   const pull = force && half
-    ? `, ${show("force", force, 3)} ± ${show("force", half, 2)} blocked at ${show("pressure", entry.pressure_mpa)}`
+    ? `, ${withUncertainty("force", force, half)} blocked at ${show("pressure", entry.pressure_mpa, 3)}`
     : "";
   const size = `D0 ${show("length", entry.outer_diameter_mm, 3)}, L0 ${show("length", entry.length_mm)}`;
   return el("button", { type: "button", class: "card", title: `${entry.source}; ${entry.terms}`,
     onclick: () => openPart(name).then(opened, fail) },
-    el("span", { class: "picture" }, thumbnail(entry)), el("b", {}, entry.product ?? entry.title),
+    el("span", { class: "picture" }, thumbnail(entry)), el("b", {}, capital(entry.product ?? entry.title)),
     el("span", { class: "small soft" }, `${name}: ${size}${pull}`));
 }
 

@@ -10,7 +10,7 @@ import { example } from "../gallery.js";
 import { JointWords } from "../joint-words.js";
 import { wordsOf } from "../kept.js";
 import { atEnd, held } from "../life.js";
-import { figures, pressureChart, stateAt, stateLine, wayChart } from "../motion-view.js";
+import { figures, isJoint, pressureChart, stateAt, stateLine, wayChart } from "../motion-view.js";
 import { muscle } from "../muscle.js";
 import { motion } from "../state.js";
 import { stated } from "../toml.js";
@@ -95,8 +95,7 @@ function player() {
 }
 
 const CLOSED =
-  "A drive file states supply, valve, load and commands over time. One with a joint moves the joint of the "
-  + "page Joint.";
+  "A drive file states supply, valve, load and commands over time. One with a joint moves that of Joint.";
 const EXAMPLES = [["lift 10 kg and lower it", "drive.toml"], ["turn the joint", "elbow-drive.toml"]];
 
 /** Drive files: one that is opened, and examples. @param {(text: string) => void} take */
@@ -122,13 +121,14 @@ function driveBox(take) {
 
 /** Pressure and way over time. */
 function chartsOf() {
-  const pressure = new Chart("motion-pressure", { tools: el("h2", {}, "Pressure") });
-  const way = new Chart("motion-contraction", { tools: el("h2", {}, "Contraction") });
+  const pressure = new Chart("motion-pressure", { tools: el("h2", {}, "Pressure over time") });
+  const title = el("h2", {}), way = new Chart("motion-contraction", { tools: title });
   return {
     element: el("div", { class: "charts" }, pressure.element, way.element),
     /** @param {import("../motion-view.js").Run} run */
     show(run) {
       pressure.show(pressureChart(run));
+      title.textContent = `${isJoint(run) ? "Angle" : "Contraction"} over time`;
       way.show(wayChart(run));
     },
   };

@@ -162,14 +162,14 @@ export function mount(main) {
   function paint() {
     if (!parts) return;
     find.disabled = state.kind === "muscles";
+    cast.row.hidden = state.kind !== "tubes";
+    fits.row.hidden = state.kind !== "sleeves";
     if (find.disabled) {
       count.textContent = "Muscles whose pulls were measured. Open one: it becomes the muscle.";
       return list.replaceChildren(library((problem) => list.replaceChildren(problemBox(problem)), () => {}));
     }
     const { head, text, rows } = LISTS[/** @type {Kind} */ (state.kind)], all = rows(parts),
       shown = all.filter(matches);
-    cast.row.hidden = state.kind !== "tubes";
-    fits.row.hidden = state.kind !== "sleeves";
     count.textContent = `${shown.length} of ${all.length} ${state.kind}. What no source states is marked as estimated.`;
     const put = (/** @type {Row} */ row) => putButton(row, () => take(row));
     const cells = shown.map((row) => [row.cells[0], put(row), ...row.cells.slice(1)]);
