@@ -18,7 +18,8 @@ export function contracted(diameter, angle, contraction) {
  * @param {{ length: number, diameter: number, bulged?: number, angle?: number | null, fill?: string,
  *   thread?: string }} of as it is now; the strand angle is that of its middle
  */
-export function body({ length, diameter, bulged = diameter, angle, fill = "var(--rubber, #23706f)", thread = "var(--thread, #e4e1d8)" }) {
+export function body({ length, diameter, bulged = diameter, angle, fill = "var(--rubber, #23706f)",
+  thread = "var(--thread, #e4e1d8)" }) {
   const id = `body${++count}`, r = diameter / 2, b = Math.max(r, bulged / 2), end = Math.min(0.3 * length, 1.6 * b);
   const a = (Math.min(80, Math.max(10, angle ?? 28)) * Math.PI) / 180, tan = Math.tan(a);
   const pitch = Math.max(0.42 * b, (length * Math.sin(a)) / 30), step = pitch / Math.sin(a), across = (2 * b) / tan;

@@ -72,7 +72,8 @@ export function designMap(linked) {
     const e = "points" in middle ? Number(middle.points[0]?.contraction ?? 0.1) : 0.1;
     const link = linked({ ...middle, rubber: middle.rubber ?? "", outer_diameter_mm: d, wall_mm: s },
       { p: Number(answer.max_pressure_mpa), e });
-    picked.replaceChildren(`D0 ${show("length", d)}, s ${show("length", s)}: `, el("a", { href: link }, "see this muscle"));
+    picked.replaceChildren(`D0 ${show("length", d)}, s ${show("length", s)}: `, el("a", { href: link },
+      "see this muscle"));
   }
 
   return {

@@ -176,8 +176,8 @@ export function closestView(answer) {
 
 /** @param {Answer} answer */
 export function rejectedView({ rejected }) {
-  const rows = (rejected ?? []).map((r) => [...[r.outer_diameter_mm, r.wall_mm, r.length_mm].map((v) => show("length", v)),
-    inWords(r.reason)]);
+  const sizes = (/** @type {number[]} */ list) => list.map((v) => show("length", v));
+  const rows = (rejected ?? []).map((r) => [...sizes([r.outer_diameter_mm, r.wall_mm, r.length_mm]), inWords(r.reason)]);
   return there([rows.length > 0 && el("details", {}, el("summary", {}, "Why others fail"),
     table(["D0", "s", "L0", "reason"], rows, { text: [3] }))]);
 }

@@ -64,7 +64,9 @@ function spec(panel, figure) {
     return { ...line, name, end: s.end_label || undefined, dash, mode, legend: s.label };
   };
   const range = (/** @type {Panel["x"]} */ axis) =>
-    axis.range ? { range: axis.range.map((v) => scale(axis) * v) } : { rangemode: axis.from_zero ? "tozero" : "normal" };
+    axis.range ? { range: axis.range.map((v) => scale(axis) * v) }
+      : { rangemode: axis.from_zero ? "tozero" : "normal" };
   return { x: words(panel.x), y: words(panel.y), series: panel.series.map(one),
-    marks: panel.marks.map((m) => ({ x: kx * m.x, y: ky * m.y, text: m.label })), xaxis: range(panel.x), yaxis: range(panel.y) };
+    marks: panel.marks.map((m) => ({ x: kx * m.x, y: ky * m.y, text: m.label })), xaxis: range(panel.x),
+      yaxis: range(panel.y) };
 }

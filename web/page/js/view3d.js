@@ -160,7 +160,10 @@ export class View {
     this.meshes.set(key, this.parts);
   }
 
-  /** Columns of angle and row over stations; neighbours are joined. @param {number[]} along @param {number[][]} columns */
+  /**
+   * Columns of angle and row over stations; neighbours are joined.
+   * @param {number[]} along @param {number[][]} columns
+   */
   grid(along, columns) {
     const gl = /** @type {WebGL2RenderingContext} */ (this.gl), program = /** @type {WebGLProgram} */ (this.surface);
     const data = columns.flatMap(([angle, row]) => along.flatMap((j) => [j, angle, row])), count = along.length;
@@ -451,10 +454,11 @@ export class View {
   section() {
     const { shape, show: { restLength, restRadius } } = this;
     if (!shape) return;
-    const most = Math.max(1.3 * this.largest(), 10), { length_mm: length, arrays: { strand_angle_deg: angles } } = shape;
-    const muscle = body({ length, diameter: 2 * restRadius, bulged: 2 * this.largest(), angle: angles[0] });
+    const most = Math.max(1.3 * this.largest(), 10), angle = shape.arrays.strand_angle_deg[0];
+    const muscle = body({ length: shape.length_mm, diameter: 2 * restRadius, bulged: 2 * this.largest(), angle });
     this.stage.querySelector("svg.section")?.remove();
     this.stage.insertAdjacentHTML("afterbegin", `<svg class="section" xmlns="http://www.w3.org/2000/svg" role="img" `
+
       + `aria-label="The deformed muscle" viewBox="${-0.1 * restLength} ${-most} ${1.2 * restLength} ${2 * most}">${muscle}</svg>`);
     // Of a box that is fitted into the stage whole.
     this.half = 0.5 * Math.max(1.2 * restLength, (2 * most * this.width) / Math.max(1, this.height));

@@ -40,7 +40,8 @@ const INSIDE = { pressure: "MPa", force: "N", length: "mm" };
 
 /** A sentence of the engine. @param {string} text */
 export function inWords(text) {
-  const named = text.replace(/`([\w.]+)`/g, (_, key) => LABELS[key] ?? plain(key)).replace(pattern, (key) => LABELS[key]);
+  const named = text.replace(/`([\w.]+)`/g, (_, key) => LABELS[key] ?? plain(key))
+    .replace(pattern, (key) => LABELS[key]);
   return UNITS.reduce((said, [kind, number_]) => {
     const unit = unitName(kind);
     if (!unit || unit === INSIDE[/** @type {keyof typeof INSIDE} */ (kind)]) return said;

@@ -180,7 +180,8 @@ function overlayChoice(store, changed) {
     el("i", { style: `display:inline-block;width:16px;border-top:2px dashed ${KINDS[i + 1]};vertical-align:middle` });
   const labels = OVERLAYS.map((name, i) => el("label", { for: `over-${name}` }, boxes[i], ` ${name} `, dash(i)));
   return {
-    element: el("div", { class: "row small" }, el("span", { class: "soft" }, "Other models at this pressure:"), ...labels),
+    element: el("div", { class: "row small" }, el("span", { class: "soft" }, "Other models at this pressure:"),
+      ...labels),
     /** @param {string[]} names */
     set(names) { OVERLAYS.forEach((name, i) => { boxes[i].checked = names.includes(name); }); },
   };

@@ -13,7 +13,8 @@ const MOST = 12, NEAR = 2e-4;
 /** @param {Store} store */
 export function solveView(store) {
   const choices = [PRESSURE, CONTRACTION, ...QUANTITIES.filter((m) => m.key !== "L")];
-  const what = el("select", { "aria-label": "Solve for" }, ...choices.map((m) => el("option", { value: m.key }, m.label)));
+  const options = choices.map((m) => el("option", { value: m.key }, m.label));
+  const what = el("select", { "aria-label": "Solve for" }, ...options);
   const wanted = el("input", { type: "text", "aria-label": "Wanted pull", placeholder: "500 N", size: 8,
     autocomplete: "off", spellcheck: "false" });
   const said = el("p", { class: "small", role: "status" });

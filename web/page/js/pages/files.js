@@ -133,7 +133,8 @@ function elementsCard(place) {
 /** Cut list, drawing, plugs, steps and test sheet. */
 function workshopCard() {
   const done = el("div", {});
-  const go = job("Make the build sheet", "build", async () => ({ ...muscle.fields(), pressure_mpa: muscle.p || undefined }),
+  const go = job("Make the build sheet", "build", async () => ({ ...muscle.fields(),
+    pressure_mpa: muscle.p || undefined }),
     (answer) => {
       const [at, proof] = [answer.pressure_mpa, answer.proof_pressure_mpa].map((p) => show("pressure", p, 3));
       const cut = `At ${at}: cut ${show("length", answer.cut.tube_mm)} of tube. Proof test with water at ${proof}.`;

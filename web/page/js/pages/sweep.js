@@ -4,7 +4,7 @@ import { address, write } from "../address.js";
 import { Chart, KINDS } from "../chart.js";
 import { choice } from "../controls.js";
 import { capital, el, problemBox } from "../dom.js";
-import { isAbort } from "../engine/problem.js";
+import { isAbort, problemOf } from "../engine/problem.js";
 import { form } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
@@ -112,12 +112,17 @@ export function mount(main) {
     bar.hidden = true;
   }
   /** @param {State} of @param {number} value @param {AbortSignal} signal @returns {Promise<Row>} */
-  const at = (of, value, signal) => engine().ask("shape", { ...fields(of), ...point(of) }, { lane: "curves", signal }).then(
-    (answer) => ({ value, answer }), (problem) => {
+  async function at(of, value, signal) {
+    try {
+      const request = { ...fields(of), ...point(of) };
+      return { value, answer: await engine().ask("shape", request, { lane: "curves", signal }) };
+    } catch (thrown) {
+      const { kind, message } = problemOf(thrown);
       // A muscle that cannot be is a gap in the curve; an engine that is gone ends the sweep.
-      if (isAbort(problem) || problem.kind === "engine") throw problem;
-      return { value, why: problem.message };
-    });
+      if (isAbort(thrown) || kind === "engine") throw thrown;
+      return { value, why: message };
+    }
+  }
 
   function paint() {
     if (!rows.length) return;
@@ -130,12 +135,14 @@ export function mount(main) {
       colour: KINDS[0], strong: true, smooth: true };
     // The present muscle on the curve.
     const here = valueAt(curve, now);
-    chart.show({ x: `${label.toLowerCase()}${symbol ? ` ${symbol}` : ""} [${unit(kind)}]`, y: `${y.label} [${unit(y.kind)}]`,
+    chart.show({ x: `${label.toLowerCase()}${symbol ? ` ${symbol}` : ""} [${unit(kind)}]`,
+      y: `${y.label} [${unit(y.kind)}]`,
       yaxis: {}, marks: here === undefined ? [] : [{ x: now, y: here, text: "now" }], series: [curve] });
     title.textContent = capital(name);
     const failed = rows.filter(({ why }) => why);
-    said.replaceChildren(failed.length ? el("p", { class: "small" }, `${failed.length} of ${rows.length} values have no `
-      + `answer, such as ${number(outside(kind, failed[0].value))} ${unitName(kind)}: ${inWords(failed[0].why ?? "")}`) : "");
+    const [one] = failed, such = one && `${number(outside(kind, one.value))} ${unitName(kind)}: ${inWords(one.why ?? "")}`;
+    said.replaceChildren(one ? el("p", { class: "small" },
+      `${failed.length} of ${rows.length} values have no answer, such as ${such}`) : "");
   }
   atEnd(onUnits(() => {
     usual();
