@@ -457,9 +457,9 @@ export class View {
     const most = Math.max(1.3 * this.largest(), 10), angle = shape.arrays.strand_angle_deg[0];
     const muscle = body({ length: shape.length_mm, diameter: 2 * restRadius, bulged: 2 * this.largest(), angle });
     this.stage.querySelector("svg.section")?.remove();
+    const box = `${-0.1 * restLength} ${-most} ${1.2 * restLength} ${2 * most}`;
     this.stage.insertAdjacentHTML("afterbegin", `<svg class="section" xmlns="http://www.w3.org/2000/svg" role="img" `
-
-      + `aria-label="The deformed muscle" viewBox="${-0.1 * restLength} ${-most} ${1.2 * restLength} ${2 * most}">${muscle}</svg>`);
+      + `aria-label="The deformed muscle" viewBox="${box}">${muscle}</svg>`);
     // Of a box that is fitted into the stage whole.
     this.half = 0.5 * Math.max(1.2 * restLength, (2 * most * this.width) / Math.max(1, this.height));
     this.drawn?.();
