@@ -1,6 +1,7 @@
 // A chart: curves over a picture or none, as SVG (lines.js); with a table, PNG, SVG and CSV.
 import { atEnd } from "./life.js";
 import { csv, download, el } from "./dom.js";
+import { table } from "./form.js";
 import { Lines } from "./lines.js";
 import { KINDS } from "./plot.js";
 import { number, outside } from "./units.js";
@@ -47,14 +48,14 @@ export class Chart {
       this.plot, this.table);
     this.ring = el("i", { class: "ring", hidden: true });
     /** @type {number[] | undefined} */ this.at = undefined;
-    this.lines = new Lines(this.plot, name, drag);
+    this.ends = new AbortController();
+    const { signal } = this.ends;
+    this.lines = new Lines(this.plot, name, drag, signal);
     /** What drawing took the last time, in milliseconds. */
     this.cost = 0;
     this.sized = new ResizeObserver(() => this.plot.offsetWidth && this.draw());
     this.sized.observe(this.plot);
-    this.ends = new AbortController();
     atEnd(() => this.destroy());
-    const { signal } = this.ends;
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw(), { signal });
     document.addEventListener("theme", () => this.draw(), { signal });
     this.plot.addEventListener("zoomed", () => this.placeMark(), { signal });
@@ -64,7 +65,6 @@ export class Chart {
   destroy() {
     this.ends.abort();
     this.sized.disconnect();
-    this.lines.destroy();
     this.spec = undefined;
     this.element.remove();
   }
@@ -133,13 +133,8 @@ export class Chart {
   }
 
   tabulate() {
-    const cell = (/** @type {"th" | "td"} */ tag, /** @type {string | number | null} */ v, /** @type {number} */ i) =>
-      el(tag, { class: i ? undefined : "text", scope: tag === "th" ? "col" : undefined },
-        typeof v === "string" ? v : number(v));
-    const line = (/** @type {"th" | "td"} */ tag, /** @type {(string | number | null)[]} */ list) =>
-      el("tr", {}, ...list.map((v, i) => cell(tag, v, i)));
-    this.table.replaceChildren(el("table", {}, el("thead", {}, line("th", this.head())),
-      el("tbody", {}, ...this.rows().map((row) => line("td", row)))));
+    const rows = this.rows().map((row) => row.map((v) => (typeof v === "string" ? v : number(v))));
+    this.table.replaceChildren(table(this.head(), rows).firstElementChild ?? "");
   }
 
   /** @param {"csv" | "svg" | "png"} kind */

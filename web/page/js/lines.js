@@ -15,9 +15,9 @@ const unit = (title) => { const [, u] = /\[(.+)\]/.exec(title) ?? []; return u ?
 export class Lines {
   /**
    * @param {HTMLElement} host @param {string} name
-   * @param {((x: number, y: number, settled: boolean) => void) | undefined} drag
+   * @param {((x: number, y: number, settled: boolean) => void) | undefined} drag @param {AbortSignal} signal its end
    */
-  constructor(host, name, drag) {
+  constructor(host, name, drag, signal) {
     this.host = host;
     this.drag = drag;
     /** @type {Spec | undefined} */ this.spec = undefined;
@@ -38,8 +38,7 @@ export class Lines {
     host.setAttribute("role", "group");
     host.setAttribute("aria-label",
       `${name.replaceAll("-", " ")}: arrow keys read its points, + and − zoom, 0 shows all`);
-    this.ends = new AbortController();
-    this.listen();
+    this.listen(signal);
   }
 
   /** @param {Spec} spec */
@@ -118,9 +117,9 @@ export class Lines {
     [this.dot, this.hair, this.tip, this.box].forEach((part) => { part.hidden = true; });
   }
 
-  listen() {
-    const { host } = this,
-      { signal } = this.ends;
+  /** @param {AbortSignal} signal */
+  listen(signal) {
+    const { host } = this;
     const on = (/** @type {string} */ event, /** @type {(event: never) => void} */ act, options = {}) =>
       host.addEventListener(event, /** @type {EventListener} */ (act), { signal, ...options });
     /** @type {{ px: number, py: number, what: "drag" | "x" | "y" | "box" } | undefined} */ let from;
@@ -276,11 +275,5 @@ export class Lines {
     canvas.getContext("2d")?.drawImage(image, 0, 0, 2 * width, 2 * height);
     URL.revokeObjectURL(file);
     return canvas.toDataURL("image/png");
-  }
-
-  destroy() {
-    this.ends.abort();
-    this.host.replaceChildren();
-    for (const name of ["tabindex", "role", "aria-label"]) this.host.removeAttribute(name);
   }
 }
