@@ -22,39 +22,39 @@ import { visit } from "../visit.js";
 /** @typedef {import("../joint-words.js").Values} Values */
 
 /**
+ * Groups of controls: key, label, ends of the slider, symbol.
+ * @type {[string, [Key, string, number, number, string?][]][]}
+ */
+const GROUPS = [
+  ["Required", [["phi", "Angle", -60, 60, "φ"], ["K", "Stiffness (0: lowest pressures)", 0, 30]]],
+  ["Joint", [["r", "Radius of the pulley", 5, 80, "r"], ["low", "Range from", -150, 0], ["high", "Range to", 0, 150],
+    ["e0", "Contraction at the neutral angle", 0, 0.25], ["pmax", "Pressure of the supply", 0.05, 1]]],
+  ["Arm", [["mass", "Mass of the arm", 0, 5], ["centre", "Centre of mass from the axis", 10, 400],
+    ["inertia", "Moment of inertia", 0.001, 0.2]]],
+];
+
+/**
  * The controls.
  * @param {Values} v
- * @param {{ changed: (key: Key, settled: boolean) => void, takeSecond: (text: string) => void, takeJoint: (text:
- *   string) => void }} act
+ * @param {{ changed: (key: Key, settled: boolean) => void, takeSecond: (text: string) => void,
+ *   takeJoint: (text: string) => void }} act
  */
 function controlsOf(v, { changed, takeSecond, takeJoint }) {
   const controls = /** @type {Record<Key, ReturnType<typeof quantity>>} */ ({});
-  const make = (/** @type {Key} */ key, /** @type {string} */ label, /** @type {number} */ low,
-    /** @type {number} */ high, symbol = "") =>
-  {
-    controls[key] = quantity({ key, label, symbol, kind: KINDS_OF[key], low, high, value: v[key],
-      change(value, settled) {
-        if (value !== undefined) {
+  const groups = GROUPS.map(([name, list]) => el("fieldset", { class: name === "Required" && "state" },
+    el("legend", {}, name), ...list.map(([key, label, low, high, symbol]) => {
+      controls[key] = quantity({ key, label, symbol, kind: KINDS_OF[key], low, high, value: v[key],
+        change(value = v[key], settled) {
           v[key] = value;
           changed(key, settled);
-        }
-      } });
-    return controls[key].element;
-  };
+        } });
+      return controls[key].element;
+    })));
   const ofFile = el("p", { class: "small soft" });
   const back = el("button", { type: "button", hidden: true, onclick: () => takeSecond("") },
     "Use the same muscle twice");
   const leave = el("button", { type: "button", hidden: true, onclick: () => takeJoint("") }, "Close the joint file");
-  const element = el("section", { class: "controls", "aria-label": "Joint" },
-    el("fieldset", { class: "state" }, el("legend", {}, "Required"), make("phi", "Angle", -60, 60, "φ"),
-      make("K", "Stiffness", 0, 30),
-      el("p", { class: "small soft" }, "A stiffness of 0 selects the lowest pressures.")),
-    el("fieldset", {}, el("legend", {}, "Joint"), make("r", "Radius of the pulley", 5, 80, "r"),
-      make("low", "Range from", -150, 0),
-      make("high", "Range to", 0, 150), make("e0", "Contraction at the neutral angle", 0, 0.25),
-      make("pmax", "Pressure of the supply", 0.05, 1)),
-    el("fieldset", {}, el("legend", {}, "Arm"), make("mass", "Mass of the arm", 0, 5),
-      make("centre", "Centre of mass from the axis", 10, 400), make("inertia", "Moment of inertia", 0.001, 0.2)),
+  const element = el("section", { class: "controls", "aria-label": "Joint" }, ...groups,
     el("details", {}, el("summary", {}, "Another muscle 2"),
       el("p", { class: "small soft" }, "Both muscles are the one above, unless you open a file."),
       fileField("Open muscle 2 (TOML)", ".toml", (_, text) => takeSecond(text)), back),
