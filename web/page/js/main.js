@@ -153,7 +153,8 @@ async function start() {
 /** The muscle after a gesture is a step; not while a pointer is down. */
 let down = false;
 function changed() {
-  if (!down && !walking) record();
+  // Before the muscle of the address is read there is none.
+  if (!down && !walking && muscle.shown) record();
   link();
   bar.paint();
 }
