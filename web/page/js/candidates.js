@@ -55,6 +55,8 @@ export function candidatesView(open) {
     element, said, paint,
     /** @param {Design["request"]} request */
     ask(request) {
+      // Enter and a pause in typing ask the same.
+      if (JSON.stringify(request) === JSON.stringify(of)) return;
       of = request;
       found = WISHES.map(() => undefined);
       said.replaceChildren();

@@ -87,7 +87,7 @@ export function sketches() {
   const box = el("div", { class: "sketch drawn", role: "tooltip", hidden: true });
   document.body.append(box);
   /** @type {HTMLElement | undefined} */ let of;
-  let waits = 0;
+  let waits = 0, top = 0;
   const hide = () => {
     clearTimeout(waits);
     box.hidden = true;
@@ -101,7 +101,9 @@ export function sketches() {
     const about = row.dataset.about;
     if (about) box.append(el("p", { class: "small" }, about));
     box.hidden = false;
-    const at = row.getBoundingClientRect(), { width, height } = box.getBoundingClientRect();
+    const at = row.getBoundingClientRect();
+    top = at.top;
+    const { width, height } = box.getBoundingClientRect();
     // Beside the row, or below it where the window is narrow.
     const beside = at.right + width + 16 < innerWidth;
     box.style.left = `${beside ? at.right + 8 : Math.max(8, Math.min(innerWidth - width - 8, at.left))}px`;
@@ -131,6 +133,8 @@ export function sketches() {
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") hide();
   });
-  addEventListener("scroll", hide, { capture: true, passive: true });
+  // What comes above a row may scroll the page, and leaves the row where it is seen.
+  const moved = () => Math.abs((of?.getBoundingClientRect().top ?? top) - top) > 4 && !box.hidden;
+  addEventListener("scroll", () => { if (moved()) hide(); }, { capture: true, passive: true });
   addEventListener("popstate", hide);
 }
