@@ -45,7 +45,7 @@ PARTS = {
         r"crates/mckibben-(server|app)/src/.*", r"checks/server.*",
     ], None, ["python3 checks/server_load.py \"$MCKIBBEN\" --sessions 200 --seconds 5"]),
     "page": ("the workbench in a browser: every page and form, axe, five minutes of use, speed", [
-        r"web/(page|src|tests|vendor)/.*", r"web/.*\.(json|mjs|sh)", r"docs/contract\.txt", r"crates/mckibben-(server|wasm)/src/.*",
+        r"web/(page|src|tests)/.*", r"web/.*\.(json|mjs|sh)", r"docs/contract\.txt", r"crates/mckibben-(server|wasm)/src/.*",
     ], None, ["bash web/test.sh serve"]),
     "python": ("the Python package: all its tests", [
         r"python/.*", r"crates/mckibben-python/.*", r"docs/contract\.txt",

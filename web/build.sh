@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The workbench as a folder that any file server can hand out: the page, its engine as WebAssembly, the chart library.
+# The workbench as a folder that any file server can hand out: the page, and its engine as WebAssembly.
 # web/build.sh [--site] [FOLDER] (web/dist where none is named). --site adds the documentation (mdBook, which is installed where it is
 # missing) and that of the crates, and links them with the page.
 set -euo pipefail
@@ -28,7 +28,6 @@ trap 'rm -rf "$made"' EXIT
 build "$made/live.wasm"
 build "$made/whole.wasm" --features whole
 cp -r web/page/. examples "$made"
-cp web/vendor/plotly-*.min.js "$made/js/plotly.js"
 if [ -n "$site" ]; then
     if ! command -v mdbook >/dev/null; then
         cargo install mdbook --version 0.5.1 --locked --quiet
@@ -64,7 +63,7 @@ if command -v npx >/dev/null; then
     # Those that the compiler uses, and every browser has.
     features=(simd bulk-memory nontrapping-float-to-int sign-ext mutable-globals reference-types multivalue)
     npx --yes --package binaryen@132.0.0 wasm-opt -Oz "${features[@]/#/--enable-}" "$made/live.wasm" -o "$made/live.wasm"
-    find "$made/js" -name '*.js' ! -name plotly.js -print0 |
+    find "$made/js" -name '*.js' -print0 |
         xargs -0 npx --yes esbuild@0.28.2 --minify-whitespace --minify-syntax --format=esm --log-level=error \
             --allow-overwrite --outbase="$made/js" --outdir="$made/js"
     # The report takes the modules of the view as text, line by line.
@@ -74,7 +73,15 @@ if command -v npx >/dev/null; then
 else
     echo "without Node (npx) the page is 70 kB larger than it could be" >&2
 fi
+# What the page keeps for use without a network: its own files, and the examples that its scripts name.
+(
+    cd "$made"
+    find index.html style.css manifest.webmanifest icon.svg icon-192.png js -type f
+    grep -rhoE '"[a-z0-9-]+\.(toml|csv)"' js | tr -d '"' | sort -u | while read -r name; do
+        if [ -e "examples/$name" ]; then echo "examples/$name"; fi
+    done
+) | sort | sed 's/.*/"&"/' | paste -sd, | sed 's/.*/[&]/' >"$made/files.json"
 mkdir -p "$out"
 find "$out" -mindepth 1 -delete
 cp -r "$made"/. "$out"
-echo "$out: page $(cd "$out" && cat index.html style.css $(find js -name '*.js' ! -name plotly.js) | gzip -9 | wc -c) bytes, engine $(gzip -9 <"$out/live.wasm" | wc -c), whole engine $(gzip -9 <"$out/whole.wasm" | wc -c), charts $(gzip -9 <"$out/js/plotly.js" | wc -c) (compressed)"
+echo "$out: page $(cd "$out" && cat index.html style.css $(find js -name '*.js') | gzip -9 | wc -c) bytes, engine $(gzip -9 <"$out/live.wasm" | wc -c), whole engine $(gzip -9 <"$out/whole.wasm" | wc -c) (compressed)"

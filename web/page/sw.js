@@ -1,35 +1,14 @@
 // Keeps the page so that it opens without a network. What is newer comes first: the kept copy answers only where
 // nothing else does.
 const NAME = "mckibben-page-1";
-/** Files of the page; a test compares the list with the folder. */
-const FILES = [
-  "examples/bench.csv", "examples/bench.toml", "examples/biceps.toml", "examples/drive.toml",
-  "examples/elbow-drive.toml", "examples/elbow.toml", "examples/festo-dmsp-10.toml", "examples/festo-dmsp-20.toml",
-  "examples/prototype.toml", "examples/shop.toml", "examples/thin.toml", "examples/tondu2012.toml", "icon-192.png",
-  "icon.svg", "index.html", "js/address.js", "js/ask.js", "js/bar.js", "js/bench/along.js", "js/bench/controls.js",
-  "js/bench/curves.js", "js/bench/dimensions.js", "js/bench/family.js", "js/bench/numbers.js", "js/bench/parts.js",
-  "js/bench/points.js", "js/bench/round.js", "js/bench/solve.js", "js/bench/stage.js", "js/bench/store.js",
-  "js/bench/tornado.js", "js/border.js", "js/build-view.js", "js/chart.js", "js/columns.js", "js/controls.js",
-  "js/deflate.js", "js/design-map.js", "js/design-target.js", "js/design-view.js", "js/dialog.js", "js/dom.js",
-  "js/drop.js", "js/engine/http.js", "js/engine/packed.js", "js/engine/problem.js", "js/engine/wasm.js",
-  "js/engine/worker.js", "js/figure.js", "js/files-view.js", "js/form.js", "js/formula-view.js", "js/gallery.js",
-  "js/gauge.js", "js/help.js", "js/joint-drawing.js", "js/joint-file.js", "js/joint-view.js", "js/joint-words.js",
-  "js/kept.js", "js/kind.js", "js/library.js", "js/life.js", "js/lines.js", "js/main.js", "js/map.js",
-  "js/measured.js", "js/motion-view.js", "js/muscle.js", "js/name.js", "js/notice.js", "js/offline.js",
-  "js/open.js", "js/pages.js", "js/pages/about.js", "js/pages/compare.js", "js/pages/data.js", "js/pages/design.js",
-  "js/pages/files.js", "js/pages/formula.js", "js/pages/joint.js", "js/pages/motion.js", "js/pages/muscle.js",
-  "js/pages/parts.js", "js/pages/rubber.js", "js/pages/sweep.js", "js/plot.js", "js/print.js", "js/project.js",
-  "js/report-viewer.js", "js/report.js", "js/shaders.js", "js/sketch.js", "js/state.js", "js/thin.js",
-  "js/thumbnail.js", "js/trajectory.js", "js/units.js", "js/view3d.js", "js/visit.js", "js/welcome.js",
-  "js/words.js", "js/zip.js", "manifest.webmanifest", "style.css",
-];
 /** The engine of the first view; js/offline.js fetches what is larger. */
 const ENGINE = "live.wasm";
 
 self.addEventListener("install", (event) => {
   const keep = async () => {
-    const cache = await caches.open(NAME);
-    await cache.addAll([...FILES, ENGINE]);
+    // What the page is made of, as web/build.sh lists it.
+    const [cache, files] = await Promise.all([caches.open(NAME), fetch("files.json").then((answer) => answer.json())]);
+    await cache.addAll([...files, "files.json", ENGINE]);
     await self.skipWaiting();
   };
   event.waitUntil(keep());

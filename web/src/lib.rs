@@ -1,4 +1,4 @@
-//! The workbench as files: the page with its scripts, and the library that draws its charts.
+//! The workbench as files: the page with its scripts.
 //!
 //! The page asks one engine, by JSON. Which one it is says the module `js/kind.js`: [`KIND_OF_SERVER`] for a page that a server
 //! hands out; the file of that name is for one that brings its own engine as WebAssembly.
@@ -18,9 +18,6 @@ struct Page;
 #[prefix = "examples/"]
 struct Examples;
 
-/// Where the page looks for the library that draws charts.
-pub const CHARTS: &str = "js/plotly.js";
-
 /// Where the page looks for its engine.
 pub const KIND: &str = "js/kind.js";
 
@@ -33,20 +30,16 @@ pub fn file(path: &str) -> Option<Cow<'static, [u8]>> {
     Page::get(path).or_else(|| Examples::get(path)).map(|file| file.data)
 }
 
-/// Paths of all files that are kept; the chart library is not among them.
+/// Paths of all files that are kept.
 pub fn paths() -> impl Iterator<Item = Cow<'static, str>> {
     Page::iter().chain(Examples::iter())
 }
 
-/// The chart library as one script: plotly.js 3.0.1 (MIT), the file `plotly.min.js` of the npm package `plotly.js-dist-min` of that version.
-pub const fn charts() -> &'static [u8] {
-    include_bytes!("../vendor/plotly-3.0.1.min.js")
-}
-
 /// The script that turns the muscle in a report: the page's own view, in one piece.
 pub fn viewer() -> String {
-    let modules =
-        ["js/dom.js", "js/shaders.js", "js/view3d.js", "js/report-viewer.js"].into_iter().filter_map(file);
+    let modules = ["js/body.js", "js/dom.js", "js/shaders.js", "js/view3d.js", "js/report-viewer.js"]
+        .into_iter()
+        .filter_map(file);
     let mut out = String::new();
     for module in modules {
         let text = String::from_utf8_lossy(&module).replace("\nexport ", "\n");

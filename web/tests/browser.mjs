@@ -4,6 +4,7 @@ import { readFile } from "node:fs/promises";
 import { extname, join, normalize } from "node:path";
 import { spawn } from "node:child_process";
 import { chromium } from "playwright-core";
+import { PAGES } from "../page/js/pages.js";
 import { workingTree } from "./working-tree.mjs";
 
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml" };
@@ -125,4 +126,24 @@ export async function meter(page) {
       if (same === 5) return next;
     }
   };
+}
+
+/** To a view by its name: its place, and from there the view; About is in the window of Help. @param {import("playwright-core").Page} page @param {string} where */
+export async function go(page, where, timeout = 20_000) {
+  const name = where.toLowerCase(), { place } = PAGES.find((one) => one.name === name) ?? PAGES[0];
+  if (place) await page.locator(`#pages a[data-place=${place}]`).click();
+  else {
+    await page.getByRole("button", { name: "Help", exact: true }).click();
+    await page.locator("dialog").getByRole("link", { name: "About" }).click();
+  }
+  const shown = page.locator("main[data-shown]");
+  if (place) await page.waitForFunction((of) => document.querySelector(`#pages a[data-place=${of}]`)?.getAttribute("aria-current"), place);
+  const view = page.locator(`#views a[data-name=${name}]`);
+  if (await view.count()) await view.click();
+  await shown.and(page.locator(`main[data-shown=${name}]`)).waitFor({ timeout });
+}
+/** Files through the window Open. @param {import("playwright-core").Page} page @param {any} files */
+export async function openFiles(page, files) {
+  await page.getByRole("button", { name: "Open", exact: true }).click();
+  await page.locator("dialog input[type=file]").setInputFiles(files);
 }

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { alive, meter } from "./browser.mjs";
+import { alive, go, meter } from "./browser.mjs";
 import { inBrowser, root } from "./sites.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -13,11 +13,6 @@ const VISITED = ["Design", "Joint", "Motion", "Sweep", "Data", "Compare", "Parts
 
 /** A server that is left in the middle of work may have to end it first. */
 const LONG = 120_000;
-/** @param {Page} page @param {string} where */
-async function go(page, where) {
-  await page.getByRole("navigation").getByRole("link", { name: where, exact: true }).click();
-  await page.locator(`main[data-shown=${where.toLowerCase()}]`).waitFor({ timeout: LONG });
-}
 /** A slider to and fro, and back to where it was. @param {Page} page @param {string} name */
 async function drag(page, name) {
   const slider = page.getByRole("slider", { name, exact: true });
@@ -49,7 +44,7 @@ inBrowser(({ open }) => {
       await alive(page, LONG);
       for (const name of ["Pressure", "Contraction", "Length"]) await drag(page, name);
       for (const where of VISITED) {
-        await go(page, where);
+        await go(page, where, LONG);
         await page.waitForLoadState("networkidle");
       }
       await page.getByRole("button", { name: "Help" }).click();

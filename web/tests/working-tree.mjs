@@ -1,7 +1,7 @@
 // The working tree's page in front of a running `mckibben serve`: files of a folder, and everything below /api/ from the program.
-// For tests and for looking at a page without a build: PAGE=web/page MCKIBBEN=… bash web/test.sh serve, or node tests/working-tree.mjs
+// For tests and for looking at a page without a build: PAGE=web/page MCKIBBEN=… bash web/test.sh serve, or node tests/look.mjs
 import { createServer, request as ask } from "node:http";
-import { readFile, readdir } from "node:fs/promises";
+import { readFile } from "node:fs/promises";
 import { extname, join, normalize, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -24,10 +24,7 @@ async function headers() {
 async function file(folder, path) {
   if (path === "js/kind.js") return 'export { Engine } from "./engine/http.js";\nexport const DOCUMENTATION = "";\n';
   if (path.startsWith("examples/")) return readFile(join(ROOT, path));
-  if (path !== "js/plotly.js") return readFile(join(folder, path));
-  const vendor = join(ROOT, "web/vendor");
-  const name = (await readdir(vendor)).find((n) => /^plotly-.*\.min\.js$/.test(n));
-  return readFile(join(vendor, name ?? ""));
+  return readFile(join(folder, path));
 }
 
 /**
@@ -64,10 +61,4 @@ export async function workingTree(behind, page) {
     end() { close(); behind.end(); },
     kill() { close(); (behind.kill ?? behind.end)(); },
   };
-}
-
-if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const { served } = await import("./browser.mjs");
-  process.env.PAGE ??= "web/page";
-  console.log((await served(process.env.MCKIBBEN ?? join(ROOT, "target/release/mckibben"))).url);
 }

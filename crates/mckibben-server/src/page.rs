@@ -10,7 +10,6 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 fn file(path: &str) -> Option<Cow<'static, [u8]>> {
     match path {
         mckibben_web::KIND => Some(mckibben_web::KIND_OF_SERVER.as_bytes().into()),
-        mckibben_web::CHARTS => Some(mckibben_web::charts().into()),
         "" => mckibben_web::file("index.html"),
         path => mckibben_web::file(path),
     }

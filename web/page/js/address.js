@@ -1,5 +1,4 @@
-// The address: `#muscle?D=38&p=2.5bar`. All that can be seen stands in it; an entry of the history is a gesture, not a
-// frame.
+// The address: `#muscle?D=38&p=2.5bar`. All that can be seen stands in it.
 import { pack, packed, unpack } from "./deflate.js";
 import { pageOf } from "./pages.js";
 
@@ -49,68 +48,18 @@ export function address(page, params) {
   return `#${page}${words ? "?" + words : ""}`;
 }
 
-/** While a page is loaded it only completes its own entry of the history. */
-let loading = 0;
-/** @template T @param {() => Promise<T>} load */
-export async function whileLoading(load) {
-  loading++;
-  try {
-    return await load();
-  } finally {
-    loading--;
-  }
-}
-
-// Places in the history: how many gestures can be taken back, and done again.
-const place = { now: 0, last: 0 };
-/** @type {() => void} */ let moved = () => {};
-const LAST = "mckibben:last";
-const remember = () => {
-  try {
-    sessionStorage.setItem(LAST, String(place.last));
-  } catch { /* It is only for a button. */ }
-};
-
-/** @param {() => void} tell is called whenever it changes what can be undone */
-export function onMoved(tell) {
-  place.now = Number(history.state?.at ?? 0);
-  let last = 0;
-  try {
-    last = Number(sessionStorage.getItem(LAST) ?? 0);
-  } catch { /* As above. */ }
-  place.last = Math.max(place.now, history.state ? last : 0);
-  if (!history.state) history.replaceState({ at: place.now }, "");
-  moved = tell;
-  tell();
-}
-export const canUndo = () => place.now > 0;
-export const canRedo = () => place.now < place.last;
-
-/** The browser went elsewhere: to an entry of before, or by a link to a new one. */
-export function arrived() {
-  const at = history.state?.at;
-  if (typeof at === "number") place.now = at;
-  else {
-    place.last = ++place.now;
-    history.replaceState({ at: place.now }, "");
-    remember();
-  }
-  moved();
-}
+/** @type {() => void} */ let written = () => {};
+/** @param {() => void} tell is called after each change of the address by a page */
+export const onWritten = (tell) => { written = tell; };
 
 /**
- * Puts it into the address: a new entry of the history, or in place of the present one. A page that is left before its answer came
- * does not write over the address of the next one.
+ * Puts it into the address in place of the present one: entries of the history are pages. A page that is left before
+ * its answer came does not write over the address of the next one.
  * @param {string} to
  */
-export function write(to, replace = false) {
+export function write(to) {
   if (pageOf(parse(to).page) !== pageOf(parse().page)) return;
   if (to === location.hash || (to === "#muscle" && !location.hash)) return;
-  if (replace || loading) history.replaceState({ at: place.now }, "", to);
-  else {
-    place.last = ++place.now;
-    history.pushState({ at: place.now }, "", to);
-    remember();
-  }
-  moved();
+  history.replaceState(null, "", to);
+  written();
 }

@@ -1,9 +1,9 @@
 // The one engine of the page, and questions of which only the newest counts.
 import { Engine } from "./kind.js";
 import { problemOf } from "./engine/problem.js";
-import { kindOf, takeUnits } from "./units.js";
+import { bareIn, kindOf, takeUnits } from "./units.js";
 
-/** @typedef {import("../../types/commands").Commands["quantities"]["answer"]["readings"][number]} Reading */
+/** @typedef {Commands["quantities"]["answer"]["readings"][number]} Reading */
 /**
  * What was understood: of each text its number, its numbers, or what is wrong with it.
  * @typedef {{ value?: number, values?: number[], interval?: [number, number] | null,
@@ -18,12 +18,15 @@ export async function loadUnits() {
 
 /**
  * What was typed, as numbers: each with `value`, `values` of a list, or `problem`.
- * @param {{ text: string, kind: import("./units.js").Kind, list?: boolean }[]} texts @returns {Promise<Readings>}
+ * @param {{ text: string, kind: Kind, list?: boolean }[]} texts @returns {Promise<Readings>}
  */
 export async function understood(texts) {
   if (!texts.length) return [];
   const asked = texts.map(({ kind, ...rest }) => ({ ...rest, kind: kindOf(kind) }));
-  return (await engine().ask("quantities", { texts: asked }, { lane: "read" })).readings;
+  const { readings } = await engine().ask("quantities", { texts: asked }, { lane: "read" });
+  // A number alone is in the unit that is shown, which the engine does not know.
+  return /** @type {Readings} */ (readings).map(({ problem, ...rest }, i) => ({ ...rest,
+    problem: problem && { message: bareIn(problem.message, texts[i].kind) } }));
 }
 
 /**
@@ -34,14 +37,13 @@ const answers = new Map();
 const MOST_ANSWERS = 16;
 /**
  * Long work with progress; what was asked before is answered at once.
- * @template {keyof import("../../types/commands").Commands} K
- * @param {K} command @param {import("../../types/commands").Commands[K]["request"]} request
+ * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
  * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} options
- * @returns {Promise<import("../../types/commands").Commands[K]["answer"]>}
+ * @returns {Promise<Commands[K]["answer"]>}
  */
 export async function longWork(command, request, options) {
   const key = `${command} ${JSON.stringify(request)}`;
-  const known = /** @type {import("../../types/commands").Commands[K]["answer"] | undefined} */ (answers.get(key));
+  const known = /** @type {Commands[K]["answer"] | undefined} */ (answers.get(key));
   const answer = known ?? await engine().job(command, request, options);
   answers.delete(key);
   answers.set(key, answer);
@@ -67,10 +69,8 @@ export class Slot {
 
   /**
    * Asks, or waits for the question before.
-   * @template {keyof import("../../types/commands").Commands} K
-   * @param {K} command @param {import("../../types/commands").Commands[K]["request"]} request
-   * @param {(answer: import("../../types/commands").Commands[K]["answer"]) => void} take
-   * @param {(problem: import("./engine/problem.js").Problem) => void} [fail]
+   * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
+   * @param {(answer: Commands[K]["answer"]) => void} take @param {(problem: Problem) => void} [fail]
    */
   ask(command, request, take, fail) {
     const go = async () => {

@@ -1,13 +1,13 @@
 // The muscle of all pages, above them: its picture and name, undo and redo, save, open, share, project, print.
-import { canRedo, canUndo } from "./address.js";
 import { download, el } from "./dom.js";
 import { muscle } from "./muscle.js";
-import { fileName } from "./name.js";
-import { noticeProblem } from "./notice.js";
+import { fileName } from "./toml.js";
+import { notice, noticeProblem } from "./notice.js";
 import { openDialog } from "./open.js";
 import { show } from "./units.js";
 import { thumbnail } from "./thumbnail.js";
 import { write, address } from "./address.js";
+import { names } from "./steps.js";
 
 /** @param {string} text @param {() => void} act @param {string} [title] */
 const button = (text, act, title) => el("button", { type: "button", onclick: act, title }, text);
@@ -39,41 +39,39 @@ function nameField() {
   return field;
 }
 
+/** A link of a page on this computer leads nowhere else: the file goes in its place. */
 function shareButton() {
   const share = button("Share", async () => {
-    try {
-      await navigator.clipboard.writeText(location.href);
-      share.textContent = "Link copied";
-    } catch {
-      prompt("The link to this view", location.href);
+    if (/^(localhost|127\.|\[::1\])/.test(location.hostname)) {
+      await save();
+      return notice("A link to this page works on this computer alone. The muscle was saved as a file: send that.");
     }
-    setTimeout(() => {
-      share.textContent = "Share";
-    }, 1500);
-  }, "Copy the link to this view");
+    await navigator.clipboard.writeText(location.href).then(() => notice("The link to this view is copied."),
+      () => prompt("The link to this view", location.href));
+  }, "Copy the link to this view, or save the file where a link would not work elsewhere");
   return share;
 }
 
-export function muscleBar() {
+/** @param {(by: -1 | 1) => void} walk to the step before or after */
+export function muscleBar(walk) {
   const picture = el("span", {}), field = nameField(), line = el("span", { class: "small soft measures" });
-  const undo = button("Undo", () => history.back(), "Take back the last gesture"),
-    redo = button("Redo", () => history.forward(), "Do it again");
+  const undo = button("Undo", () => walk(-1)), redo = button("Redo", () => walk(1));
   const element = el("div", { class: "muscle-bar", role: "group", "aria-label": "The muscle" }, picture,
-    el("span", { class: "name" }, field, line), undo, redo, button("Save", save, "Save the muscle as a file (TOML)"),
-    button("Open", openDialog, "Open a file, or a muscle of the gallery or the library"), shareButton(),
-    button("Project", async () => (await import("./project.js")).projectDialog(), "Several muscles with their data in one file"),
+    el("span", { class: "name" }, field, line), undo, redo,
+    button("Open", openDialog, "A file, a muscle of the gallery or the library, or a project"),
+    button("Save", save, "Save the muscle as a file (TOML)"), shareButton(),
     button("Print", () => print(), "Print one sheet with muscle, inputs and numbers"));
   /** @type {string | undefined} */ let drawn = "";
   return {
     element,
-    /** Undo and redo are what the history has. */
-    moved() {
-      undo.disabled = !canUndo();
-      redo.disabled = !canRedo();
-    },
     /** The muscle as it is now. */
     paint() {
       if (document.activeElement !== field) field.value = muscle.name;
+      names().forEach((name, i) => {
+        const one = [undo, redo][i];
+        one.disabled = !name;
+        one.title = name ? `${["Undo", "Redo"][i]}: ${name} (${["Ctrl+Z", "Ctrl+Y"][i]})` : "";
+      });
       const s = muscle.shown;
       line.textContent = s
         ? `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${show("length", s.length_mm)}`

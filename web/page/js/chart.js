@@ -1,37 +1,24 @@
-// A chart: curves as SVG (lines.js), maps and surfaces by plotly.js (map.js); with a table, PNG, SVG and CSV.
+// A chart: curves over a picture or none, as SVG (lines.js); with a table, PNG, SVG and CSV.
 import { atEnd } from "./life.js";
-import { download, el } from "./dom.js";
+import { csv, download, el } from "./dom.js";
+import { table } from "./form.js";
 import { Lines } from "./lines.js";
-import { PlotlyMap } from "./map.js";
 import { KINDS } from "./plot.js";
 import { number, outside } from "./units.js";
 
 export { KINDS };
 
-/**
- * @typedef {import("./plot.js").Series} Series
- * @typedef {import("./map.js").Trace} Trace
- * @typedef {import("./map.js").Spec} Spec
- */
 
-const VIRIDIS = [
-  [68, 1, 84],
-  [71, 44, 122],
-  [59, 81, 139],
-  [44, 113, 142],
-  [33, 144, 141],
-  [39, 173, 129],
-  [92, 200, 99],
-  [170, 220, 50],
-  [253, 231, 37],
-];
-/** Viridis between 0 and 1; without its palest end, which a white page would swallow. @param {number} share */
-export function viridis(share, most = 0.82) {
+const VIRIDIS = [[68, 1, 84], [71, 44, 122], [59, 81, 139], [44, 113, 142], [33, 144, 141], [39, 173, 129],
+  [92, 200, 99], [170, 220, 50], [253, 231, 37]];
+/** Viridis between 0 and 1 as red, green and blue. @param {number} share @param {number} most of the map */
+export function viridisAt(share, most) {
   const t = Math.min(1, Math.max(0, share)) * most * (VIRIDIS.length - 1);
-  const [i, f] = [Math.min(VIRIDIS.length - 2, Math.floor(t)), t - Math.min(VIRIDIS.length - 2, Math.floor(t))];
-  const c = VIRIDIS[i].map((a, k) => Math.round(a + f * (VIRIDIS[i + 1][k] - a)));
-  return `rgb(${c.join(",")})`;
+  const i = Math.min(VIRIDIS.length - 2, Math.floor(t));
+  return VIRIDIS[i].map((a, k) => Math.round(a + (t - i) * (VIRIDIS[i + 1][k] - a)));
 }
+/** Without its palest end, which a white page would swallow. @param {number} share */
+export const viridis = (share, most = 0.82) => `rgb(${viridisAt(share, most).join(",")})`;
 /** The colour of a pressure: the same in every chart of a page. @param {number} pressure @param {number} top */
 export function pressureColour(pressure, top) {
   const dark = isDark();
@@ -55,47 +42,29 @@ export class Chart {
     this.asTable = el("button", { type: "button", "aria-pressed": false, onclick: () => this.flip() }, "Table");
     const save = (/** @type {"csv" | "svg" | "png"} */ kind) =>
       el("button", { type: "button", onclick: () => this.save(kind) }, kind.toUpperCase());
-    const bar = el(
-      "div",
-      { class: "row" },
-      tools ?? null,
-      el("span", { class: "grow" }),
-      this.asTable,
-      save("csv"),
-      save("svg"),
-      save("png"),
-    );
-    this.element = el(
-      "section",
-      { class: tall ? "chart tall" : "chart", "aria-label": name.replaceAll("-", " ") },
-      bar,
-      this.plot,
-      this.table,
-    );
-    this.drag = drag;
+    const bar = el("div", { class: "row" }, tools ?? null, el("span", { class: "grow" }), this.asTable, save("csv"),
+      save("svg"), save("png"));
+    this.element = el("section", { class: tall ? "chart tall" : "chart", "aria-label": name.replaceAll("-", " ") }, bar,
+      this.plot, this.table);
     this.ring = el("i", { class: "ring", hidden: true });
     /** @type {number[] | undefined} */ this.at = undefined;
-    /** @type {Lines | PlotlyMap | undefined} */ this.drawer = undefined;
-    this.drawing = false;
-    this.again = false;
+    this.ends = new AbortController();
+    const { signal } = this.ends;
+    this.lines = new Lines(this.plot, name, drag, signal);
     /** What drawing took the last time, in milliseconds. */
     this.cost = 0;
     this.sized = new ResizeObserver(() => this.plot.offsetWidth && this.draw());
     this.sized.observe(this.plot);
-    this.ends = new AbortController();
     atEnd(() => this.destroy());
-    const { signal } = this.ends;
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw(), { signal });
     document.addEventListener("theme", () => this.draw(), { signal });
     this.plot.addEventListener("zoomed", () => this.placeMark(), { signal });
   }
 
-  /** Nothing of it is kept: no listener, and no picture of the library. */
+  /** Nothing of it is kept, and no listener. */
   destroy() {
     this.ends.abort();
     this.sized.disconnect();
-    this.drawer?.destroy();
-    this.drawer = undefined;
     this.spec = undefined;
     this.element.remove();
   }
@@ -110,10 +79,10 @@ export class Chart {
   }
 
   /** What lies at a place of the plot, as values of its axes. @param {number} px @param {number} py */
-  values(px, py) { return this.drawer?.values(px, py); }
+  values(px, py) { return this.lines.values(px, py); }
 
   placeMark() {
-    const place = this.at && this.drawer?.place(this.at[0], this.at[1]);
+    const place = this.at && this.lines.place(this.at[0], this.at[1]);
     this.ring.hidden = !place;
     if (!place) return;
     this.ring.style.transform = `translate(${place[0]}px, ${place[1]}px)`;
@@ -138,47 +107,12 @@ export class Chart {
     this.draw();
   }
 
-  /** What draws this: maps and surfaces have `data`. @param {Spec} spec */
-  drawerFor(spec) {
-    const Kind = spec.data?.length ? PlotlyMap : Lines;
-    if (this.drawer instanceof Kind) return this.drawer;
-    this.drawer?.destroy();
-    this.drawer = Kind === Lines ? new Lines(this.plot, this.name, this.drag) : new PlotlyMap(this.plot, this.drag);
-    return this.drawer;
-  }
-
-  async draw() {
+  draw() {
     if (!this.spec || this.plot.hidden) return;
-    if (this.drawing) { this.again = true; return; }
-    const drawer = this.drawerFor(this.spec), began = performance.now();
-    if (drawer instanceof Lines) {
-      drawer.draw(this.spec);
-      this.cost = performance.now() - began;
-      return this.placeMark();
-    }
-    this.drawing = true;
-    try {
-      await drawer.draw(this.spec);
-      this.cost = performance.now() - began;
-      this.placeMark();
-    } catch (error) {
-      const retry = el(
-        "button",
-        {
-          type: "button",
-          onclick: () => {
-            this.drawer = undefined;
-            this.draw();
-          },
-        },
-        "Try again",
-      );
-      this.plot.replaceChildren(
-        el("p", { class: "waiting" }, `${/** @type {Error} */ (error).message} The table shows the numbers. `, retry),
-      );
-    }
-    this.drawing = false;
-    if (this.again) { this.again = false; this.draw(); }
+    const began = performance.now();
+    this.lines.draw(this.spec);
+    this.cost = performance.now() - began;
+    this.placeMark();
   }
 
   /** What the columns of the table are. */
@@ -188,65 +122,36 @@ export class Chart {
   }
 
   /**
-   * Rows of all series: name, x, y; of maps and surfaces also what they show there.
+   * Rows of all series: name, x, y, and the third number where there is one.
    * @returns {(string | number | null)[][]}
    */
   rows() {
-    const third = Boolean(this.spec?.z);
+    const { series = [], rows, z: third } = this.spec ?? {};
     const more = (/** @type {Series} */ s, /** @type {number} */ i) => (third ? [s.z?.[i] ?? null] : []);
     const line = (/** @type {Series} */ s) => s.x.map((x, i) => [s.name, x, s.y[i], ...more(s, i)]);
-    const lines = (this.spec?.series ?? []).flatMap(line);
-    // A picture is finer than what was computed.
-    const maps = (this.spec?.data ?? []).filter((d) => !d.picture);
-    return [...lines, ...maps.flatMap(mapRows)];
+    return rows ?? series.filter((s) => !s.silent).flatMap(line);
   }
 
   tabulate() {
-    const head = el(
-      "tr",
-      {},
-      ...this.head().map((text, i) => el("th", { class: i ? undefined : "text", scope: "col" }, text)),
-    );
-    const body = this.rows().map((row) =>
-      el(
-        "tr",
-        {},
-        ...row.map((v, i) => el("td", { class: i ? undefined : "text" }, typeof v === "string" ? v : number(v))),
-      ),
-    );
-    this.table.replaceChildren(el("table", {}, el("thead", {}, head), el("tbody", {}, ...body)));
+    const rows = this.rows().map((row) => row.map((v) => (typeof v === "string" ? v : number(v))));
+    this.table.replaceChildren(table(this.head(), rows).firstElementChild ?? "");
   }
 
   /** @param {"csv" | "svg" | "png"} kind */
   async save(kind) {
     if (!this.spec) return;
-    if (kind === "csv") {
-      const quoted = (/** @type {string | number | null} */ v) =>
-        typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : (v ?? "");
-      const lines = [this.head(), ...this.rows()].map((row) => row.map(quoted).join(","));
-      return download(`${this.name}.csv`, lines.join("\n") + "\n", "text/csv");
-    }
+    if (kind === "csv") return download(`${this.name}.csv`, csv([this.head(), ...this.rows()]), "text/csv");
     const size = { width: Math.max(640, this.plot.clientWidth), height: Math.max(400, this.plot.clientHeight) };
-    const url = await this.drawerFor(this.spec).picture(kind, size);
+    const url = await this.lines.picture(kind, size);
     el("a", { href: url, download: `${this.name}.${kind}` }).click();
     if (url.startsWith("blob:")) setTimeout(() => URL.revokeObjectURL(url), 10_000);
   }
 }
 
-/** Rows of a map: name, x, y, what is there. @param {Trace} trace */
-function mapRows({ name = "", x, y, z = [], text }) {
-  return y.flatMap((v, j) =>
-    x.flatMap((u, i) => {
-      const there = z[j][i];
-      return there === null ? [] : [[name, u, v, text ? text[j][i] : there]];
-    }),
-  );
-}
-
 /**
  * Points of an isobaric curve as a line of pull over contraction in %; it ends at the free contraction, wherever the
  * points lie.
- * @param {import("../../types/commands").Commands["curve"]["answer"]["points"]} points
+ * @param {Commands["curve"]["answer"]["points"]} points
  */
 export function isobar(points) {
   const slack = points.findIndex((q) => "force_n" in q && q.slack), last = points[slack];

@@ -16,15 +16,27 @@ const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp:
  * that
  * `clears` may be emptied, and then has the usual value.
  * @typedef {{ key?: string, field?: string, label: string, symbol?: string, about?: string,
- *   kind: import("./units.js").Kind, unit?: string, value?: number, above?: number, minimum?: number, maximum?: number,
- *   usual?: number, low?: number, high?: number, clears?: boolean,
+ *   kind: Kind, unit?: string, value?: number, above?: number, minimum?: number, maximum?: number,
+ *   usual?: number, low?: number, high?: number, around?: boolean, clears?: boolean,
  *   change: (value: number | undefined, settled: boolean) => void }} Spec
  */
+
+/** What is said below a field: a note, or what is wrong with it. @param {HTMLElement} field @param {HTMLElement} box */
+export const saying = (field, box) => (text = "", wrong = false) => {
+  box.className = wrong ? "wrong" : "note small soft";
+  box.textContent = wrong ? inWords(text) : text;
+  box.hidden = !text;
+  if (wrong && text) field.setAttribute("aria-invalid", "true");
+  else field.removeAttribute("aria-invalid");
+};
 
 /** A field with a slider, where that has ends. */
 class Quantity {
   /** @type {number | undefined} */ #now;
-  /** The value as the page wrote it into the field; nothing where the value changed under a text of somebody. @type {string | undefined} */
+  /**
+   * The value as the page wrote it into the field; nothing where the value changed under a text of somebody.
+   * @type {string | undefined}
+   */
   #painted = "";
   /** Counts what was typed or dragged. */
   #turn = 0;
@@ -44,10 +56,11 @@ class Quantity {
       ? el("button", { type: "button", class: "bare", title: "Change the unit everywhere",
         onclick: () => changeUnit(kind) })
       : el("span", { class: "soft" });
-    this.wrong = el("p", { class: "wrong", id: `${id}w`, hidden: true, role: "status" });
+    const below = el("p", { id: `${id}w`, hidden: true, role: "status" });
+    this.say = saying(this.field, below);
     const name = el("label", { for: id }, label, symbol ? " " : "", symbol ? el("i", { class: "soft" }, symbol) : null);
     this.element = el("div", { class: "quantity" }, name, this.field, this.unit, Number.isNaN(low) ? null : this.slider,
-      this.wrong);
+      below);
     sketched(this.element, key, field);
     if (about) this.element.dataset.about = about;
     this.#listen();
@@ -62,22 +75,27 @@ class Quantity {
   set(v) {
     if (v === this.#now) return;
     this.#now = v;
-    this.#good();
+    this.say();
     const fieldToo = !this.#typing();
     if (!fieldToo) this.#painted = undefined;
     this.#paint(fieldToo);
   }
   /** What is wrong with it, said by the engine; empty where nothing is. @param {string} message */
   mark(message) {
-    if (message) return this.#wrongly(message);
+    if (message) return this.say(message, true);
     if (!this.field.getAttribute("aria-invalid")) return;
-    this.#good();
+    this.say();
     this.#paint(!this.#typing());
   }
   /** @param {number} low @param {number} high */
   reach(low, high) {
     [this.#low, this.#high] = [low, high];
     this.#paint(!this.#typing());
+  }
+  /** Ends from 0.3 to 3 times its value, within limits. @param {number} [least] @param {number} [most] */
+  anchor(least = 0, most = Infinity) {
+    const { spec: { around }, value } = this;
+    if (around && value) this.reach(Math.max(least, 0.3 * value), Math.min(most, 3 * value));
   }
   /** @param {boolean} on */
   enable(on) {
@@ -102,10 +120,17 @@ class Quantity {
     const { kind } = this.spec;
     return 10 ** Math.floor(Math.log10(Math.abs(outside(kind, this.#high) - outside(kind, this.#low)) / 100));
   }
+  /** By its logarithm where its ends are around a value. */
   #fromSlider() {
-    const { kind } = this.spec, v = this.#low + (Number(this.slider.value) / 1000) * (this.#high - this.#low);
+    const { kind, around } = this.spec, share = Number(this.slider.value) / 1000, [low, high] = [this.#low, this.#high];
+    const v = outside(kind, around ? low * (high / low) ** share : low + share * (high - low));
+    if (around) return inside(kind, Number(v.toPrecision(v < 3 * 10 ** Math.floor(Math.log10(v)) ? 3 : 2)));
     const step = this.#step();
-    return inside(kind, Number((Math.round(outside(kind, v) / step) * step).toPrecision(12)));
+    return inside(kind, Number((Math.round(v / step) * step).toPrecision(12)));
+  }
+  #share(/** @type {number} */ now) {
+    const [low, high] = [this.#low, this.#high];
+    return this.spec.around ? Math.log(Math.max(now, 1e-12) / low) / Math.log(high / low) : (now - low) / (high - low);
   }
 
   #listen() {
@@ -116,11 +141,13 @@ class Quantity {
       const by = STEPS[event.key];
       if (by === undefined) return;
       event.preventDefault();
-      const next = Number((outside(kind, this.#now ?? this.#low) + by * this.#step()).toPrecision(12));
+      const now = outside(kind, this.#now ?? this.#low),
+        step = this.spec.around ? 10 ** Math.floor(Math.log10(now / 20)) : this.#step();
+      const next = Number((now + by * step).toPrecision(12));
       this.#take(Math.min(this.#high, Math.max(this.#low, inside(kind, next))), true);
     });
     field.addEventListener("change", () => {
-      this.#read().catch((problem) => this.#wrongly(problem.message));
+      this.#read().catch((problem) => this.say(problem.message, true));
     });
     field.addEventListener("keydown", (event) => {
       if (event.key !== "Enter") return;
@@ -136,7 +163,7 @@ class Quantity {
   #take(value, settled, note, fieldToo = true) {
     this.#turn++;
     this.#now = value;
-    this.#good(note);
+    this.say(note);
     if (!fieldToo) this.#painted = undefined;
     this.#paint(fieldToo);
     this.spec.change(value, settled);
@@ -155,13 +182,13 @@ class Quantity {
     const reading = value === undefined ? (await understood([{ text: asked, kind }]))[0] : { value };
     // A later text or a drag counts, whichever is read first.
     if (turn !== this.#turn) return;
-    if (reading.problem) return this.#wrongly(reading.problem.message);
+    if (reading.problem) return this.say(reading.problem.message, true);
     this.#take(reading.value, true, note, field.value.trim() === text);
   }
 
   #paint(fieldToo = true) {
     const { slider, unit, spec: { kind, unit: own } } = this, now = this.#now;
-    slider.value = now === undefined ? "0" : String((1000 * (now - this.#low)) / (this.#high - this.#low));
+    slider.value = now === undefined ? "0" : String(1000 * this.#share(now));
     if (fieldToo) this.#write(now === undefined ? "" : this.#asText(now));
     unit.textContent = kind === "ratio" ? "" : own ?? unitName(kind);
     slider.setAttribute("aria-valuetext",
@@ -190,22 +217,6 @@ class Quantity {
     this.field.title = [about, words].filter(Boolean).join(" ");
     this.field.placeholder = usual !== undefined ? this.#asText(usual) : kind === "ratio" ? "%" : "";
   }
-
-  #good(note = "") {
-    const { field, wrong } = this;
-    field.removeAttribute("aria-invalid");
-    wrong.className = "note small soft";
-    wrong.textContent = note;
-    wrong.hidden = !note;
-  }
-  /** @param {string} message */
-  #wrongly(message) {
-    const { field, wrong } = this;
-    field.setAttribute("aria-invalid", "true");
-    wrong.className = "wrong";
-    wrong.textContent = inWords(message);
-    wrong.hidden = false;
-  }
 }
 
 /** A field with a slider. @param {Spec} spec */
@@ -213,9 +224,7 @@ export const quantity = (spec) => new Quantity(spec);
 
 /**
  * A list to choose from.
- * @param {string} label
- * @param {[string, string][]} options
- * @param {string} value
+ * @param {string} label @param {[string, string][]} options @param {string} value
  * @param {(value: string) => void} change
  */
 export function choice(label, options, value, change) {

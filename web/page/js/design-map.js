@@ -1,14 +1,15 @@
 // The map of a design: what fits over diameter and wall, by `universal`: the pressure that each muscle needs, and the
 // limit that others miss.
 import { Slot, engine } from "./ask.js";
-import { border, levelLine, refined } from "./border.js";
+import { picture as drawnMuscle } from "./candidates.js";
+import { OF_PULL, border, extended, inside } from "./border.js";
 import { Chart, KINDS } from "./chart.js";
 import { el, token } from "./dom.js";
+import { corners, levels, picture, pieces, sampled, valueBetween } from "./map.js";
 import { muscle } from "./muscle.js";
-import { ticks } from "./plot.js";
 import { outside, show, unitName } from "./units.js";
 
-/** @typedef {import("../../types/commands").Commands["design"]} Design */
+/** @typedef {Commands["design"]} Design */
 /** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /**
  * @typedef {Candidate | NonNullable<Design["answer"]["closest"]>} Best
@@ -19,7 +20,8 @@ import { outside, show, unitName } from "./units.js";
 const ACROSS = 29, UP = 25, FINER = 8;
 /** The same while the target is dragged. */
 const LIVE = { across: 15, up: 13, finer: 6 };
-const RAMP = [[0, "rgb(33,144,141)"], [0.5, "rgb(92,200,99)"], [1, "rgb(253,231,37)"]];
+/** From the least pressure to the largest. */
+const RAMP = [[33, 144, 141], [92, 200, 99], [253, 231, 37]];
 
 /**
  * @param {(candidate: import("./state.js").Chosen, at: { p: number, e: number }) => string} linked the address of a
@@ -31,7 +33,7 @@ export function designMap(linked) {
   /** @type {Found | undefined} */ let found;
   let mapping = new AbortController(), finer = FINER;
   const live = new Slot();
-  const title = el("h2", {}, "Feasible region over diameter and wall");
+  const title = el("h2", {}, "Feasible region over diameter and wall (first estimate: universal)");
   const feasible = new Chart("design-map", {
     tools: title,
     tall: true,
@@ -67,15 +69,11 @@ export function designMap(linked) {
   function pick(x, y) {
     const middle = best(), [d, s] = measures(x, y);
     if (!middle || !answer) return;
-    const at = {
-      p: Number(answer.max_pressure_mpa),
-      e: "points" in middle ? Number(middle.points[0]?.contraction ?? 0.1) : 0.1,
-    };
-    const link = linked({ ...middle, rubber: middle.rubber ?? "", outer_diameter_mm: d, wall_mm: s }, at);
-    picked.replaceChildren(
-      `D0 ${show("length", d)}, s ${show("length", s)}: `,
-      el("a", { href: link }, "see this muscle"),
-    );
+    const e = "points" in middle ? Number(middle.points[0]?.contraction ?? 0.1) : 0.1;
+    const link = linked({ ...middle, rubber: middle.rubber ?? "", outer_diameter_mm: d, wall_mm: s },
+      { p: Number(answer.max_pressure_mpa), e });
+    picked.replaceChildren(`D0 ${show("length", d)}, s ${show("length", s)}: `, el("a", { href: link },
+      "see this muscle"));
   }
 
   return {
@@ -123,8 +121,8 @@ function hovering(chart, of) {
     if (!one) return;
     const size = `D0 ${show("length", one.outer_diameter_mm, 3)}, s ${show("length", one.wall_mm, 2)}`;
     const [needs, bulge] = [show("pressure", one.pressure_mpa, 3), show("length", one.bulged_diameter_mm, 3)];
-    card.innerHTML = section(one);
-    card.append(el("span", {}, `${size}: requires ${needs}, bulges to ${bulge}`));
+    card.innerHTML = drawnMuscle(one, one.length_mm, Math.max(one.outer_diameter_mm, Number(one.bulged_diameter_mm)));
+    card.append(el("span", {}, `${size}: set ${needs}, ${bulge} wide in use`));
     const wide = plot.clientWidth, aside = px > wide / 2 ? `right:${wide - px + 14}px` : `left:${px + 14}px`;
     card.style.cssText = `top:${plot.offsetTop + py + 14}px;${aside}`;
     card.hidden = false;
@@ -133,44 +131,27 @@ function hovering(chart, of) {
 
 /**
  * The muscles of the map.
- * @param {Design["request"]} of the request of the search
- * @param {Best} best its winner, or what came closest
+ * @param {Design["request"]} of the request of the search @param {Best} best its winner, or what came closest
  * @param {number} [across] diameters @param {number} [up] walls
  * @returns {Design["request"] & { outer_diameter_mm: number[], wall_mm: number[] }}
  */
 function asked(of, best, across = ACROSS, up = UP) {
   const { figure, tolerance, ...rest } = of;
-  const span = (
-    /** @type {number} */ mid,
-    /** @type {number} */ low,
-    /** @type {number} */ high,
-    /** @type {number} */ n,
-  ) => Array.from({ length: n }, (_, i) => Number((low * mid + ((high - low) * mid * i) / (n - 1)).toPrecision(4)));
+  const span = (/** @type {number} */ low, /** @type {number} */ high, /** @type {number} */ n) =>
+    Array.from({ length: n }, (_, i) => Number((low + ((high - low) * i) / (n - 1)).toPrecision(4)));
   // Within the sleeve, where there is one.
-  const range = muscle.sleeves.find((s) => s.name === best.sleeve);
-  const [least, most] = [range?.least_diameter_mm ?? 0, range?.largest_diameter_mm ?? Infinity].map(
-    (d) => d / best.outer_diameter_mm,
-  );
-  const D = span(best.outer_diameter_mm, Math.max(0.5, least), Math.min(1.9, most), across),
-    S = span(Math.max(best.wall_mm, 1.5), 0.2, 2.6, up);
+  const range = muscle.sleeves.find((s) => s.name === best.sleeve), middle = best.outer_diameter_mm;
+  const wall = Math.max(best.wall_mm, 1.5), S = span(0.2 * wall, 2.6 * wall, up);
+  const D = span(Math.max(0.5 * middle, range?.least_diameter_mm ?? 0),
+    Math.min(1.9 * middle, range?.largest_diameter_mm ?? Infinity), across);
   // With a named sleeve the diameter sets the angle; parts are varied as if any size of them were sold.
-  const part =
-    best.sleeve && !of.braids?.length
-      ? { rubbers: best.rubber ? [best.rubber] : undefined, braids: [best.sleeve] }
-      : {};
+  const part = best.sleeve && !of.braids?.length
+    ? { rubbers: best.rubber ? [best.rubber] : undefined, braids: [best.sleeve] }
+    : {};
   const angle = of.braids?.length || best.sleeve ? {} : { angle_deg: best.angle_deg };
   const length = { length_mm: of.stroke_mm ? undefined : best.length_mm };
-  return {
-    ...rest,
-    ...length,
-    ...angle,
-    ...part,
-    outer_diameter_mm: D,
-    wall_mm: S,
-    model: "universal",
-    extrapolate: true,
-    top: D.length * S.length,
-  };
+  return { ...rest, ...length, ...angle, ...part, outer_diameter_mm: D, wall_mm: S, model: "universal",
+    extrapolate: true, top: D.length * S.length };
 }
 
 /**
@@ -181,165 +162,70 @@ export function read({ outer_diameter_mm: D, wall_mm: S }, answer) {
     `${c.outer_diameter_mm},${c.wall_mm}`;
   const fits = new Map(answer.candidates.map((c) => [key(c), c])),
     not = new Map((answer.rejected ?? []).map((c) => [key(c), c]));
-  const nodes = S.map((s) =>
-    D.map((d) => {
-      const yes = fits.get(`${d},${s}`),
-        no = not.get(`${d},${s}`),
-        limit = no?.limit ?? "no answer";
-      return {
-        fits: Boolean(yes),
-        value: yes?.pressure_mpa ?? NaN,
-        margin: Number(yes?.margin ?? 0),
-        limit,
-        misses: Number(no?.misses_by ?? 0),
-      };
-    }),
-  );
-  const limits = [
-    ...new Set(
-      nodes
-        .flat()
-        .filter((n) => !n.fits)
-        .map((n) => n.limit),
-    ),
-  ];
+  const nodes = S.map((s) => D.map((d) => {
+    const yes = fits.get(`${d},${s}`), no = not.get(`${d},${s}`);
+    return { fits: Boolean(yes), value: yes?.pressure_mpa ?? NaN, margin: Number(yes?.margin ?? 0),
+      limit: no?.limit ?? "no answer", misses: Number(no?.misses_by ?? 0) };
+  }));
+  const limits = [...new Set(nodes.flat().filter((n) => !n.fits).map((n) => n.limit))];
   return { D, S, fits, nodes, limits };
 }
 
+/** What a limit that is missed means. @param {string} limit */
+const words = (limit) => (OF_PULL.includes(limit) ? "pull too low" : `not met: ${limit.replaceAll("_", " ")}`);
+const rgb = (/** @type {string} */ hex) => [1, 3, 5].map((i) => Number.parseInt(hex.slice(i, i + 2), 16));
+
 /**
  * @param {Found} found @param {{ outer_diameter_mm: number, wall_mm: number }} best
- * @param {number} finer how much finer the picture is than the muscles
- * @returns {import("./chart.js").Spec}
+ * @param {number} finer how much finer the picture is than the muscles @returns {Spec}
  */
 function spec({ D, S, nodes, limits }, best, finer) {
   const [x, y] = [D.map((d) => outside("length", d)), S.map((s) => outside("length", s))];
   const shown = nodes.map((row) => row.map((n) => ({ ...n, value: n.fits ? outside("pressure", n.value) : NaN })));
-  const edge = border({ x, y, nodes: shown }), fine = refined({ x, y, nodes: shown }, edge, finer);
-  const words = (/** @type {string | null} */ limit) => (limit === null ? "" : limit.replaceAll("_", " "));
-  const tints = limits.map((_, i) => [limits.length > 1 ? i / (limits.length - 1) : 0, KINDS[(i + 1) % KINDS.length]]);
-  const missed = nodes.map((row) => row.map((n) => (n.fits ? null : limits.indexOf(n.limit))));
-  // The muscles of the map themselves: in its table and its CSV, not in its picture.
-  const table = [
-    {
-      type: "heatmap",
-      visible: false,
-      name: "misses",
-      x,
-      y,
-      z: missed,
-      text: nodes.map((row) => row.map((n) => (n.fits ? "" : words(n.limit)))),
-    },
-    {
-      type: "heatmap",
-      visible: false,
-      name: "needs",
-      x,
-      y,
-      z: shown.map((row) => row.map((n) => (n.fits ? n.value : null))),
-    },
-  ];
-  const misses = {
-    type: "heatmap",
-    name: "misses",
-    picture: true,
-    x: fine.x,
-    y: fine.y,
-    z: fine.missed.map((row, j) =>
-      row.map((limit, i) => (limit === null || fine.value[j][i] !== null ? null : limits.indexOf(limit))),
-    ),
-    text: fine.missed.map((row) => row.map(words)),
-    hovertemplate: "%{x:.3g}, %{y:.3g}: misses %{text}<extra></extra>",
-    colorscale:
-      tints.length > 1
-        ? tints
-        : [
-            [0, KINDS[1]],
-            [1, KINDS[1]],
-          ],
-    zmin: 0,
-    zmax: Math.max(1, limits.length - 1),
-    showscale: false,
-    opacity: 0.35,
+  const edge = border({ x, y, nodes: shown }), grid = { x, y, values: extended({ x, y, nodes: shown }) };
+  const field = sampled(x, y, finer, (px, py) => (inside(edge, px, py + 1e-9) ? valueBetween(grid, px, py) : null));
+  const known = field.values.flat().filter((v) => v !== null), low = Math.min(...known);
+  const span = Math.max(...known) - low || 1, tints = limits.map((_, i) => rgb(KINDS[(i + 1) % KINDS.length]));
+  /** The limit that most of the cell around a place misses. @param {number} px @param {number} py */
+  const missed = (px, py) => {
+    const shares = limits.map(() => 0);
+    for (const [i, j, share] of corners(x, y, px, py))
+      if (!nodes[j][i].fits) shares[limits.indexOf(nodes[j][i].limit)] += share + 1e-9;
+    return shares.indexOf(Math.max(...shares));
   };
-  const needs = {
-    type: "heatmap",
-    name: "needs",
-    picture: true,
-    x: fine.x,
-    y: fine.y,
-    z: fine.value,
-    colorscale: RAMP,
-    hoverinfo: "skip",
-    colorbar: { title: { text: `P [${unitName("pressure")}]` }, tickfont: { color: token("--ink") } },
-  };
-  const known = fine.value.flat().filter((v) => v !== null),
-    ends = /** @type {[number, number]} */ ([Math.min(...known), Math.max(...known)]);
-  const levels = known.length
-    ? ticks(ends, 8).flatMap(({ value }) => levelLine(fine.x, fine.y, fine.value, value))
-    : [];
-  const lines = [drawn("equal pressures", levels, "#333", 1), drawn("border", edge, token("--ink"), 2.5)];
+  const image = picture(field, (value, px, py) => {
+    if (value === null) return limits.length ? [...tints[missed(px, py)], 90] : [0, 0, 0, 0];
+    const t = (2 * (value - low)) / span, k = t < 1 ? 0 : 1;
+    return [...RAMP[k].map((a, c) => a + (t - k) * (RAMP[k + 1][c] - a)), 255];
+  });
+  const { series, notes } = levels(field, unitName("pressure"));
+  const [misses, needs] = [true, false].map((out) => y.flatMap((v, j) => x.flatMap((u, i) => {
+    const n = shown[j][i];
+    return n.fits === out ? [] : [[out ? "misses" : "needs", u, v, out ? words(n.limit) : n.value]];
+  })));
   return {
     x: `outer diameter D0 [${unitName("length")}]`,
     y: `wall s [${unitName("length")}]`,
     z: `required pressure [${unitName("pressure")}], or missed limit`,
-    yaxis: { range: [y[0], y[y.length - 1]] },
     xaxis: { range: [x[0], x[x.length - 1]] },
-    series: [],
-    data: [...table, misses, needs, ...lines],
+    yaxis: { range: [y[0], y[y.length - 1]] },
+    series: [...series, pieces(edge, { colour: token("--ink"), width: 2.5 })],
+    picture: image,
+    rows: [...misses, ...needs],
     marks: [{ x: outside("length", best.outer_diameter_mm), y: outside("length", best.wall_mm), text: "best" }],
-    layout: { annotations: limits.map((limit, i) => place(limit, missed, i, x, y)).filter(Boolean) },
-  };
-}
-
-/** @param {string} name @param {import("./border.js").Segment[]} list @param {string} color @param {number} width */
-function drawn(name, list, color, width) {
-  const [x, y] = [list.flatMap(([a, , b]) => [a, b, null]), list.flatMap(([, a, , b]) => [a, b, null])];
-  return {
-    type: "scatter",
-    mode: "lines",
-    name,
-    picture: true,
-    x,
-    y,
-    line: { color, width },
-    hoverinfo: "skip",
-    showlegend: false,
+    notes: [...notes, ...limits.flatMap((limit) => place(limit, nodes, x, y))],
   };
 }
 
 /**
- * The name of a limit in the middle of the cells that miss it.
- * @param {string} limit @param {(number | null)[][]} cells @param {number} which @param {number[]} x
- * @param {number[]} y
+ * The name of a limit in the middle of the muscles that miss it.
+ * @param {string} limit @param {import("./border.js").Node[][]} nodes @param {number[]} x @param {number[]} y
  */
-function place(limit, cells, which, x, y) {
-  const hit = cells.flatMap((row, j) => row.flatMap((v, i) => (v === which ? [[i, j]] : [])));
-  if (hit.length < 8) return null;
+function place(limit, nodes, x, y) {
+  const hit = nodes.flatMap((row, j) => row.flatMap((n, i) => (!n.fits && n.limit === limit ? [[i, j]] : [])));
+  if (hit.length < 8) return [];
   const middle = (/** @type {number} */ k) => hit.reduce((sum, c) => sum + c[k], 0) / hit.length;
-  const [ci, cj] = [middle(0), middle(1)];
-  const near = hit.reduce((a, b) => (Math.hypot(b[0] - ci, b[1] - cj) < Math.hypot(a[0] - ci, a[1] - cj) ? b : a));
-  return {
-    x: x[near[0]],
-    y: y[near[1]],
-    text: `misses ${limit.replaceAll("_", " ")}`,
-    showarrow: false,
-    font: { color: token("--ink"), size: 13 },
-    bgcolor: token("--paper"),
-    opacity: 0.85,
-  };
-}
-
-/** At rest (dashed) and bulged, from the side. @param {Candidate} one */
-function section({ outer_diameter_mm: D, length_mm: L, bulged_diameter_mm, points }) {
-  const r = D / 2,
-    b = Number(bulged_diameter_mm ?? D) / 2,
-    now = L * (1 - Number(points[0]?.contraction ?? 0)),
-    most = Math.max(r, b) * 1.15;
-  const bulged = `M0 ${-r}C${0.08 * now} ${-b} ${0.1 * now} ${-b} ${0.2 * now} ${-b}H${0.8 * now}C${0.9 * now} ` +
-    `${-b} ${0.92 * now} ${-b} ${now} ${-r}V${r}C${0.92 * now} ${b} ${0.9 * now} ${b} ${0.8 * now} ` +
-    `${b}H${0.2 * now}C${0.1 * now} ${b} ${0.08 * now} ${b} 0 ${r}Z`;
-  return `<svg viewBox="${-0.04 * L} ${-most} ${1.08 * L} ${2 * most}" width="150" ` +
-    `height="${Math.min(90, (300 * most) / (1.08 * L)).toFixed(0)}" aria-hidden="true"><path d="${bulged}" ` +
-    `fill="var(--accent)" opacity="0.5"/><path d="M0 ${-r}H${L}V${r}H0Z" fill="none" stroke="currentColor" ` +
-    `stroke-dasharray="4 4" vector-effect="non-scaling-stroke"/></svg>`;
+  const [ci, cj] = [middle(0), middle(1)], far = (/** @type {number[]} */ [i, j]) => Math.hypot(i - ci, j - cj);
+  const near = hit.reduce((a, b) => (far(b) < far(a) ? b : a));
+  return [{ x: x[near[0]], y: y[near[1]], text: words(limit) }];
 }

@@ -4,7 +4,7 @@ import { Chart, KINDS, isobar } from "./chart.js";
 import { el } from "./dom.js";
 import { outside, show, unitName } from "./units.js";
 
-/** @typedef {import("../../types/commands").Commands["design"]} Design */
+/** @typedef {Commands["design"]} Design */
 /** @typedef {{ force_n: number, contraction: number }} Target */
 const digits = (/** @type {number} */ v, /** @type {number} */ n) => Number(v.toPrecision(n));
 
@@ -21,12 +21,15 @@ export function designTarget(act) {
     el("p", { class: "small soft" }, "Drag the ring: the border of the map below follows (universal); when you release "
       + "it, finite elements decide. ", words));
   /** @type {Target | undefined} */ let target;
-  /** @type {import("./chart.js").Series[]} */ let series = [];
+  /** @type {Series[]} */ let series = [];
 
   function draw() {
     if (!target) return;
+    // Without a muscle the target has room.
+    const room = (/** @type {number} */ v) => (series.length ? {} : { range: [0, 1.5 * v] });
     chart.show({ x: "contraction ε [%]", y: `pull F [${unitName("force")}]`, series,
-      marks: [{ x: 0, y: 1.15 * outside("force", target.force_n), text: "" }].slice(series.length ? 1 : 0) });
+      xaxis: room(100 * target.contraction || 10), yaxis: series.length ? undefined : room(outside("force",
+        target.force_n)) });
     mark();
   }
   function mark() {

@@ -1,16 +1,18 @@
 // The answer of a design as people read it: the best muscle, the table of all, what is not sure, and what would fit.
-import { capital, download, el } from "./dom.js";
+import { picture } from "./candidates.js";
+import { capital, csv, download, el } from "./dom.js";
 import { table, warnings } from "./form.js";
 import { number, outside, show, unitName, withUncertainty } from "./units.js";
 import { inWords } from "./words.js";
 
-/** @typedef {import("../../types/commands").Commands["design"]["answer"]} Answer */
+/** @typedef {Commands["design"]["answer"]} Answer */
 /** @typedef {Answer["candidates"][number]} Candidate */
 /** Prices of tubes and sleeves by their names, where the catalogue has them. @typedef {Map<string, string>} Prices */
 
 /** The least pull to spare at any of its points, and the ± there. @param {Candidate} c */
 function spare(c) {
-  const points = c.points.map((q) => ({ spare: q.force_at_max_pressure_n * q.margin / (1 + q.margin), half: q.uncertainty_n ?? NaN }));
+  const points = c.points.map((q) => ({ spare: q.force_at_max_pressure_n * q.margin / (1 + q.margin),
+    half: q.uncertainty_n ?? NaN }));
   return points.reduce((a, b) => (b.spare - b.half < a.spare - a.half ? b : a), points[0] ?? { spare: NaN, half: NaN });
 }
 /** @param {Candidate} c @param {Prices} prices */
@@ -24,10 +26,7 @@ const grams = (/** @type {number | null | undefined} */ g) => (g ? `${number(g, 
 /** @param {Prices} prices @param {boolean} liquid whether the muscles are filled with one @returns {Column[]} */
 function columns(prices, liquid) {
   /**
-   * @param {string} head
-   * @param {string} kind
-   * @param {(c: Candidate) => number | null | undefined} of
-   * @returns {Column}
+   * @param {string} head @param {string} kind @param {(c: Candidate) => number | null | undefined} of @returns {Column}
    */
   const quantity = (head, kind, of, digits = 4) => [head, unitName(kind), (c) => show(kind, of(c), digits), (c) => {
     const v = of(c);
@@ -43,14 +42,14 @@ function columns(prices, liquid) {
     quantity("L0", "length", (c) => c.length_mm),
     quantity("θ0", "angle", (c) => c.angle_deg),
     words("rubber", (c) => c.rubber),
-    quantity("needs", "pressure", (c) => c.pressure_mpa, 3),
-    ["pull to spare", unitName("force"), (c) => show("force", spare(c).spare, 3),
+    quantity("set", "pressure", (c) => c.pressure_mpa, 3),
+    ["spare pull", unitName("force"), (c) => show("force", spare(c).spare, 3),
       (c) => outside("force", spare(c).spare)],
     ["± of the pull", unitName("force"), (c) => (c.uncertainty_n ? `± ${show("force", c.uncertainty_n, 2)}` : "–"),
       (c) => c.uncertainty_n && outside("force", c.uncertainty_n)],
-    quantity("sure at", "pressure", (c) => c.sure_pressure_mpa, 3),
-    quantity("bulged", "length", (c) => c.bulged_diameter_mm),
-    quantity("bursts at", "pressure", (c) => c.burst_pressure_mpa, 3),
+    quantity("guaranteed at", "pressure", (c) => c.sure_pressure_mpa, 3),
+    quantity("width in use", "length", (c) => c.bulged_diameter_mm),
+    quantity("burst pressure", "pressure", (c) => c.burst_pressure_mpa, 3),
     liquid
       ? ["liquid per stroke", "mL", (c) => (c.liquid_volume_mm3 ? `${number(1e-3 * c.liquid_volume_mm3, 3)} mL` : "–"),
         (c) => c.liquid_volume_mm3 && 1e-3 * c.liquid_volume_mm3]
@@ -66,145 +65,119 @@ const filled = (candidates) => candidates.some((c) => c.liquid_volume_mm3);
 
 /**
  * Columns that tell the candidates apart: a rubber that tubes name, and one length of all, is said above.
- * @param {Candidate[]} candidates
- * @param {Prices} prices
+ * @param {Candidate[]} candidates @param {Prices} prices
  */
 function shownColumns(candidates, prices) {
-  const same = { rubber: candidates.every((c) => c.tube),
+  const named = candidates.every((c) => c.tube), sleeved = candidates.every((c) => c.sleeve);
+  const same = { rubber: named, s: named, θ0: sleeved,
     L0: candidates.every((c) => c.length_mm === candidates[0].length_mm), tube: candidates.every((c) => !c.tube),
     sleeve: candidates.every((c) => !c.sleeve) };
   return columns(prices, filled(candidates)).filter(([name]) => !(/** @type {Record<string, boolean>} */ (same))[name]);
 }
 
 /** @param {Candidate[]} candidates @param {Prices} prices */
-function csv(candidates, prices) {
-  const quoted = (
-    /** @type {string | number | null | undefined} */ v,
-  ) => (typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : v ?? "");
-  const list = columns(prices, filled(candidates)), head = list.map(([name, unit]) => (unit ? `${name} [${unit}]` : name));
-  return [head, ...candidates.map((c) => list.map(([, , , of]) => of(c)))].map((row) => row.map(quoted).join(",")).join(
-    "\n",
-  ) + "\n";
+function rowsOf(candidates, prices) {
+  const list = columns(prices, filled(candidates)), head = list.map(([name, unit]) => (unit ? `${name} [${unit}]`
+    : name));
+  return [head, ...candidates.map((c) => list.map(([, , , of]) => of(c)))];
 }
 
 /**
  * The decision, and how to ask for a muscle that is sure.
- * @param {Answer} answer
- * @param {(words: Record<string, string>) => void} ask
+ * @param {Answer} answer @param {(words: Record<string, string>) => void} ask
  */
 function head(answer, ask) {
-  const [best] = answer.candidates, words = answer.uncertainty_words;
-  const size = `Outer diameter ${show("length", best.outer_diameter_mm, 4)}, wall ${
-    show("length", best.wall_mm)
-  }, length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`;
+  const [best] = answer.candidates, words = answer.uncertainty_words, { joint } = best;
+  const size = `Outer diameter ${show("length", best.outer_diameter_mm, 4)}, wall ${show("length", best.wall_mm)}, `
+    + `length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`;
+  const sentences = [words?.text, words?.bench].flatMap((text) => (text ? [`${inWords(text)}.`] : []));
   return [
     el("h2", {}, size),
     el("ul", { class: "decision" }, ...(answer.decision ?? []).map((line) => el("li", {}, inWords(line)))),
-    best.joint
-      ? el("p", {},
-        `Pulley of radius ${show("length", best.joint.radius_mm, 3)}, ${
-          show("ratio", best.joint.contraction_at_neutral, 3)
-        } contracted at the neutral angle.`)
-      : null,
-    answer.searched.guaranteed
-      ? null
-      : el("button", { type: "button", onclick: () => ask({ sure: "95 %" }) }, "Design for a guaranteed pull (95 %)"),
-    words?.text
-      ? el("p", { class: "small soft" },
-        [words.text, words.bench].filter(Boolean).map((text) => `${inWords(/** @type {string} */ (text))}.`).join(" "))
-      : null,
+    joint && el("p", {}, `Pulley of radius ${show("length", joint.radius_mm, 3)}, `
+      + `${show("ratio", joint.contraction_at_neutral, 3)} contracted at the neutral angle.`),
+    !answer.searched.guaranteed && el("button", { type: "button", onclick: () => ask({ sure: "95 %" }) },
+      "Design for a guaranteed pull (95 %)"),
+    sentences.length > 0 && el("p", { class: "small soft" }, sentences.join(" ")),
   ];
 }
 
 /** Tables below that of the muscles. @param {Answer} answer */
-function details(answer) {
-  const [best] = answer.candidates, out = [];
-  if (best.points.length > 1)
-    out.push(
-      table(["pull", "at", "needs"], best.points.map((
-        p,
-      ) => [withUncertainty("force", p.force_n, p.uncertainty_n), show("ratio", p.contraction, 3),
-        show("pressure", p.pressure_mpa, 3)]
-      ), { text: [], label: "the operating points" }),
-    );
-  const spread = answer.tolerance;
-  if (spread?.length)
-    out.push(
-      table(["within the tolerances, at", "and", "least pull", "largest pull", "likely"], spread.map((
-        t,
-      ) => [show("ratio", t.contraction, 3), show("pressure", t.pressure_mpa, 3), show("force", t.low_n),
-        show("force", t.high_n), `± ${show("force", t.likely_n, 2)}`]
-      ), { text: [], label: "spread of the pull" }),
-    );
-  return out;
+function details({ candidates: [best], tolerance: spread = [] }) {
+  const points = best.points.map((p) => [withUncertainty("force", p.force_n, p.uncertainty_n),
+    show("ratio", p.contraction, 3), show("pressure", p.pressure_mpa, 3)]);
+  const pulls = (spread ?? []).map((t) => [show("ratio", t.contraction, 3), show("pressure", t.pressure_mpa, 3),
+    show("force", t.low_n), show("force", t.high_n), `± ${show("force", t.likely_n, 2)}`]);
+  return [
+    points.length > 1 && table(["pull", "at", "set"], points, { text: [], label: "the operating points" }),
+    pulls.length > 0 && table(["within the tolerances, at", "and", "least pull", "largest pull", "likely"], pulls,
+      { text: [], label: "spread of the pull" }),
+  ];
 }
+
+/** A candidate in use, to the scale of all. @param {Candidate} c @param {Candidate[]} all */
+function inUse(c, all) {
+  const most = (/** @type {(one: Candidate) => number} */ of) => Math.max(...all.map(of));
+  const box = el("span", { class: "thumbnail" });
+  box.innerHTML = picture(c, most((one) => one.length_mm),
+    most((one) => one.bulged_diameter_mm ?? one.outer_diameter_mm));
+  return box;
+}
+
+/** What there is of a list. @param {(HTMLElement | false | null | undefined)[]} list */
+const there = (list) => list.flatMap((part) => (part ? [part] : []));
 
 /**
  * What was found.
- * @param {Answer} answer
- * @param {Prices} prices
+ * @param {Answer} answer @param {Prices} prices
  * @param {{ open: (c: Candidate) => void, ask: (words: Record<string, string>) => void }} act
  */
 export function foundView(answer, prices, { open, ask }) {
-  const list = shownColumns(answer.candidates, prices),
-    rows = answer.candidates.map((c) => list.map(([, , cell]) => cell(c)));
-  const text = list.flatMap(([name], i) => (["tube", "sleeve", "rubber", "price"].includes(name) ? [i] : []));
-  const save = () => download("design.csv", csv(answer.candidates, prices), "text/csv");
-  const assumed = answer.assumptions?.length
-    ? el("details", { class: "small" }, el("summary", {}, "What was assumed"),
-      el("ul", {}, ...answer.assumptions.map((text) => el("li", {}, capital(inWords(text))))))
-    : null;
-  return [
+  const { candidates, assumptions = [] } = answer, list = shownColumns(candidates, prices);
+  const rows = candidates.map((c) => [inUse(c, candidates), ...list.map(([, , cell]) => cell(c))]);
+  const text = list.flatMap(([name], i) => (["tube", "sleeve", "rubber", "price"].includes(name) ? [i + 1] : []));
+  const save = () => download("design.csv", csv(rowsOf(candidates, prices)), "text/csv");
+  const words = `${answer.fitting} of ${answer.looked_at} muscles fit; searched with ${answer.searched_with}, computed `
+    + `by ${answer.model}. Click one to show it. Guaranteed at: the lower end of the ± meets the requirement there.`;
+  return there([
     ...head(answer, ask),
     warnings(answer.warnings),
-    table(list.map(([name]) => name), rows, { text, pick: (i) => open(answer.candidates[i]),
+    table(["", ...list.map(([name]) => name)], rows, { text, pick: (i) => open(candidates[i]),
       label: "Muscles that fit, best first" }),
-    el("p", { class: "row small soft" },
-      el("span", { class: "grow" },
-        `${answer.fitting} of ${answer.looked_at} muscles fit; searched with ${answer.searched_with}, computed by `
-          + `${answer.model}. Click one to show it. Sure at: there the lower end of the ± meets what is required.`),
+    el("p", { class: "row small soft" }, el("span", { class: "grow" }, words),
       el("button", { type: "button", onclick: save, title: "The table of the muscles as a file" }, "CSV of the table")),
     ...details(answer),
     boughtView(answer),
-    assumed,
-  ].filter((part) => part !== null);
+    assumptions.length > 0 && el("details", { class: "small" }, el("summary", {}, "What was assumed"),
+      el("ul", {}, ...assumptions.map((line) => el("li", {}, capital(inWords(line)))))),
+  ]);
 }
 
 /** Muscles as sold that would do. @param {Answer} answer */
 function boughtView({ bought }) {
   const one = (/** @type {NonNullable<Answer["bought"]>[number]} */ b) =>
-    `${b.product} (${b.name}, L0 ${show("length", b.length_mm)}): ${show("force", b.force_n, 3)} ± ${
-      show("force", b.uncertainty_n, 2)
-    } at ${show("ratio", b.wanted.contraction, 3)} and ${show("pressure", b.pressure_mpa, 3)}`;
-  return bought?.length ? el("p", { class: "small" }, `As sold would do: ${bought.map(one).join("; ")}.`) : null;
+    `${b.product} (${b.name}, L0 ${show("length", b.length_mm)}): ${withUncertainty("force", b.force_n, b.uncertainty_n)} `
+    + `at ${show("ratio", b.wanted.contraction, 3)} and ${show("pressure", b.pressure_mpa, 3)}`;
+  return bought?.length ? el("p", { class: "small" }, `Sold muscles that fit: ${bought.map(one).join("; ")}.`) : null;
 }
 
 /** What comes closest where nothing fits. @param {Answer} answer */
 export function closestView(answer) {
-  const c = answer.closest;
-  if (!c) return [el("h2", {}, "Nothing fits."), warnings(answer.warnings)];
-  return [
+  const c = answer.closest, size = c && `D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}`;
+  return there([
     el("h2", {}, "Nothing fits."),
-    el("p", {},
-      `Closest: D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}${
-        c.sleeve ? ` in ${c.sleeve}` : ""
-      }: ${inWords(c.reason)}.`),
+    c && el("p", {}, `Closest: ${size}${c.sleeve ? ` in ${c.sleeve}` : ""}: ${inWords(c.reason)}.`),
     warnings(answer.warnings),
-    c.hint ? el("p", {}, capital(inWords(c.hint))) : null,
+    c?.hint ? el("p", {}, capital(inWords(c.hint))) : null,
     boughtView(answer),
-    el("ul", {}, ...c.relaxations.map((r) => el("li", {}, capital(inWords(r.text))))),
-  ].filter((part) => part !== null);
+    c && el("ul", {}, ...c.relaxations.map((r) => el("li", {}, capital(inWords(r.text))))),
+  ]);
 }
 
 /** @param {Answer} answer */
 export function rejectedView({ rejected }) {
-  if (!rejected?.length) return [];
-  const rows = rejected.map((
-    r,
-  ) => [show("length", r.outer_diameter_mm), show("length", r.wall_mm), show("length", r.length_mm),
-    inWords(r.reason)]
-  );
-  return [
-    el("details", {}, el("summary", {}, "Why others fail"), table(["D0", "s", "L0", "reason"], rows, { text: [3] })),
-  ];
+  const sizes = (/** @type {number[]} */ list) => list.map((v) => show("length", v));
+  const rows = (rejected ?? []).map((r) => [...sizes([r.outer_diameter_mm, r.wall_mm, r.length_mm]), inWords(r.reason)]);
+  return there([rows.length > 0 && el("details", {}, el("summary", {}, "Why others fail"),
+    table(["D0", "s", "L0", "reason"], rows, { text: [3] }))]);
 }

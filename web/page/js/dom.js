@@ -4,11 +4,8 @@ import { inWords } from "./words.js";
 
 /**
  * An element: attributes by name, listeners as `onclick` functions, children as nodes or texts.
- * @template {keyof HTMLElementTagNameMap} K
- * @param {K} tag
- * @param {Record<string, unknown>} [attributes]
- * @param {...(Node | string | null | undefined | false)} children
- * @returns {HTMLElementTagNameMap[K]}
+ * @template {keyof HTMLElementTagNameMap} K @param {K} tag @param {Record<string, unknown>} [attributes]
+ * @param {...(Node | string | null | undefined | false)} children @returns {HTMLElementTagNameMap[K]}
  */
 export function el(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
@@ -46,6 +43,12 @@ export function problemBox(thrown) {
     el("p", {}, capital(inWords(problem.message))), hint);
 }
 
+/**
+ * What belongs to an older question, beside the problem of the newest one.
+ * @param {HTMLElement[]} parts @param {boolean} on
+ */
+export const dim = (parts, on) => parts.forEach((part) => part.classList.toggle("stale", on));
+
 /** @param {string} text */
 export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
@@ -58,11 +61,34 @@ export function download(name, content, type) {
 }
 
 /**
+ * An element that is dragged: told where, and whether it is the end or the beginning of the gesture.
+ * @param {HTMLElement | SVGElement} element
+ * @param {(event: PointerEvent, settled: boolean, begins: boolean) => void} act
+ */
+export function dragging(element, act) {
+  let on = false;
+  for (const type of /** @type {const} */ (["pointerdown", "pointermove", "pointerup", "pointercancel"])) {
+    element.addEventListener(type, (/** @type {any} */ event) => {
+      if (type === "pointerdown") {
+        on = true;
+        element.setPointerCapture(event.pointerId);
+      }
+      if (on && type !== "pointercancel") act(event, type === "pointerup", type === "pointerdown");
+      on &&= type === "pointerdown" || type === "pointermove";
+    });
+  }
+}
+
+/** Rows as CSV. @param {readonly (readonly (string | number | null | undefined)[])[]} rows */
+export function csv(rows) {
+  const quoted = (/** @type {string | number | null | undefined} */ v) =>
+    typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : (v ?? "");
+  return rows.map((row) => row.map(quoted).join(",")).join("\n") + "\n";
+}
+
+/**
  * Tabs over one panel.
- * @param {string} label
- * @param {[string, string][]} tabs
- * @param {string} chosen
- * @param {(name: string) => void} choose
+ * @param {string} label @param {[string, string][]} tabs @param {string} chosen @param {(name: string) => void} choose
  */
 export function tabs(label, tabs, chosen, choose) {
   const list = el("div", { role: "tablist", "aria-label": label });

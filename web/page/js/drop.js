@@ -6,6 +6,7 @@ import { keepFile } from "./kept.js";
 import { measured } from "./measured.js";
 import { muscle } from "./muscle.js";
 import { notice, noticeProblem } from "./notice.js";
+import { stated } from "./toml.js";
 import { visit } from "./visit.js";
 
 /** @typedef {"muscle" | "joint" | "drive" | "plan" | "data" | "rubber" | "project" | "other"} Kind */
@@ -34,9 +35,9 @@ export function kindOfFile(name, text) {
   return "other";
 }
 
-/** The muscle files that a joint file names, without their folders. @param {string} text */
+/** The muscle files that a joint or drive names, without their folders. @param {string} text */
 const namedIn = (text) =>
-  [...text.matchAll(/^[ \t]*(?:file|muscle)[ \t]*=[ \t]*"([^"]+)"/gm)].map((m) => m[1].split("/").pop() ?? "");
+  [...stated(text)].flatMap(([place, file]) => (/\.(file|muscle)$/.test(place) ? [file.split("/").pop() ?? ""] : []));
 
 /** @param {Read[]} files */
 async function take(files) {
@@ -48,7 +49,7 @@ async function take(files) {
   const muscles = files.filter((file) => file.kind === "muscle"), wanted = namedIn(joint?.text ?? drive?.text ?? "");
   const own = muscles.find((file) => file.name === wanted[0]) ?? muscles[0];
   const second = muscles.find((file) => file.name === wanted[1] && file !== own);
-  if (own) await muscle.take(own.text);
+  if (own) await muscle.take(own.text, own.name);
   if (data) measured.set({ name: data.name, text: data.text });
   if (plan) keepFile("plan", plan.text);
   if (rubber) keepFile("rubber", { name: rubber.name, text: rubber.text });
@@ -76,6 +77,7 @@ export async function takeFiles(files) {
     for (const file of files) {
       if (file.size > MOST) throw new Error(`${file.name} is larger than 60 MB.`);
       const text = await file.text();
+      if (!text.trim()) throw new Error(`${file.name} is empty.`);
       read.push({ name: file.name, text, kind: kindOfFile(file.name, text) });
     }
     const other = read.find(({ kind }) => kind === "other");

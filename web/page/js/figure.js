@@ -1,8 +1,8 @@
 // Figures of the engine (data: panels, axes, series, marks) as charts.
 import { Chart, KINDS, isDark, viridis } from "./chart.js";
-import { el, token } from "./dom.js";
+import { capital, el, token } from "./dom.js";
 
-/** @typedef {NonNullable<import("../../types/commands").Commands["curve"]["answer"]["figure"]>} Figure */
+/** @typedef {NonNullable<Commands["curve"]["answer"]["figure"]>} Figure */
 /** @typedef {Figure["panels"][number]} Panel */
 const DASHES = /** @type {const} */ (["solid", "dash", "dot", "dash"]);
 
@@ -30,51 +30,43 @@ export class Figures {
     this.grid.replaceChildren(...this.charts.slice(0, figure.panels.length).map((c) => c.element));
     figure.panels.forEach((panel, i) => {
       const heading = this.charts[i].element.querySelector("h3");
-      if (heading) heading.textContent = panel.title || panel.y.label;
+      if (heading) heading.textContent = panel.title || capital(`${named(panel.y)} over ${named(panel.x)}`);
       this.charts[i].show(spec(panel, figure));
     });
     this.caption.textContent = figure.caption;
   }
 }
 
-/**
- * @param {Panel} panel @param {Figure} figure
- * @returns {import("./chart.js").Spec}
- */
+/** What an axis shows, without symbol and unit. @param {Panel["x"]} axis */
+const named = ({ label }) => label.replace(/( \S{1,2})? \[.*$/, "").replace(" ratio", "");
+/** Contractions are in % everywhere on the page. @param {Panel["x"]} axis */
+const scale = ({ label }) => (label.endsWith("ε [–]") ? 100 : 1);
+const words = (/** @type {Panel["x"]} */ axis) => (scale(axis) === 100 ? "contraction ε [%]" : axis.label);
+
+/** @param {Panel} panel @param {Figure} figure @returns {Spec} */
 function spec(panel, figure) {
-  const numbers = figure.panels.flatMap((p) =>
-    p.series.map((s, i) => s.colour ?? i),
-  );
-  const most = Math.max(1, ...numbers);
+  const [kx, ky] = [scale(panel.x), scale(panel.y)];
+  const most = Math.max(1, ...figure.panels.flatMap((p) => p.series.map((s, i) => s.colour ?? i)));
   const colour = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {
     const n = s.colour ?? i;
     if (s.neutral && figure.palette !== "sequential") return token("--ink");
     if (figure.palette !== "sequential") return KINDS[n % KINDS.length];
     return isDark() ? viridis(0.42 + (0.58 * n) / most, 1) : viridis(n / most);
   };
-  /** @returns {import("./chart.js").Series} */
+  /** @returns {Series} */
   const one = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {
-    const dash =
-      s.style === "dashed"
-        ? "dash"
-        : s.style === "dotted"
-          ? "dot"
-          : s.style === "auto" && figure.palette !== "sequential"
-            ? DASHES[(s.colour ?? i) % DASHES.length]
-            : "solid";
-    const line = { colour: colour(s, i), x: s.points.map((p) => p[0]), y: s.points.map((p) => p[1]) };
+    const auto = figure.palette === "sequential" ? "solid" : DASHES[(s.colour ?? i) % DASHES.length];
+    const styles = { dashed: "dash", dotted: "dot", auto };
+    const dash = /** @type {Series["dash"]} */ (/** @type {Record<string, string>} */ (styles)[s.style] ?? "solid");
+    const line = { colour: colour(s, i), x: s.points.map((p) => kx * p[0]), y: s.points.map((p) => ky * p[1]) };
     if (s.style === "band") return { ...line, name: "±", band: true, legend: "" };
     const name = s.label || s.end_label || panel.y.label, mode = s.style === "points" ? "markers" : "lines";
     return { ...line, name, end: s.end_label || undefined, dash, mode, legend: s.label };
   };
   const range = (/** @type {Panel["x"]} */ axis) =>
-    axis.range ? { range: axis.range } : { rangemode: axis.from_zero ? "tozero" : "normal" };
-  return {
-    x: panel.x.label,
-    y: panel.y.label,
-    series: panel.series.map(one),
-    marks: panel.marks.map((m) => ({ x: m.x, y: m.y, text: m.label })),
-    xaxis: range(panel.x),
-    yaxis: range(panel.y),
-  };
+    axis.range ? { range: axis.range.map((v) => scale(axis) * v) }
+      : { rangemode: axis.from_zero ? "tozero" : "normal" };
+  return { x: words(panel.x), y: words(panel.y), series: panel.series.map(one),
+    marks: panel.marks.map((m) => ({ x: kx * m.x, y: ky * m.y, text: m.label })), xaxis: range(panel.x),
+      yaxis: range(panel.y) };
 }

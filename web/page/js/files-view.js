@@ -3,7 +3,7 @@ import { download, el } from "./dom.js";
 import { number } from "./units.js";
 import { zip } from "./zip.js";
 
-/** @typedef {import("../../types/commands").Commands["build"]["answer"]["files"][number]} File */
+/** @typedef {Commands["build"]["answer"]["files"][number]} File */
 
 /** @param {File} file @returns {Uint8Array<ArrayBuffer>} */
 const bytesOf = ({ text, base64 }) =>

@@ -1,6 +1,7 @@
 // A form of quantities as people type them, read by the engine in one question; and long work with progress and a way
 // to end it.
 import { longWork, understood } from "./ask.js";
+import { saying } from "./controls.js";
 import { capital, el, problemBox } from "./dom.js";
 import { isAbort, problemOf } from "./engine/problem.js";
 import { muscle } from "./muscle.js";
@@ -12,14 +13,14 @@ import { inWords } from "./words.js";
  * `pair`: a list of two quantities joined by @, such as 700N@15%, 300N@20%: kinds and fields of both. `words`: a list
  * of words. `or`: words that may stand in place of a quantity. `factor`: a ratio that nobody writes in %. `hidden`:
  * until it is shown.
- * @typedef {import("./units.js").Kind} Kind
  * @typedef {number | number[] | { low: number, high: number } | undefined} Value
  * What a form reads; which fields with which values there are its list of fields decides, and the engine checks.
  * @typedef {Record<string, any>} Read
  * @typedef {{ key: string, field: string, label: string, kind?: Kind, list?: boolean, pair?: [Kind, string][],
  *   words?: boolean, or?: string[], factor?: boolean, hidden?: boolean, options?: [string, string][], value?: string,
  *   hint?: string }} Field
- * @typedef {{ input: HTMLInputElement | HTMLSelectElement, wrong: HTMLElement, row: HTMLElement }} Row
+ * @typedef {{ input: HTMLInputElement | HTMLSelectElement, say: (text?: string, wrong?: boolean) => void,
+ *   row: HTMLElement }} Row
  * @typedef {{ key: string, text: string, kind: Kind, list: boolean, take: (value: Value) => void }} Asked
  */
 
@@ -43,12 +44,12 @@ function fieldRow(f, submit) {
     event.preventDefault();
     submit();
   });
-  const wrong = el("p", { class: "wrong", id: `${id}w`, hidden: true });
+  const below = el("p", { id: `${id}w`, hidden: true });
   const line = el("div", { class: "choice", style: "margin:0;grid-template-columns:minmax(0,5fr) minmax(0,6fr)" },
     el("label", { for: id }, f.label), input);
-  const row = el("div", { style: "margin-bottom:8px", hidden: f.hidden }, line, wrong);
+  const row = el("div", { style: "margin-bottom:8px", hidden: f.hidden }, line, below);
   sketched(row, f.field, f.key);
-  return { input, wrong, row };
+  return { input, say: saying(input, below), row };
 }
 
 /** What a form asks the engine of its texts, and what it says of bare numbers. */
@@ -109,20 +110,13 @@ class Form {
 
   /** @param {string} key @param {string} message */
   mark(key, message) {
-    const of = this.rows.get(key);
-    if (!of) return;
-    of.wrong.className = "wrong";
-    of.wrong.textContent = inWords(message);
-    of.wrong.hidden = !message;
-    if (message) of.input.setAttribute("aria-invalid", "true");
-    else of.input.removeAttribute("aria-invalid");
+    this.rows.get(key)?.say(message, true);
   }
 
   /**
    * Fields of a request, or nothing where a text cannot be understood: it is marked. An interval without a step is its
    * two ends where those are wanted, else a list.
-   * @param {{ intervals?: boolean }} [options]
-   * @returns {Promise<Read | undefined>}
+   * @param {{ intervals?: boolean }} [options] @returns {Promise<Read | undefined>}
    */
   async read({ intervals = false } = {}) {
     const reading = new Reading();
@@ -138,11 +132,9 @@ class Form {
       if (problem) this.mark(key, problem.message);
       else take(list ? (intervals && ends(readings[i])) || values : value);
     });
-    for (const [key, note] of notes) {
-      const wrong = this.rows.get(key)?.wrong;
-      if (wrong?.hidden) Object.assign(wrong, { className: "note small soft", textContent: note, hidden: false });
-    }
-    return readings.some(({ problem }) => problem) ? undefined : values;
+    const bad = new Set(asked.flatMap(({ key }, i) => (readings[i].problem ? [key] : [])));
+    for (const [key, note] of notes) if (!bad.has(key)) this.rows.get(key)?.say(note);
+    return bad.size ? undefined : values;
   }
 
   /** The texts, for an address: those that are not the usual ones. */
@@ -185,7 +177,7 @@ class Form {
       input.after(list);
     }
   }
-  /** Shows a problem at its field, or says that it has none. @param {import("./engine/problem.js").Problem} problem */
+  /** Shows a problem at its field, or says that it has none. @param {Problem} problem */
   at(problem) {
     const f = this.fields.find((x) => x.field === problem.field);
     if (f) this.mark(f.key, problem.message);
@@ -198,8 +190,7 @@ export const form = (fields, submit) => new Form(fields, submit);
 
 /**
  * The ends of an interval without a step, which a search takes as a whole.
- * @param {import("./ask.js").Readings[number]} reading
- * @returns {{ low: number, high: number } | undefined}
+ * @param {import("./ask.js").Readings[number]} reading @returns {{ low: number, high: number } | undefined}
  */
 function ends({ interval }) {
   return interval ? { low: interval[0], high: interval[1] } : undefined;
@@ -207,12 +198,10 @@ function ends({ interval }) {
 
 /**
  * A button that starts long work, with progress, a way to end it, and its problems below.
- * @template {keyof import("../../types/commands").Commands} K
- * @param {string} label @param {K} command
- * @param {() => Promise<import("../../types/commands").Commands[K]["request"] | undefined>} request nothing where
+ * @template {keyof Commands} K @param {string} label @param {K} command
+ * @param {() => Promise<Commands[K]["request"] | undefined>} request nothing where
  *   there is none to ask
- * @param {(answer: import("../../types/commands").Commands[K]["answer"]) => void} take
- * @param {(problem: import("./engine/problem.js").Problem) => void} [fail]
+ * @param {(answer: Commands[K]["answer"]) => void} take @param {(problem: Problem) => void} [fail]
  */
 export function job(label, command, request, take, fail) {
   const start = el("button", { type: "button", class: "main", onclick: () => run() }, label);
@@ -265,8 +254,7 @@ export function job(label, command, request, take, fail) {
 
 /**
  * A table.
- * @param {string[]} head
- * @param {(string | Node)[][]} rows
+ * @param {string[]} head @param {(string | Node)[][]} rows
  * @param {{ text?: number[], pick?: (row: number) => void, label?: string }} [options] columns of text are aligned
  *   left
  */

@@ -1,20 +1,21 @@
-// A fitted formula as people see it: its errors, its figures, and surfaces that turn.
+// A fitted formula as people see it: its errors, its figures, and maps of its pull.
 import { engine } from "./ask.js";
-import { Chart } from "./chart.js";
+import { Chart, viridisAt } from "./chart.js";
 import { download, el } from "./dom.js";
 import { Figures } from "./figure.js";
 import { table } from "./form.js";
 import { atEnd } from "./life.js";
+import { levels, picture, sampled, valueBetween } from "./map.js";
 import { number, outside, show, unitName } from "./units.js";
 
 /** The paper's formula, with the box that it was fitted in. */
-export const PUBLISHED = { name: "The formula of the paper",
+export const PUBLISHED = { name: "Formula (Antonelli 2018)",
   range: /** @type {Record<"outer_diameter_mm" | "wall_mm" | "contraction", [number, number]>} */ ({
     outer_diameter_mm: [30, 50], wall_mm: [1, 5], contraction: [0, 0.2] }) };
 
 /**
  * A formula as a fit gives it.
- * @typedef {import("../../types/commands").Commands["fit"]["answer"]} Fitted
+ * @typedef {Commands["fit"]["answer"]} Fitted
  * @typedef {Omit<Fitted, "figures" | "tables">} File
  */
 /** @param {File} file a formula */
@@ -51,31 +52,29 @@ export const figuresView = (drawn) =>
 /** So many values between two ends. @param {[number, number]} ends */
 const steps = ([low, high], n = 11) => Array.from({ length: n }, (_, i) => low + ((high - low) * i) / (n - 1));
 
-/** The formula as two surfaces: over contraction and wall, and over contraction and diameter. */
+/** The formula as two maps: over contraction and wall, and over contraction and diameter. */
 export function surfaces() {
   const wallTitle = el("h2", {}), diameterTitle = el("h2", {});
-  const overWall = new Chart("surface-wall", { tools: wallTitle, tall: true }),
-    overDiameter = new Chart("surface-diameter", { tools: diameterTitle, tall: true });
+  const overWall = new Chart("map-wall", { tools: wallTitle, tall: true }),
+    overDiameter = new Chart("map-diameter", { tools: diameterTitle, tall: true });
   const element = el("div", { class: "charts", hidden: true }, overWall.element, overDiameter.element),
     ends = new AbortController();
   atEnd(() => ends.abort());
   /**
-   * @param {Chart} chart
-   * @param {string} label
-   * @param {number[]} list
-   * @param {number[]} E
+   * @param {Chart} chart @param {string} label @param {number[]} list @param {number[]} E
    * @param {(value: number) => Promise<(number | null)[]>} line
    */
   async function draw(chart, label, list, E, line) {
-    /** @type {(number | null)[][]} */ const z = [];
-    for (const value of list) z.push(await line(value));
-    const axis = (/** @type {string} */ text) => ({ title: { text } }), pull = `F [${unitName("force")}]`;
-    const scene = { xaxis: axis("ε [%]"), yaxis: axis(label), zaxis: axis(pull),
-      camera: { eye: { x: 1.5, y: 1.5, z: 1.1 }, center: { x: 0, y: 0, z: -0.15 } } };
-    const data = [{ type: "surface", name: "surface", x: E.map((e) => 100 * e),
-      y: list.map((v) => outside("length", v)), z, colorscale: "Viridis", showscale: false }];
-    chart.show({ x: "contraction ε [%]", y: label, z: `pull ${pull}`, series: [], data,
-      layout: { scene, margin: { l: 0, r: 0, t: 0, b: 0 }, dragmode: "orbit" } });
+    /** @type {(number | null)[][]} */ const values = [];
+    for (const value of list) values.push(await line(value));
+    const x = E.map((e) => 100 * e), y = list.map((v) => outside("length", v)), unit = unitName("force");
+    const field = sampled(x, y, 8, (px, py) => valueBetween({ x, y, values }, px, py));
+    const known = values.flat().filter((v) => v !== null), [low, high] = [Math.min(...known), Math.max(...known)];
+    const image = picture(field, (v) => (v === null ? [0, 0, 0, 0] : [...viridisAt((v - low) / (high - low || 1), 1),
+      255]));
+    chart.show({ x: "contraction ε [%]", y: label, z: `pull F [${unit}]`, picture: image, ...levels(field, unit),
+      xaxis: { range: [x[0], x[x.length - 1]] }, yaxis: { range: [y[0], y[y.length - 1]] },
+      rows: y.flatMap((v, j) => x.map((u, i) => ["pull", u, v, values[j][i]])) });
   }
   return {
     element,

@@ -1,5 +1,6 @@
 // A pressure gauge beside the muscle: dragged about its centre. The slider says the same to keyboards and screen
 // readers.
+import { dragging } from "./dom.js";
 import { outside, number } from "./units.js";
 
 /** From straight down, clockwise: where the dial begins, and how far it goes, in degrees. */
@@ -22,7 +23,7 @@ export function gauge(stage, turn) {
   const svg = /** @type {SVGSVGElement} */ (stage.lastElementChild);
   const part = (/** @type {string} */ name) => /** @type {SVGElement} */ (svg.querySelector(name));
   const needle = part(".needle"), label = part(".top");
-  let top = 1, on = false;
+  let top = 1;
   const at = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
     const box = svg.getBoundingClientRect();
     const [x, y] = [event.clientX - box.left - box.width / 2, event.clientY - box.top - box.height / 2];
@@ -31,14 +32,7 @@ export function gauge(stage, turn) {
     const share = Math.min(1, Math.max(0, (angle - FROM) / REACH));
     turn(Math.round(share * top * 1000) / 1000, settled);
   };
-  svg.addEventListener("pointerdown", (event) => {
-    on = true;
-    svg.setPointerCapture(event.pointerId);
-    at(event, false);
-  });
-  svg.addEventListener("pointermove", (event) => { if (on) at(event, false); });
-  svg.addEventListener("pointerup", (event) => { if (on) at(event, true); on = false; });
-  svg.addEventListener("pointercancel", () => { on = false; });
+  dragging(svg, at);
   return {
     /** @param {number} pressure @param {number} highest what the end of the dial stands for */
     set(pressure, highest) {

@@ -1,7 +1,9 @@
 // Help: what a page is for, how it is used, and the page of the book that says more.
+import { address } from "./address.js";
 import { dialog } from "./dialog.js";
 import { el } from "./dom.js";
 import { DOCUMENTATION } from "./kind.js";
+import { muscle } from "./muscle.js";
 import { pageOf } from "./pages.js";
 
 /** How a page is used, in a few sentences. @type {Record<string, string[]>} */
@@ -39,15 +41,16 @@ function book(place) {
 export function helpLink() {
   let page = "muscle";
   const open = () =>
-    dialog(`Help: ${pageOf(page).text}`, () => [
+    dialog(`Help: ${pageOf(page).text}`, (close) => [
       el("p", {}, pageOf(page).about),
       el("ul", {}, ...(HOW[page] ?? []).map((text) => el("li", {}, text))),
       el("p", {},
         "Point at a name of a quantity, or focus its field, to see it in a drawing. Undo and Redo go through your "
           + "gestures. Every view has a link."),
+      el("p", {}, el("a", { href: address("about", muscle.params()), onclick: close }, "About"),
+        ": accuracy, verification, models, sources."),
       DOCUMENTATION ?
-        el("p", {},
-          el("a", { href: book(pageOf(page).help), target: "_blank", rel: "noopener" }, "Read more in the book"))
+        el("iframe", { class: "book", title: "The book", src: book(pageOf(page).help) })
         : el("p", { class: "small soft" }, "The book comes with the program: ",
           el("code", {}, `docs/${pageOf(page).help.split("#")[0]}.md`), ". On the command line: ",
           el("code", {}, "mckibben help"), "."),

@@ -1,7 +1,8 @@
 // The joint to scale: pulley, both muscles as long and as thick as they are, the arm in its range, and the torque that
 // it holds.
 import { niceUp } from "./bench/round.js";
-import { KINDS, isDark, viridis } from "./chart.js";
+import { body, contracted } from "./body.js";
+import { KINDS, pressureColour } from "./chart.js";
 import { number, outside, show, unitName } from "./units.js";
 
 /** @typedef {import("./joint-view.js").Point} Point */
@@ -16,39 +17,18 @@ const at = (/** @type {number} */ radius, /** @type {number} */ degrees) =>
     `${(-radius * Math.sin((degrees * Math.PI) / 180)).toFixed(1)}`;
 
 /**
- * Half the diameter at a contraction, by strands that do not stretch.
- * @param {Measures} m @param {number} contraction
- */
-function bulged({ diameter, angle }, contraction) {
-  const a = (angle * Math.PI) / 180, c = Math.cos(a) * (1 - contraction);
-  return ((diameter / 2) * Math.sqrt(Math.max(0, 1 - c * c))) / Math.sin(a);
-}
-
-/**
- * A muscle of the drawing.
+ * A muscle of the drawing: its rubber has the colour of its pressure.
  * @param {Measures} m @param {1 | 2} which @param {Point | undefined} point @param {number} supply @param {number} left
  */
 function tube(m, which, point, supply, left) {
-  const y = which === 1 ? -m.r : m.r,
-    e = point?.[`contraction_${which}`] ?? m.e0,
-    p = point?.[`pressure_${which}_mpa`];
-  const long = m.length * (1 - e),
-    r = m.diameter / 2,
-    b = Math.max(r, bulged(m, e)),
-    end = 0.12 * long,
-    share = Math.min(1, (p ?? 0) / supply);
-  const colour = isDark() ? viridis(0.25 + 0.75 * share, 1) : viridis(share);
-  const shape = `M${left} ${y - r}q${0.4 * end} ${r - b} ${end} ${r - b}h${long - 2 * end}q${0.6 * end} 0 ${end} ` +
-    `${b - r}v${2 * r}q${-0.4 * end} ${b - r} ${-end} ${b - r}h${-(long - 2 * end)}q${-0.6 * end} 0 ${-end} ${r - b}z`;
-  const cap = (/** @type {number} */ x) =>
-    `<rect x="${x}" y="${y - 1.12 * r}" width="${0.6 * r}" height="${2.24 * r}" class="cap"/>`;
+  const y = which === 1 ? -m.r : m.r, e = point?.[`contraction_${which}`] ?? m.e0, p = point?.[`pressure_${which}_mpa`];
+  const length = m.length * (1 - e), now = contracted(m.diameter, m.angle, e), fill = pressureColour(p ?? 0, supply),
+    b = Math.max(m.diameter, now.bulged) / 2, thread = `color-mix(in srgb, ${fill} 62%, #fff)`;
   const text = p === undefined ? String(which) : `${which}: ${show("pressure", p, 3)}, ${show("ratio", e, 3)}`;
   const place = which === 1 ? y - b - 0.02 * m.length : y + b + 0.055 * m.length;
-  return (
-    `<path d="M${left + long} ${y}H0" class="tendon"/><path d="${shape}" fill="${colour}" class="tube"/>` +
-      `${cap(left - 0.6 * r)}${cap(left + long)}` +
-    `<text x="${left}" y="${place}">${text}</text>`
-  );
+  return `<path d="M${left + length} ${y}H0" class="tendon"/><g transform="translate(${left} ${y})" class="woven">`
+    + `${body({ length, diameter: m.diameter, ...now, fill, thread })}</g>`
+    + `<text x="${left}" y="${place}">${text}</text>`;
 }
 
 /**
@@ -74,13 +54,14 @@ export function jointDrawing(point, angle, supply, m) {
       `fill="none" class="line"/><text x="${left + bar + 4}" y="${tall / 2 - 0.01 * m.length}">` +
       `${show("length", bar, 2)}</text>`;
   const wall = `<path d="M${left - 0.5 * m.diameter} ${-m.r - m.diameter}V${m.r + m.diameter}" class="wall"/>`;
+  const legend = `<text x="${arm * 0.2}" y="${-tall / 2 + 0.05 * m.length}">colour: pressure, 0 to ${show("pressure", supply, 3)}</text>`;
   return (
     `<svg class="section joint" viewBox="${left - 0.04 * m.length} ${-tall / 2} ${width} ${tall}" ` +
       `font-size="${size}">${range}${wall}${muscles}<circle r="${m.r}" class="pulley"/>` +
     `<path d="M0 0L${at(arm, angle)}" class="arm" stroke-width="${0.035 * m.length}"/><circle ` +
     `r="${0.02 * m.length}" fill="currentColor"/>` +
     `<circle cx="${at(arm, angle).replace(" ", '" cy="')}" r="${0.035 * m.length}" fill="${KINDS[1]}"/>` +
-    `${load(point, angle, arm, size)}${scale}</svg>`
+    `${load(point, angle, arm, size)}${scale}${legend}</svg>`
   );
 }
 
@@ -102,7 +83,7 @@ function load(point, angle, arm, size) {
 
 /**
  * What the torque can be at each angle: between the pairs of pressures that pull hardest to either side.
- * @param {number[]} angles @param {(number | null)[][]} torques by pair @returns {import("./chart.js").Series[]}
+ * @param {number[]} angles @param {(number | null)[][]} torques by pair @returns {Series[]}
  */
 export function reachable(angles, torques) {
   const known = angles.map((_, i) =>

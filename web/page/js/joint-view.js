@@ -1,11 +1,11 @@
 // The joint in numbers and curves: torques over the angle, what it can reach, and its numbers.
 import { niceUp } from "./bench/round.js";
 import { KINDS, pressureColour } from "./chart.js";
-import { el } from "./dom.js";
+import { capital, el } from "./dom.js";
 import { reachable } from "./joint-drawing.js";
 import { number, outside, show, unitName } from "./units.js";
 
-/** @typedef {import("../../types/commands").Commands["joint"]["answer"]} Answer */
+/** @typedef {Commands["joint"]["answer"]} Answer */
 /**
  * A point as the page shows it.
  * @typedef {Answer["points"][number] & { model: string, words?: string | null }} Point
@@ -22,6 +22,11 @@ export function angleAt(stage, event) {
   return (Math.atan2(-at.y, at.x) * 180) / Math.PI;
 }
 
+/** Whether finite elements have answered yet. @param {string} model */
+const badge = (model) =>
+  el("p", { class: model === "fe" ? "badge final" : "badge" }, model === "fe" ? "Final: finite elements"
+    : `First estimate: ${model}`);
+
 /** @param {Point} point @param {string} which muscles these are */
 export function numbersView(point, which) {
   const half = (/** @type {number | null | undefined} */ u) => (u ? ` ± ${number(u, 2)}` : "");
@@ -34,27 +39,25 @@ export function numbersView(point, which) {
   // Less than a milligram's weight is what the solution leaves of a slack muscle.
   const pull = (/** @type {number | null | undefined} */ n) => show("force", Math.abs(Number(n)) < 1e-5 ? 0 : n, 3);
   const rows = /** @type {[string, string][]} */ ([
-    ["pressure of muscle 1", show("pressure", point.pressure_1_mpa, 3)],
-    ["pressure of muscle 2", show("pressure", point.pressure_2_mpa, 3)],
+    ["pressure 1", show("pressure", point.pressure_1_mpa, 3)],
+    ["pressure 2", show("pressure", point.pressure_2_mpa, 3)],
     ["stiffness", stiffness(point)],
-    ...(closed.length ? [["with the valves shut", `${closed.join(" to ")} ${unitName("angular-stiffness")}`]] : []),
+    ...(closed.length ? [["stiffness, valves closed", `${closed.join(" to ")} ${unitName("angular-stiffness")}`]] : []),
     ["pulls", `${pull(point.force_1_n)}, ${pull(point.force_2_n)}`],
     ["contractions", `${show("ratio", point.contraction_1, 3)}, ${show("ratio", point.contraction_2, 3)}`],
   ]);
   const words = point.words ? ` The ± of the torque ${point.words}.` : "";
   return [
-    el("dl", {}, el("dt", { class: "head" }, "rests at"),
+    badge(point.model), el("dl", {}, el("dt", { class: "head" }, "Equilibrium angle"),
       el("dd", { class: "head" }, `${number(point.angle_deg, 3)}${half(point.angle_uncertainty_deg)}°`),
-      ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)])),
-    el("p", { class: "small soft" }, `${which} Pressures by ${point.model}; curves and map by universal.${words}`),
+      ...rows.flatMap(([name, value]) => [el("dt", {}, capital(name)), el("dd", {}, value)])),
+    el("p", { class: "small soft" }, `${which} Curves and map by universal.${words}`),
   ];
 }
 
 /**
  * Torques over the angle at pairs of pressures.
- * @param {Family} family
- * @param {Point | undefined} point
- * @returns {import("./chart.js").Spec}
+ * @param {Family} family @param {Point | undefined} point @returns {Spec}
  */
 export function torqueChart({ answer, angles, pairs }, point) {
   const series = pairs.map((pair, i) => {
@@ -68,7 +71,7 @@ export function torqueChart({ answer, angles, pairs }, point) {
     series: [...reachable(angles, series.map((s) => s.y)), ...series], marks };
 }
 
-/** Rest angles and stiffnesses that it reaches. @param {Reached} map @returns {import("./chart.js").Spec} */
+/** Rest angles and stiffnesses that it reaches. @param {Reached} map @returns {Spec} */
 export function reachChart(map) {
   const points = map.points.filter((q) => q !== null), unit = unitName("pressure"), stiffness = "angular-stiffness";
   const mean = (/** @type {Reach} */ { pressures_mpa: list }) =>

@@ -1,7 +1,7 @@
 // The joint of an address: its values, its files and what was typed over them. The pages Joint and Motion ask about it.
 import { understood } from "./ask.js";
-import { jointOfFile, stated } from "./joint-file.js";
 import { joint } from "./state.js";
+import { stated } from "./toml.js";
 import { typed } from "./units.js";
 
 /** Words of the address, and what kind of quantity each is; `k` is that of the muscle's strands. */
@@ -14,8 +14,10 @@ const USUAL = { r: 25, low: -60, high: 60, e0: 0.12, phi: 20, K: 8, pmax: 0.5, m
 export const KEYS = /** @type {Key[]} */ (Object.keys(KINDS_OF));
 /** Files of the address: of the joint, and of muscle 2 where it is another one. */
 export const FILES = /** @type {const} */ (["joint", "file2"]);
-/** What a joint file states too. */
-const IN_FILE = /** @type {const} */ (["r", "low", "high", "e0", "mass", "centre", "inertia"]);
+/** What a joint file states too, and where; both limits are its range. */
+const STATED = { r: "joint.radius", low: "", high: "", e0: "muscle_1.contraction_at_neutral", mass: "link.mass",
+  centre: "link.centre", inertia: "joint.inertia" };
+const IN_FILE = /** @type {(keyof typeof STATED)[]} */ (Object.keys(STATED));
 /** No words beside a joint file: it states them. */
 export const ofFile = Object.fromEntries([...IN_FILE, "range"].map((key) => [key, undefined]));
 /** Both limits in one word, as joint files and links of before have them. */
@@ -48,10 +50,12 @@ export class JointWords {
   async fromFile() {
     const own = IN_FILE.filter((key) => !this.over.has(key));
     Object.assign(this.v, Object.fromEntries(own.map((key) => [key, USUAL[key]])));
-    const of = this.files.joint ? stated(this.files.joint) : {};
-    const { range, ...others } = of, texts = /** @type {[Key, string | undefined][]} */ (Object.entries(others));
-    await this.#limits(range);
-    await this.#take(texts.flatMap(([key, text]) => (text && !this.over.has(key) ? [[key, text]] : [])));
+    const of = stated(this.files.joint);
+    await this.#limits(of.get("joint.range"));
+    await this.#take(own.flatMap((key) => {
+      const text = of.get(STATED[key]);
+      return text ? [/** @type {[Key, string]} */ ([key, text])] : [];
+    }));
   }
 
   /** Both limits, where neither is typed. @param {string | null | undefined} text */
@@ -77,9 +81,9 @@ export class JointWords {
     // One limit alone is no range.
     const ends = over.has("low") || over.has("high") ? [v.low, v.high] : [undefined, undefined];
     const own = (/** @type {Key} */ key) => (over.has(key) ? v[key] : undefined);
-    const put = { r: own("r"), low: ends[0], high: ends[1], e0: own("e0"), mass: own("mass"), centre: own("centre"),
-      inertia: own("inertia") };
-    return files.joint ? jointOfFile(files.joint, first, files.file2, put) : joint(first, files.file2, v);
+    const put = { ...Object.fromEntries(IN_FILE.map((key) => [key, own(key)])), low: ends[0], high: ends[1] };
+    const arm = v.mass > 0 ? v : { ...v, mass: undefined, centre: undefined };
+    return files.joint ? joint(first, files.file2, put, files.joint) : joint(first, files.file2, arm);
   }
 
   /** Its words of the address; what a joint file states is not there twice. @returns {Record<string, string>} */

@@ -10,6 +10,22 @@ const NAME = "mckibben:kept";
  *   plan?: string, campaign?: string, constants?: boolean, checked?: boolean }} Files
  * @typedef {{ words: Record<string, Record<string, string>>, files: Files }} Kept
  */
+/** A word that the browser keeps, where it keeps any. @param {string} name */
+export const remembered = (name) => ({
+  get() {
+    try {
+      return localStorage.getItem(`mckibben:${name}`) ?? "";
+    } catch {
+      return "";
+    }
+  },
+  /** @param {string} word */
+  set(word) {
+    try {
+      localStorage.setItem(`mckibben:${name}`, word);
+    } catch { /* Then it is asked again. */ }
+  },
+});
 /** @returns {Kept} */
 function before() {
   try {

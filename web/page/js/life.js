@@ -17,9 +17,7 @@ export function endAll() {
 
 /**
  * A view or a chart of the page that is shown: destroyed with it.
- * @template T
- * @param {T & { destroy?: () => void }} view
- * @returns {T}
+ * @template T @param {T & { destroy?: () => void }} view @returns {T}
  */
 export function held(view) {
   atEnd(() => view.destroy?.());

@@ -1,15 +1,13 @@
 // Curves on the page: crosshair, zoom, and drags in values of the axes. The drawing itself is in plot.js.
 import { el, say, token } from "./dom.js";
 import { colourOf, drawing, frame, nearest, reachOf } from "./plot.js";
-import { number } from "./units.js";
+import { number, plusMinus } from "./units.js";
 
 /** Farther away than this in pixels nothing is read off. */
 const NEAR = 48;
-const colours = () => ({
-  ink: token("--ink"),
-  line: token("--line"),
-  faint: token("--faint"),
-  paper: token("--paper"),
+/** So long the pointer rests before what is below it is computed, in milliseconds. */
+const REST = 200;
+const colours = () => ({ ink: token("--ink"), line: token("--line"), faint: token("--faint"), paper: token("--paper")
 });
 /** The unit of an axis. @param {string} title */
 const unit = (title) => { const [, u] = /\[(.+)\]/.exec(title) ?? []; return u ? ` ${u}` : ""; };
@@ -17,38 +15,33 @@ const unit = (title) => { const [, u] = /\[(.+)\]/.exec(title) ?? []; return u ?
 export class Lines {
   /**
    * @param {HTMLElement} host @param {string} name
-   * @param {((x: number, y: number, settled: boolean) => void) | undefined} drag
+   * @param {((x: number, y: number, settled: boolean) => void) | undefined} drag @param {AbortSignal} signal its end
    */
-  constructor(host, name, drag) {
+  constructor(host, name, drag, signal) {
     this.host = host;
     this.drag = drag;
-    /** @type {import("./plot.js").Curves | undefined} */ this.spec = undefined;
+    /** @type {Spec | undefined} */ this.spec = undefined;
     /** @type {import("./plot.js").Frame | undefined} */ this.at = undefined;
     /** @type {import("./plot.js").Reach | undefined} */ this.zoomed = undefined;
     /** What the keyboard reads: curve and point. @type {[number, number] | undefined} */ this.read = undefined;
+    this.resting = 0;
     /** Where the pointer rests on the plot. @type {[number, number] | undefined} */ this.pointer = undefined;
     this.drawn = el("div", {});
     this.dot = el("i", { class: "dot", hidden: true });
     this.tip = el("div", { class: "tip small", hidden: true });
     this.hair = el("i", { class: "hair", hidden: true });
     this.box = el("i", { class: "box", hidden: true });
-    this.all = el(
-      "button",
-      { type: "button", class: "all small", hidden: true, onclick: () => this.zoom(undefined) },
-      "Show all",
-    );
+    this.all = el("button", { type: "button", class: "all small", hidden: true, onclick: () => this.zoom(undefined) },
+      "Show all");
     host.replaceChildren(this.drawn, this.hair, this.box, this.dot, this.tip, this.all);
     host.tabIndex = 0;
     host.setAttribute("role", "group");
-    host.setAttribute(
-      "aria-label",
-      `${name.replaceAll("-", " ")}: arrow keys read its points, + and − zoom, 0 shows all`,
-    );
-    this.ends = new AbortController();
-    this.listen();
+    host.setAttribute("aria-label",
+      `${name.replaceAll("-", " ")}: arrow keys read its points, + and − zoom, 0 shows all`);
+    this.listen(signal);
   }
 
-  /** @param {import("./plot.js").Curves} spec */
+  /** @param {Spec} spec */
   draw(spec) {
     this.spec = spec;
     const { clientWidth: width, clientHeight: height } = this.host;
@@ -90,17 +83,14 @@ export class Lines {
     const [cx, cy] = [at.x(px ?? at.left + at.w / 2), at.y(py ?? at.top + at.h / 2)];
     const about = (/** @type {[number, number]} */ [low, high], /** @type {number} */ c, on = true) =>
       /** @type {[number, number]} */ (on ? [c + (low - c) * by, c + (high - c) * by] : [low, high]);
-    this.zoom({
-      x: about(at.reach.x, cx, px === undefined || px > at.left),
-      y: about(at.reach.y, cy, py === undefined || py < at.top + at.h),
-    });
+    this.zoom({ x: about(at.reach.x, cx, px === undefined || px > at.left),
+      y: about(at.reach.y, cy, py === undefined || py < at.top + at.h) });
   }
 
   /** What lies at a place, in words. @param {{ which: number, x: number, y: number, half?: number }} found */
   words({ which, x, y, half }) {
-    const spec = /** @type {import("./plot.js").Curves} */ (this.spec);
-    const value = half === undefined ? number(y, 4) : `${number(y, 4)} ± ${number(half, 2)}`;
-    return `${spec.series[which].name}: ${number(x, 4)}${unit(spec.x)}, ${value}${unit(spec.y)}`;
+    const spec = /** @type {Spec} */ (this.spec);
+    return `${spec.series[which].name}: ${number(x, 4)}${unit(spec.x)}, ${plusMinus(y, half)}${unit(spec.y)}`;
   }
 
   /** @param {{ which: number, x: number, y: number, half?: number }} found */
@@ -122,13 +112,14 @@ export class Lines {
   }
 
   clear() {
+    clearTimeout(this.resting);
     this.read = undefined;
     [this.dot, this.hair, this.tip, this.box].forEach((part) => { part.hidden = true; });
   }
 
-  listen() {
-    const { host } = this,
-      { signal } = this.ends;
+  /** @param {AbortSignal} signal */
+  listen(signal) {
+    const { host } = this;
     const on = (/** @type {string} */ event, /** @type {(event: never) => void} */ act, options = {}) =>
       host.addEventListener(event, /** @type {EventListener} */ (act), { signal, ...options });
     /** @type {{ px: number, py: number, what: "drag" | "x" | "y" | "box" } | undefined} */ let from;
@@ -190,8 +181,21 @@ export class Lines {
     if (!at || !spec) return;
     this.host.style.cursor = py > at.top + at.h ? "ew-resize" : px < at.left ? "ns-resize" : "crosshair";
     const found = px >= at.left && py <= at.top + at.h ? nearest(spec, at, px, py) : undefined;
-    if (found && found.far < NEAR) this.show(found);
-    else this.clear();
+    if (!found || found.far >= NEAR) return this.clear();
+    this.show(found);
+    clearTimeout(this.resting);
+    if (spec.exact) this.resting = window.setTimeout(() => this.compute(found), REST);
+  }
+
+  /**
+   * What is below the pointer that rests, computed.
+   * @param {{ which: number, x: number, y: number, half?: number }} found
+   */
+  compute(found) {
+    const { spec, pointer } = this;
+    spec?.exact?.(spec.series[found.which], found.x, (y, half) => {
+      if (this.spec === spec && this.pointer === pointer) this.show({ ...found, y, half: half ?? undefined });
+    });
   }
 
   /**
@@ -200,12 +204,8 @@ export class Lines {
    */
   selected(from, px, py) {
     const { left, top, w, h } = /** @type {import("./plot.js").Frame} */ (this.at);
-    const sorted = (
-      /** @type {number} */ a,
-      /** @type {number} */ b,
-      /** @type {number} */ low,
-      /** @type {number} */ size,
-    ) => [Math.max(low, Math.min(a, b)), Math.min(low + size, Math.max(a, b))];
+    const sorted = (/** @type {number} */ a, /** @type {number} */ b, /** @type {number} */ low,
+      /** @type {number} */ size) => [Math.max(low, Math.min(a, b)), Math.min(low + size, Math.max(a, b))];
     const [x0, x1] = from.what === "y" ? [left, left + w] : sorted(from.px, px, left, w);
     const [y0, y1] = from.what === "x" ? [top, top + h] : sorted(from.py, py, top, h);
     return { x0, x1, y0, y1 };
@@ -224,10 +224,8 @@ export class Lines {
     this.box.hidden = true;
     const { at } = this, { x0, x1, y0, y1 } = this.selected(from, px, py);
     if (!at || x1 - x0 < 6 || y1 - y0 < 6) return;
-    this.zoom({
-      x: from.what === "y" ? at.reach.x : [at.x(x0), at.x(x1)],
-      y: from.what === "x" ? at.reach.y : [at.y(y1), at.y(y0)],
-    });
+    this.zoom({ x: from.what === "y" ? at.reach.x : [at.x(x0), at.x(x1)],
+      y: from.what === "x" ? at.reach.y : [at.y(y1), at.y(y0)] });
   }
 
   /** @param {string} key @returns whether it means something here */
@@ -245,7 +243,7 @@ export class Lines {
   /** To the next point with a value, of this curve or another one. @param {number} curve @param {number} along */
   walk(curve, along) {
     const series = this.spec?.series ?? [];
-    const readable = series.map((_, i) => i).filter((i) => !series[i].band && series[i].x.length);
+    const readable = series.map((_, i) => i).filter((i) => !series[i].band && !series[i].silent && series[i].x.length);
     if (!readable.length) return;
     const [was, i] = this.read ?? [readable[0], -1];
     const which = readable[(Math.max(0, readable.indexOf(was)) + curve + readable.length) % readable.length];
@@ -263,7 +261,7 @@ export class Lines {
 
   /** The drawing as text of an SVG file. @param {number} width @param {number} height */
   svg(width, height) {
-    const spec = /** @type {import("./plot.js").Curves} */ (this.spec);
+    const spec = /** @type {Spec} */ (this.spec);
     return drawing(spec, frame(spec, width, height, this.zoomed ?? reachOf(spec)), colours(), true);
   }
 
@@ -277,11 +275,5 @@ export class Lines {
     canvas.getContext("2d")?.drawImage(image, 0, 0, 2 * width, 2 * height);
     URL.revokeObjectURL(file);
     return canvas.toDataURL("image/png");
-  }
-
-  destroy() {
-    this.ends.abort();
-    this.host.replaceChildren();
-    for (const name of ["tabindex", "role", "aria-label"]) this.host.removeAttribute(name);
   }
 }

@@ -1,8 +1,7 @@
 // The frame around the pages: which one is shown follows from the address.
 import { engine, loadUnits } from "./ask.js";
-import { address, arrived, onMoved, read, whileLoading } from "./address.js";
+import { address, onWritten, read } from "./address.js";
 import { muscleBar } from "./bar.js";
-import { isDark } from "./chart.js";
 import { byId, el, problemBox } from "./dom.js";
 import { dropAnywhere } from "./drop.js";
 import { helpLink } from "./help.js";
@@ -11,10 +10,12 @@ import { endAll } from "./life.js";
 import { loadMeasures, muscle } from "./muscle.js";
 import { notice } from "./notice.js";
 import { offline } from "./offline.js";
-import { PAGES, pageOf } from "./pages.js";
+import { PLACES, pageOf, viewsOf } from "./pages.js";
 import { printing } from "./print.js";
 import { sketches } from "./sketch.js";
 import { keys } from "./state.js";
+import { record, step } from "./steps.js";
+import { themeButton } from "./theme.js";
 import { welcome } from "./welcome.js";
 
 const main = byId("main");
@@ -24,25 +25,31 @@ let routes = 0;
 
 // Words of the muscle mean other things in a specification: it is one word there.
 const OWN_WORDS = ["design"];
-const here = (/** @type {string} */ name) => location.hash.slice(1).split("?")[0] === name;
-// Until the muscle is read, the link to this page is its address.
-const links = PAGES.map(({ name, text }) =>
-  el("a", { href: here(name) ? location.hash : `#${name}`, "data-name": name }, text)
-);
-byId("pages").append(...links);
+/** The view of a place that was shown last. @type {Map<string, string>} */ const last = new Map();
 
-/** A page's address with the muscle and what was typed there. @param {string} name */
-function linked(name) {
-  const own = wordsOf(name), mine = muscle.params();
+/**
+ * A page's address with a muscle and what was typed there.
+ * @param {string} name @param {Record<string, string | undefined>} mine
+ */
+function linked(name, mine = muscle.params()) {
+  const own = wordsOf(name);
   return address(name, OWN_WORDS.includes(name) ? { ...own, m: muscle.word() } : { ...own, ...mine });
 }
+const places = PLACES.map(([place, text, short]) =>
+  el("a", { href: `#${place}`, "data-place": place }, el("span", {}, text),
+    el("span", { class: "short", "aria-hidden": true }, short))
+);
+byId("pages").append(...places);
+const views = byId("views");
 
 /** Links lead to the muscle as it is now. */
 function link() {
-  for (const a of links) {
-    const to = linked(a.dataset.name ?? "");
+  const put = (/** @type {HTMLAnchorElement} */ a, /** @type {string} */ name) => {
+    const to = linked(name);
     if (a.getAttribute("href") !== to) a.setAttribute("href", to);
-  }
+  };
+  for (const a of places) put(a, last.get(a.dataset.place ?? "") ?? a.dataset.place ?? "");
+  for (const a of views.querySelectorAll("a")) put(a, a.dataset.name ?? "");
 }
 
 /** What a page has put into the address besides the muscle is its own. */
@@ -53,26 +60,38 @@ async function keep() {
   keepWords(page, Object.fromEntries([...params].filter(([key]) => !theirs.includes(key))));
 }
 
-const theme = el("button", { type: "button", onclick: () => {
-  document.documentElement.dataset.theme = isDark() ? "light" : "dark";
-  paintTheme();
-  document.dispatchEvent(new Event("theme"));
-} }, "Dark");
-const paintTheme = () => {
-  theme.textContent = isDark() ? "Light" : "Dark";
-};
 const help = helpLink();
-const bar = muscleBar();
-byId("tools").append(help.element, theme);
+const bar = muscleBar(walk);
+byId("tools").append(help.element, themeButton());
 byId("bar").append(bar.element);
+
+/** Steps that are being gone back to: the muscle on the way there is none. */
+let walking = 0;
+/** Undo and redo of the muscle, on the page that is shown. @param {-1 | 1} by */
+async function walk(by) {
+  const words = step(by), { name } = pageOf(location.hash.slice(1).split("?")[0]);
+  if (!words) return;
+  const query = { ...words, u: muscle.params().u };
+  history.replaceState(null, "", OWN_WORDS.includes(name)
+    ? address(name, { ...wordsOf(name), m: address("", query).slice(2) }) : linked(name, query));
+  walking++;
+  await route();
+  walking--;
+  bar.paint();
+}
 
 /** @param {string} name */
 function frame(name) {
-  for (const a of links) {
-    if (a.dataset.name === name) a.setAttribute("aria-current", "page");
-    else a.removeAttribute("aria-current");
-  }
-  const { text, about } = pageOf(name);
+  const { text, about, place } = pageOf(name), list = viewsOf(place);
+  last.set(place, name);
+  const current = (/** @type {HTMLElement} */ a, /** @type {boolean} */ on) =>
+    on ? a.setAttribute("aria-current", "page") : a.removeAttribute("aria-current");
+  for (const a of places) current(a, a.dataset.place === place);
+  const links = list.length > 1 ? list.map((view) => el("a", { "data-name": view.name, href: `#${view.name}` },
+    view.text)) : [];
+  for (const a of links) current(a, a.dataset.name === name);
+  views.replaceChildren(...links);
+  views.hidden = !links.length;
   byId("claim").textContent = about;
   byId("title").textContent = text;
   help.show(name);
@@ -85,7 +104,7 @@ async function route() {
   const mine = ++routes, { page: wanted, params, lost, bare } = await read();
   if (mine !== routes) return;
   const { name } = pageOf(wanted);
-  if (name !== wanted) notice(`There is no page "${wanted.slice(0, 40)}". This is the page Muscle.`);
+  if (name !== wanted) notice(`There is no page "${wanted.slice(0, 40)}". This is the muscle.`);
   if (lost.length) notice("The link is damaged: a file in it cannot be read. Ask for the link again, or for the file.");
   frame(name);
   welcome(bare && name === "muscle");
@@ -98,7 +117,7 @@ async function route() {
       main.dataset.shown = name;
     }
     const { page } = /** @type {NonNullable<typeof shown>} */ (shown);
-    await whileLoading(() => page.load(params));
+    await page.load(params);
     if (mine !== routes) return;
     await keep();
     link();
@@ -131,23 +150,41 @@ async function start() {
   }
 }
 
-paintTheme();
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", paintTheme);
-onMoved(() => {
-  bar.moved();
+/** The muscle after a gesture is a step; not while a pointer is down. */
+let down = false;
+function changed() {
+  // Before the muscle of the address is read there is none.
+  if (!down && !walking && muscle.shown) record();
+  link();
+  bar.paint();
+}
+for (const event of ["pointerdown", "pointerup", "pointercancel"]) {
+  addEventListener(event, () => {
+    down = event === "pointerdown";
+    if (!down) muscle.touch();
+  }, true);
+}
+/** A field in which somebody types has an undo of its own. @type {EventTarget | null} */ let typing = null;
+addEventListener("input", ({ target }) => { typing = target; }, true);
+addEventListener("change", () => { typing = null; }, true);
+addEventListener("keydown", (event) => {
+  if (event.key === "Enter") typing = null;
+  const key = event.ctrlKey || event.metaKey ? event.key.toLowerCase() : "";
+  if ((key !== "z" && key !== "y") || event.target === typing || document.querySelector("dialog[open]")) return;
+  event.preventDefault();
+  walk(key === "y" || event.shiftKey ? 1 : -1);
+}, true);
+// A page writes at the end of a gesture.
+onWritten(() => {
+  changed();
   keep().then(link, () => {});
 });
 onKept(link);
-muscle.onChange(() => {
-  link();
-  bar.paint();
-});
+muscle.onChange(changed);
 // A link that is followed right after a gesture has the muscle of that gesture.
-for (const event of ["pointerdown", "focusin"]) byId("pages").addEventListener(event, () => muscle.tell());
-window.addEventListener("popstate", () => {
-  arrived();
-  route();
-});
+for (const box of [byId("pages"), views])
+  for (const event of ["pointerdown", "focusin"]) box.addEventListener(event, () => muscle.tell());
+addEventListener("popstate", route);
 sketches();
 printing();
 dropAnywhere();

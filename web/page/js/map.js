@@ -1,183 +1,111 @@
-// Maps and surfaces by plotly.js, which is loaded when the first of them is shown.
-import { el, token } from "./dom.js";
+// A field over two axes as a picture below curves: painted on a canvas, with lines of equal values and what they are.
+import { el } from "./dom.js";
+import { ticks } from "./plot.js";
+import { number } from "./units.js";
 
 /**
- * `data`: traces of a map or surface.
- * @typedef {{ x: (number | null)[], y: (number | null)[], z?: (number | null)[][], text?: string[][], name?: string,
- *   type?: string, picture?: boolean, [more: string]: unknown }} Trace
- * @typedef {{ range?: number[] | null, rangemode?: string, title?: object }} Axis
- * @typedef {import("./plot.js").Curves & { data?: Trace[], z?: string, xaxis?: Axis, yaxis?: Axis,
- *   layout?: Record<string, unknown> }} Spec
+ * A field on a grid; `null` where it has no value.
+ * @typedef {{ x: number[], y: number[], values: (number | null)[][] }} Field
  */
+
 /**
- * What the page uses of the library.
- * @typedef {{ _offset: number, _length: number, d2p: (value: number) => number,
- *   p2d: (pixel: number) => number }} LibraryAxis
- * @typedef {{ react: Function, toImage: Function, purge: (host: HTMLElement) => void }} Library
+ * The corners of the cell of a place, with their shares: below left and right, above left and right.
+ * @param {number[]} x @param {number[]} y @param {number} px @param {number} py
+ * @returns {[i: number, j: number, share: number][]}
  */
-/** @type {Promise<Library> | undefined} */ let library;
-/** The library, once. */
-function plotly() {
-  library ??= new Promise((resolve, reject) => {
-    const script = el("script", { src: new URL("./plotly.js", import.meta.url).href });
-    script.onload = () =>
-      resolve(/** @type {Window & { Plotly?: Library }} */ (window).Plotly ?? /** @type {never} */ (undefined));
-    script.onerror = () => {
-      library = undefined;
-      reject(new Error("The chart library could not be loaded."));
-    };
-    document.head.append(script);
-  });
-  return library;
+export function corners(x, y, px, py) {
+  const place = (/** @type {number[]} */ list, /** @type {number} */ v) => {
+    let i = 0;
+    while (i < list.length - 2 && list[i + 1] <= v) i++;
+    return { i, t: (v - list[i]) / (list[i + 1] - list[i]) };
+  };
+  const { i, t } = place(x, px), { i: j, t: s } = place(y, py);
+  return [[i, j, (1 - t) * (1 - s)], [i + 1, j, t * (1 - s)], [i, j + 1, (1 - t) * s], [i + 1, j + 1, t * s]];
 }
 
-export class PlotlyMap {
-  /** @param {HTMLElement} host @param {((x: number, y: number, settled: boolean) => void) | undefined} drag */
-  constructor(host, drag) {
-    this.host = host;
-    /** @type {Spec | undefined} */ this.spec = undefined;
-    /** @type {Library | undefined} */ this.plotly = undefined;
-    this.ends = new AbortController();
-    host.replaceChildren(el("p", { class: "waiting" }, "Loading the chart …"));
-    if (drag) this.listen(drag);
-  }
+/** Between the values of a grid. @param {Field} field @param {number} px @param {number} py */
+export function valueBetween({ x, y, values }, px, py) {
+  const sum = corners(x, y, px, py).reduce((all, [i, j, share]) => all + share * (values[j][i] ?? NaN), 0);
+  return Number.isFinite(sum) ? sum : null;
+}
 
-  /** @param {Spec} spec */
-  async draw(spec) {
-    this.spec = spec;
-    const Plotly = await plotly();
-    if (this.ends.signal.aborted) return;
-    if (!this.plotly) this.host.replaceChildren();
-    this.plotly = Plotly;
-    await Plotly.react(this.host, this.traces(), this.layout(), { displayModeBar: false, responsive: false });
-    // The page was left while the library was drawing.
-    if (this.ends.signal.aborted) Plotly.purge(this.host);
-  }
+/**
+ * The same on a grid that is so much finer.
+ * @param {number[]} x @param {number[]} y @param {number} by @param {(x: number, y: number) => number | null} at
+ * @returns {Field}
+ */
+export function sampled(x, y, by, at) {
+  const finer = (/** @type {number[]} */ list) => {
+    const [low, high, n] = [list[0], list[list.length - 1], (list.length - 1) * by];
+    return Array.from({ length: n + 1 }, (_, k) => low + ((high - low) * k) / n);
+  };
+  const [fx, fy] = [finer(x), finer(y)];
+  return { x: fx, y: fy, values: fy.map((py) => fx.map((px) => at(px, py))) };
+}
 
-  /** @returns {{ xaxis: LibraryAxis, yaxis: LibraryAxis } | undefined} */
-  get axes() {
-    const full = /** @type {HTMLElement & { _fullLayout?: { xaxis: LibraryAxis, yaxis: LibraryAxis } }} */ (this.host)
-      ._fullLayout;
-    return full?.xaxis ? full : undefined;
-  }
+/**
+ * A pixel for each place of a field.
+ * @param {Field} field @param {(value: number | null, x: number, y: number) => number[]} colour red, green, blue and
+ *   opacity up to 255
+ * @returns {import("./plot.js").Picture}
+ */
+export function picture({ x, y, values }, colour) {
+  const [width, height] = [x.length, y.length], canvas = el("canvas", { width, height });
+  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+  const pixels = context.createImageData(width, height);
+  values.forEach((row, j) =>
+    row.forEach((value, i) => pixels.data.set(colour(value, x[i], y[j]), 4 * ((height - 1 - j) * width + i)))
+  );
+  context.putImageData(pixels, 0, 0);
+  // The middle of a pixel is where its value is.
+  const ends = (/** @type {number[]} */ list) => {
+    const [first, last] = [list[0], list[list.length - 1]], half = (last - first) / (list.length - 1) / 2;
+    return /** @type {[number, number]} */ ([first - half, last + half]);
+  };
+  return { href: canvas.toDataURL(), x: ends(x), y: ends(y) };
+}
 
-  /** @param {number} x @param {number} y */
-  place(x, y) {
-    const { axes } = this;
-    if (!axes) return undefined;
-    const at = (/** @type {LibraryAxis} */ axis, /** @type {number} */ v) =>
-      axis._offset + Math.max(0, Math.min(axis._length, axis.d2p(v)));
-    return [at(axes.xaxis, x), at(axes.yaxis, y)];
+/** Pieces of the line of a value. @param {Field} field @param {number} level */
+function levelLine({ x, y, values }, level) {
+  const out = /** @type {import("./border.js").Segment[]} */ ([]);
+  for (let j = 0; j + 1 < y.length; j++) {
+    for (let i = 0; i + 1 < x.length; i++) {
+      const around = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]], v = around.map(([a, b]) => values[b][a]);
+      if (v.includes(null)) continue;
+      const points = around.flatMap(([a, b], k) => {
+        const [c, d] = around[(k + 1) % 4], [from, to] = [Number(v[k]), Number(v[(k + 1) % 4])];
+        if (from > level === to > level) return [];
+        const t = (level - from) / (to - from);
+        return [[x[a] + t * (x[c] - x[a]), y[b] + t * (y[d] - y[b])]];
+      });
+      for (let k = 0; k + 1 < points.length; k += 2)
+        out.push([points[k][0], points[k][1], points[k + 1][0], points[k + 1][1]]);
+    }
   }
+  return out;
+}
 
-  /** @param {number} px @param {number} py */
-  values(px, py) {
-    const { axes } = this;
-    return axes && [axes.xaxis.p2d(px - axes.xaxis._offset), axes.yaxis.p2d(py - axes.yaxis._offset)];
-  }
+/**
+ * Pieces of lines as a curve that nobody reads off.
+ * @param {import("./border.js").Segment[]} list @param {object} look
+ */
+export const pieces = (list, look) => /** @type {Series} */ ({ name: "", silent: true,
+  x: list.flatMap(([a, , b]) => [a, b, b]), y: list.flatMap(([, a, , b]) => [a, b, null]), ...look });
 
-  traces() {
-    const spec = /** @type {Spec} */ (this.spec);
-    const lines = spec.series.map((s) => ({
-      x: s.x,
-      y: s.y,
-      name: s.name,
-      mode: "lines",
-      type: "scatter",
-      showlegend: false,
-      line: { color: s.colour, width: s.width ?? 1.5, dash: s.dash ?? "solid" },
-      hoverinfo: "skip",
-    }));
-    const marks = (spec.marks ?? []).map((m) => ({
-      x: [m.x],
-      y: [m.y],
-      mode: "markers",
-      type: "scatter",
-      showlegend: false,
-      hovertemplate: `${m.text}<extra></extra>`,
-      marker: { symbol: "circle-open", size: 12, color: token("--ink"), line: { width: 2 } },
-    }));
-    return [...(spec.data ?? []), ...lines, ...marks];
-  }
-
-  layout() {
-    const spec = /** @type {Spec} */ (this.spec);
-    const [ink, line, faint] = [token("--ink"), token("--line"), token("--faint")];
-    const axis = (/** @type {string} */ title) => ({
-      title: { text: title, standoff: 8 },
-      gridcolor: faint,
-      linecolor: line,
-      zerolinecolor: line,
-      tickcolor: line,
-      automargin: true,
-      color: ink,
-      fixedrange: true,
-      zeroline: false,
-    });
-    return {
-      margin: { l: 48, r: 16, t: 12, b: 40 },
-      paper_bgcolor: "rgba(0,0,0,0)",
-      plot_bgcolor: "rgba(0,0,0,0)",
-      font: { family: "system-ui, sans-serif", size: 13, color: ink },
-      xaxis: { ...axis(spec.x), ...spec.xaxis },
-      yaxis: { ...axis(spec.y), ...(spec.yaxis ?? { rangemode: "tozero" }) },
-      hovermode: "closest",
-      dragmode: false,
-      height: this.host.clientHeight,
-      width: this.host.clientWidth,
-      ...spec.layout,
-    };
-  }
-
-  /**
-   * Drags and clicks in the plotting area as values of its axes.
-   * @param {(x: number, y: number, settled: boolean) => void} drag
-   */
-  listen(drag) {
-    let on = false;
-    const { host } = this, { signal } = this.ends;
-    const at = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
-      const { axes } = this,
-        box = host.getBoundingClientRect();
-      if (axes)
-        drag(
-          axes.xaxis.p2d(event.clientX - box.left - axes.xaxis._offset),
-          axes.yaxis.p2d(event.clientY - box.top - axes.yaxis._offset),
-          settled,
-        );
-    };
-    host.addEventListener(
-      "pointerdown",
-      (event) => {
-        if (event.button === 0) {
-          on = true;
-          host.setPointerCapture(event.pointerId);
-          at(event, false);
-        }
-      },
-      { signal },
-    );
-    host.addEventListener("pointermove", (event) => on && at(event, false), { signal });
-    host.addEventListener("pointerup", (event) => { if (on) at(event, true); on = false; }, { signal });
-    host.addEventListener("pointercancel", () => { on = false; }, { signal });
-    host.style.touchAction = "pan-y";
-    host.style.cursor = "crosshair";
-  }
-
-  /** As an image's address. @param {"svg" | "png"} kind @param {{ width: number, height: number }} size */
-  async picture(kind, size) {
-    const layout = { ...this.layout(), paper_bgcolor: token("--paper"), plot_bgcolor: token("--paper") };
-    return /** @type {Promise<string>} */ (
-      (await plotly()).toImage(
-        { data: this.traces(), layout },
-        { format: kind, scale: kind === "png" ? 2 : 1, ...size },
-      )
-    );
-  }
-
-  destroy() {
-    this.ends.abort();
-    this.plotly?.purge(this.host);
-    this.host.replaceChildren();
-  }
+/**
+ * Lines of equal values at round ones, and their names in the middle of each.
+ * @param {Field} field @param {string} unit
+ */
+export function levels(field, unit) {
+  const known = field.values.flat().filter((v) => v !== null);
+  if (!known.length) return { series: [], notes: [] };
+  const all = ticks([Math.min(...known), Math.max(...known)], 7).map(({ value }) =>
+    ({ value, list: levelLine(field, value) }));
+  // Not where they would lie on the axis.
+  const [least, most] = [0.07, 0.93].map((share) => field.x[Math.round(share * (field.x.length - 1))]);
+  const notes = all.flatMap(({ value, list }) => {
+    const free = list.filter(([x]) => x > least && x < most), [x, y] = free[Math.floor(free.length / 2)] ?? [];
+    return free.length > 8 ? [{ x, y, text: `${number(value, 3)} ${unit}` }] : [];
+  });
+  return { series: [pieces(all.flatMap(({ list }) => list), { colour: "#333", width: 1 })], notes };
 }

@@ -3,14 +3,14 @@ import { KINDS } from "./chart.js";
 import { table } from "./form.js";
 import { number, outside, show, unitName } from "./units.js";
 
-/** @typedef {import("../../types/commands").Commands["motion"]["answer"]} Run */
+/** @typedef {Commands["motion"]["answer"]} Run */
 /** Whether it is a joint's. @param {Run} run */
 export const isJoint = (run) => Boolean(run.series.angle_deg);
 /** Series of pressures. */
 /** @typedef {"pressure_1_mpa" | "pressure_2_mpa" | "command_1" | "command_2" | "pressure_mpa" | "command"} Key */
 const pressures = (/** @type {number[]} */ list) => list.map((p) => outside("pressure", p));
 
-/** @param {Run} run @returns {import("./chart.js").Spec} */
+/** @param {Run} run @returns {Spec} */
 export function pressureChart({ series: s, ...run }) {
   const t = s.time_s,
     line = (/** @type {Key} */ key, /** @type {string} */ name, /** @type {number} */ colour,
@@ -24,7 +24,7 @@ export function pressureChart({ series: s, ...run }) {
   return { x: "time [s]", y: `pressure [${unitName("pressure")}]`, series };
 }
 
-/** @param {Run} run @returns {import("./chart.js").Spec} */
+/** @param {Run} run @returns {Spec} */
 export function wayChart(run) {
   const { series: s } = run;
   if (isJoint(run))
@@ -48,15 +48,15 @@ export function figures(run) {
     /** @type {number | null | undefined} */ x,
   ) => (x === null || x === undefined ? "–" : `${number(x, 3)} s`);
   return table(["", ""], [
-    ["rise time, 10–90 %", time(run.rise_time_s)],
-    ["settling time, 2 %", time(run.settling_time_s)],
-    ["overshoot", show("ratio", run.overshoot, 3)],
-    ["filled within 2 % after", time(run.fill_time_s)],
+    ["Rise time, 10–90 %", time(run.rise_time_s)],
+    ["Settling time, 2 %", time(run.settling_time_s)],
+    ["Overshoot", show("ratio", run.overshoot, 3)],
+    ["Filled within 2 % after", time(run.fill_time_s)],
     run.liquid_volume_mm3 == null
-      ? ["air from the supply", `${number(run.air_normal_litres, 3)} normal L`]
-      : ["liquid pushed in", `${number(run.liquid_volume_mm3 / 1000, 4)} mL`],
-    ["largest speed", speed(run)],
-    ["largest power", `${number(run.largest_power_w, 3)} W`],
+      ? ["Air from the supply", `${number(run.air_normal_litres, 3)} normal L`]
+      : ["Liquid pushed in", `${number(run.liquid_volume_mm3 / 1000, 4)} mL`],
+    ["Largest speed", speed(run)],
+    ["Largest power", `${number(run.largest_power_w, 3)} W`],
   ], { label: "figures of the step" });
 }
 

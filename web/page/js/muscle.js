@@ -4,9 +4,9 @@ import { query } from "./address.js";
 import { pack } from "./deflate.js";
 import { canonical, fields, fromWords, keys, missing, opened, prototype, say, shownValue, takeMeasures, texts, words,
   MEASURES } from "./state.js";
-import { nameIn, named } from "./name.js";
+import { nameIn, named } from "./toml.js";
 import { show, typed, unitsFromAddress, unitsInAddress } from "./units.js";
-import { learn } from "./words.js";
+import { braidName, learn, partName } from "./words.js";
 
 const measure = (/** @type {string} */ key) => MEASURES.find((m) => m.key === key);
 
@@ -19,11 +19,10 @@ export async function loadMeasures() {
 
 /**
  * What the engine read: all of `check`, or the measures of another answer.
- * @typedef {import("../../types/commands").Commands} Commands
  * @typedef {Commands["force"]["answer"]["muscle"] & Partial<Commands["check"]["answer"]>} Shown
  */
 export class MuscleState {
-  /** @type {import("./state.js").State} */ #state = prototype();
+  /** @type {State} */ #state = prototype();
   /** @type {Shown | undefined} */ #shown = undefined;
   /** @type {Set<() => void>} */ #listeners = new Set();
   #telling = 0;
@@ -51,7 +50,7 @@ export class MuscleState {
   }
   set state(next) {
     this.#state = next;
-    this.#changed();
+    this.touch();
   }
   /** What the engine read of file and fields, the last time that it could. */
   get shown() {
@@ -59,14 +58,15 @@ export class MuscleState {
   }
   set shown(next) {
     this.#shown = next;
-    this.#changed();
+    this.touch();
   }
 
   /** Is called some time after it changed. @param {() => void} tell */
   onChange(tell) {
     this.#listeners.add(tell);
   }
-  #changed() {
+  /** Tells it soon. */
+  touch() {
     this.#telling ||= window.setTimeout(() => this.tell(), 120);
   }
   /** Tells at once that it changed. */
@@ -79,12 +79,13 @@ export class MuscleState {
   /** Its name. */
   get name() {
     const { file, said } = this.state;
-    return this.called || nameIn(file) || (file || Object.keys(said).length ? "My muscle" : "Prototype of the paper");
+    return this.called || nameIn(file) || (file || Object.keys(said).length ? "My muscle"
+      : "Reference muscle (Antonelli 2018)");
   }
   /** @param {string} text empty for that of its file */
   rename(text) {
     this.called = text === nameIn(this.state.file) ? "" : text;
-    this.#changed();
+    this.touch();
   }
 
   get p() {
@@ -142,14 +143,11 @@ export class MuscleState {
     return named(await this.file(), this.name);
   }
 
-  /** The measures in a line. */
-  line() {
-    const s = this.shown;
-    return s
-      ? `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${
-        show("length", s.length_mm)
-      }, θ0 ${show("angle", s.angle_deg)}, rubber ${s.rubber}, braid ${s.braid}`
-      : "none yet";
+  /** The measures in a line. @param {Shown | undefined} [s] of another one */
+  line(s = this.shown) {
+    if (!s) return "none yet";
+    const size = `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${show("length", s.length_mm)}`;
+    return `${size}, θ0 ${show("angle", s.angle_deg)}, ${partName(s.rubber)}, ${braidName(s.braid)}`;
   }
 
   /** Words of the address. */
@@ -164,7 +162,7 @@ export class MuscleState {
     return plain ? "" : query(params);
   }
 
-  /** Words of the address with another state. @param {import("./state.js").State} state */
+  /** Words of the address with another state. @param {State} state */
   paramsOf(state) {
     const out = words(state, typed);
     out.u = unitsInAddress() || undefined;
@@ -200,7 +198,8 @@ export class MuscleState {
 
   /** The sleeves of the library, once. */
   async known() {
-    if (!this.sleeves.length) this.sleeves = (await engine().ask("parts-list", { kind: "sleeves" }, { lane: "read" })).sleeves;
+    if (!this.sleeves.length) this.sleeves = (await engine().ask("parts-list", { kind: "sleeves" },
+      { lane: "read" })).sleeves;
   }
 
   /** What the engine reads of file and fields. */
@@ -209,12 +208,15 @@ export class MuscleState {
     return this.shown;
   }
 
-  /** A muscle file in place of everything else; refused as a whole where it is none. @param {string} text */
-  async take(text) {
-    const next = opened(this.state, text);
-    const shown = await engine().ask("check", { ...fields(next), only_data: true }, { lane: "read" });
+  /**
+   * A muscle file in place of everything else; refused as a whole where it is none.
+   * @param {string} text @param {string} [name] of the file @param {string} [called] what people call the muscle
+   */
+  async take(text, name = "muscle.toml", called = "") {
+    const next = opened(this.state, text), request = { ...fields(next), muscle: { name, text }, only_data: true };
+    const shown = await engine().ask("check", request, { lane: "read" });
     await pack(text);
-    Object.assign(this, { state: next, shown, called: "", wrong: new Map() });
+    Object.assign(this, { state: next, shown, called: called === nameIn(text) ? "" : called, wrong: new Map() });
     return shown;
   }
 }

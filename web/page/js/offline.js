@@ -1,5 +1,5 @@
 // Use without a network. The service worker keeps the page and what was used; what is large and was not used yet (the
-// whole engine, the library of maps) is fetched for an installed app, for who comes back, or when one asks for it: the
+// whole engine) is fetched for an installed app, for who comes back, or when one asks for it: the
 // first visit does not pay for it. The page of a server computes nothing without it, and is not kept.
 import { engine } from "./ask.js";
 
@@ -10,9 +10,7 @@ const isInstalled = () => matchMedia("(display-mode: standalone)").matches;
 /** Whether the browser asks for as little as possible. */
 const saves = () =>
   Boolean(/** @type {Navigator & { connection?: { saveData?: boolean } }} */ (navigator).connection?.saveData);
-
-/** Files of the engine's own, and the library of maps. */
-const large = () => [...engine().files, "js/plotly.js"];
+const large = () => engine().files;
 
 /** What the worker keeps its files in, once it is installed. */
 async function shelf() {

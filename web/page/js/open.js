@@ -1,9 +1,10 @@
-// Open: a file of any kind, a muscle of the gallery, or one of the library.
+// Open: a file of any kind, a muscle of the gallery, of the library, or of the project.
 import { dialog } from "./dialog.js";
 import { el, problemBox } from "./dom.js";
 import { takeFiles } from "./drop.js";
 import { gallery } from "./gallery.js";
 import { library } from "./library.js";
+import { shelf } from "./project.js";
 
 export function openDialog() {
   dialog("Open a muscle", (close) => {
@@ -25,6 +26,7 @@ export function openDialog() {
       said,
       gallery(fail, close),
       library(fail, close),
+      shelf(fail, close),
     ];
   });
 }

@@ -4,14 +4,20 @@ import { number } from "./units.js";
 /**
  * `half`: half-widths of the ± at each point, drawn as a band; `band`: the points are the outline of one; `end`: a
  * label at the curve's end, or at its start; `z`: a third number of each point, for tables; `strong`: the curve of the
- * state among its family.
+ * state among its family; `silent`: nobody reads it off; `smooth`: a cubic between its points; `fixed`: what does not
+ * change along it.
  * @typedef {{ name: string, x: number[], y: (number | null)[], half?: (number | null | undefined)[], z?: number[],
  *   end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot",
  *   mode?: "lines" | "markers", width?: number, legend?: string, band?: boolean,
- *   strong?: boolean }} Series
+ *   strong?: boolean, silent?: boolean, smooth?: boolean,
+ *   fixed?: number }} Series
  * @typedef {{ range?: number[], rangemode?: string }} Axis
- * @typedef {{ x: string, y: string, series: Series[], marks?: { x: number, y: number, text: string }[],
- *   xaxis?: Axis, yaxis?: Axis }} Curves
+ * @typedef {{ href: string, x: [number, number], y: [number, number] }} Picture below the curves, between these values
+ * @typedef {{ x: number, y: number, text: string }} Place
+ * What a chart shows: curves, rings, words at places, a picture; `rows` of its table where those are not the curves'.
+ * @typedef {{ x: string, y: string, z?: string, series: Series[], marks?: Place[], notes?: Place[], picture?: Picture,
+ *   rows?: (string | number | null)[][], xaxis?: Axis, yaxis?: Axis,
+ *   exact?: (s: Series, x: number, take: (y: number, half?: number | null) => void) => void }} Curves
  * @typedef {{ ink: string, line: string, faint: string, paper: string }} Colours
  * @typedef {{ x: [number, number], y: [number, number] }} Reach
  */
@@ -30,10 +36,7 @@ export const colourOf = (s, i) => s.colour ?? KINDS[i % KINDS.length];
 
 /** What the axes have to show of the curves. @param {Curves} spec @returns {Reach} */
 export function reachOf(spec) {
-  const [x, y] = [
-    [Infinity, -Infinity],
-    [Infinity, -Infinity],
-  ];
+  const [x, y] = [[Infinity, -Infinity], [Infinity, -Infinity]];
   const take = (/** @type {number[]} */ r, /** @type {number} */ v) => {
     r[0] = Math.min(r[0], v);
     r[1] = Math.max(r[1], v);
@@ -56,10 +59,8 @@ export function reachOf(spec) {
     take(x, m.x);
     take(y, m.y);
   }
-  return {
-    x: axisReach(x, spec.xaxis ?? {}, points ? 0.03 : 0),
-    y: axisReach(y, spec.yaxis ?? { rangemode: "tozero" }, 0.05),
-  };
+  return { x: axisReach(x, spec.xaxis ?? {}, points ? 0.03 : 0),
+    y: axisReach(y, spec.yaxis ?? { rangemode: "tozero" }, 0.05) };
 }
 
 /** @param {number[]} found @param {Axis} axis @param {number} spare @returns {[number, number]} */
@@ -82,10 +83,8 @@ export function ticks([low, high], most) {
   const values = Array.from({ length: Math.max(0, Math.min(50, count)) }, (_, i) =>
     Number(((first + i) * step).toPrecision(12)),
   );
-  return values.map((value) => ({
-    value,
-    text: number(value, Math.max(3, Math.ceil(Math.log10(Math.max(1, Math.abs(value) / step)) + 2))),
-  }));
+  return values.map((value) => ({ value,
+    text: number(value, Math.max(3, Math.ceil(Math.log10(Math.max(1, Math.abs(value) / step)) + 2))) }));
 }
 
 /**
@@ -136,163 +135,153 @@ function legends(spec, left, width) {
   });
 }
 
+const MIDDLE = ' text-anchor="middle"';
+/** @param {number} x @param {number} y @param {string} text @param {string} [more] attributes */
+const words = (x, y, text, more = "") => `<text x="${short(x)}" y="${short(y)}"${more}>${escaped(text)}</text>`;
+/** Words on curves stand on paper. @param {Colours} colours @param {string} [fill] */
+const onPaper = ({ ink, paper }, fill = ink) =>
+  ` fill="${fill}" stroke="${paper}" stroke-width="3" paint-order="stroke"`;
+
 /**
  * The whole drawing.
  * @param {Curves} spec @param {Frame} at @param {Colours} colours @param {boolean} [file] as a file of its own
  */
 export function drawing(spec, at, colours, file = false) {
-  const { width, height, left, top, w, h } = at;
-  const inner = [...spec.series.map((s, i) => band(s, i, at)), ...spec.series.map((s, i) => curve(s, i, at))].join("");
-  const marks = (spec.marks ?? [])
-    .map(
-      (m) =>
-        `<circle cx="${short(at.px(m.x))}" cy="${short(at.py(m.y))}" r="6" fill="none" stroke="${colours.ink}" ` +
-          `stroke-width="2"><title>${escaped(m.text)}</title></circle>`,
-    )
-    .join("");
-  const paper = file ? `<rect width="${width}" height="${height}" fill="${colours.paper}"/>` : "";
-  return (
-    `<svg xmlns="http://www.w3.org/2000/svg" class="curves" width="${width}" height="${height}" viewBox="0 0 ` +
-      `${width} ${height}"` +
-    ` font-family="system-ui, sans-serif" font-size="${FONT}" ` +
-    `fill="${colours.ink}"${file ? "" : ' aria-hidden="true"'}>${paper}` +
-    `${axes(spec, at, colours)}<svg x="${left - 4}" y="${top - 4}" width="${w + 8}" height="${h + 8}" ` +
-    `viewBox="${left - 4} ${top - 4} ${w + 8} ${h + 8}" overflow="hidden">${inner}</svg>` +
-    `${marks}${labels(spec, at, colours)}${legend(spec, at)}</svg>`
-  );
+  const { width, height, left, top, w, h, px, py } = at, box = [left - 4, top - 4, w + 8, h + 8];
+  const inner = [image(spec.picture, at), ...spec.series.map((s, i) => band(s, i, at)),
+    ...spec.series.map((s, i) => curve(s, i, at))].join("");
+  const marks = (spec.marks ?? []).map((m) => `<circle cx="${short(px(m.x))}" cy="${short(py(m.y))}" r="6" fill="none" `
+    + `stroke="${colours.ink}" stroke-width="2"><title>${escaped(m.text)}</title></circle>`).join("");
+  const notes = (spec.notes ?? []).map(({ x, y, text }) => words(px(x), py(y), text, MIDDLE + onPaper(colours)));
+  return `<svg xmlns="http://www.w3.org/2000/svg" class="curves" width="${width}" height="${height}" `
+    + `viewBox="0 0 ${width} ${height}" font-family="system-ui, sans-serif" font-size="${FONT}" fill="${colours.ink}"`
+    + `${file ? `><rect width="${width}" height="${height}" fill="${colours.paper}"/>` : ' aria-hidden="true">'}`
+    + `${axes(spec, at, colours)}<svg x="${box[0]}" y="${box[1]}" width="${box[2]}" height="${box[3]}" `
+    + `viewBox="${box.join(" ")}" overflow="hidden">${inner}</svg>`
+    + `${marks}${labels(spec, at, colours)}${notes.join("")}${legend(spec, at)}</svg>`;
+}
+
+/** @param {Picture | undefined} picture @param {Frame} at */
+function image(picture, { px, py }) {
+  if (!picture) return "";
+  const { href, x: [x0, x1], y: [y0, y1] } = picture;
+  return `<image href="${href}" x="${short(px(x0))}" y="${short(py(y1))}" width="${short(px(x1) - px(x0))}" `
+    + `height="${short(py(y0) - py(y1))}" preserveAspectRatio="none"/>`;
 }
 
 /** @param {Curves} spec @param {Frame} at @param {Colours} colours */
 function axes(spec, { left, top, w, h, along, across, px, py }, { line, faint }) {
-  const bottom = top + h;
-  const down = along.map(
-    ({ value, text }) =>
-      `<path d="M${short(px(value))} ${top}V${bottom}" stroke="${faint}"/><text x="${short(px(value))}" ` +
-        `y="${bottom + 17}" text-anchor="middle">${text}</text>`,
-  );
-  const over = across.map(
-    ({ value, text }) =>
-      `<path d="M${left} ${short(py(value))}h${w}" stroke="${faint}"/><text x="${left - 6}" ` +
-        `y="${short(py(value) + 4)}" text-anchor="end">${text}</text>`,
-  );
-  return (
-    `${down.join("")}${over.join("")}<path d="M${left} ${top}V${bottom}H${left + w}" fill="none" stroke="${line}"/>` +
-    `<text x="${left + w / 2}" y="${bottom + 34}" text-anchor="middle">${escaped(spec.x)}</text>` +
-    `<text transform="translate(12 ${top + h / 2}) rotate(-90)" text-anchor="middle">${escaped(spec.y)}</text>`
-  );
+  const bottom = top + h, rule = (/** @type {string} */ d) => `<path d="${d}" stroke="${faint}"/>`;
+  const down = along.map(({ value, text }) =>
+    rule(`M${short(px(value))} ${top}V${bottom}`) + words(px(value), bottom + 17, text, MIDDLE));
+  const over = across.map(({ value, text }) =>
+    rule(`M${left} ${short(py(value))}h${w}`) + words(left - 6, py(value) + 4, text, ' text-anchor="end"'));
+  return `${down.join("")}${over.join("")}<path d="M${left} ${top}V${bottom}H${left + w}" fill="none" stroke="${line}"/>`
+    + words(left + w / 2, bottom + 34, spec.x, MIDDLE)
+    + words(0, 0, spec.y, `${MIDDLE} transform="translate(12 ${top + h / 2}) rotate(-90)"`);
 }
 
-/** Lists of neighbouring points that have a value. @param {Series} s @param {(i: number) => boolean} has */
-function runs(s, has) {
-  const out = /** @type {number[][]} */ ([]);
-  let open = false;
-  s.x.forEach((_, i) => {
-    if (!has(i)) { open = false; return; }
-    if (open) out[out.length - 1].push(i);
-    else out.push([i]);
-    open = true;
+/** Lists of neighbouring points that have a value. @param {Series} s @param {(i: number) => boolean} [has] */
+function runs(s, has = () => true) {
+  const out = /** @type {number[][]} */ ([[]]);
+  s.x.forEach((x, i) => {
+    if (finite(x) && finite(s.y[i]) && has(i)) out[out.length - 1].push(i);
+    else if (out[out.length - 1].length) out.push([]);
   });
-  return out;
+  return out.filter((run) => run.length);
+}
+
+/** Places of the points of a series. @param {Series} s @param {Frame} at */
+const placed = (s, { px, py }) => (/** @type {number} */ i, by = 0) =>
+  `${short(px(s.x[i]))} ${short(py(Number(s.y[i]) + by))}`;
+
+/** @param {Series} s @param {number} which @param {Frame} at */
+function band(s, which, at) {
+  const place = placed(s, at), half = (/** @type {number} */ i) => Number(s.half?.[i]);
+  if (!s.band && !s.half) return "";
+  const all = s.band ? runs(s) : runs(s, (i) => finite(s.half?.[i])).filter((run) => run.length > 1);
+  return all.map((run) => {
+    const points = s.band ? run.map((i) => place(i))
+      : [...run.map((i) => place(i, half(i))), ...run.reverse().map((i) => place(i, -half(i)))];
+    const opacity = s.strong ? 0.2 : s.band ? 0.14 : 0.09;
+    return `<path d="M${points.join("L")}Z" fill="${colourOf(s, which)}" opacity="${opacity}"/>`;
+  }).join("");
+}
+
+/** A run as a cubic. @param {Series} s @param {number[]} run @param {Frame} at */
+function bent(s, run, { px, py }) {
+  const [x, y] = [run.map((i) => s.x[i]), run.map((i) => Number(s.y[i]))], m = slopes(x, y);
+  const at = (/** @type {number} */ vx, /** @type {number} */ vy) => `${short(px(vx))} ${short(py(vy))}`;
+  return x.map((v, i) => {
+    const h = (v - x[i - 1]) / 3;
+    return i ? `C${at(x[i - 1] + h, y[i - 1] + m[i - 1] * h)} ${at(v - h, y[i] - m[i] * h)} ${at(v, y[i])}`
+      : `M${at(v, y[i])}`;
+  }).join("");
 }
 
 /** @param {Series} s @param {number} which @param {Frame} at */
-function band(s, which, { px, py }) {
-  const known = (/** @type {number} */ i) => finite(s.x[i]) && finite(s.y[i]);
-  const place = (/** @type {number} */ i, by = 0) =>
-    `${short(px(s.x[i]))} ${short(py(/** @type {number} */ (s.y[i]) + by))}`;
-  const filled = (/** @type {string[]} */ points) =>
-    `<path d="M${points.join("L")}Z" fill="${colourOf(s, which)}" opacity="${s.strong ? 0.2 : s.band ? 0.14 : 0.09}"/>`;
-  if (s.band)
-    return runs(s, known)
-      .map((run) => filled(run.map((i) => place(i))))
-      .join("");
-  const { half } = s;
-  if (!half) return "";
-  const wide = (/** @type {number} */ i) => /** @type {number} */ (half[i]);
-  return runs(s, (i) => known(i) && finite(half[i]))
-    .filter((run) => run.length > 1)
-    .map((run) => filled([...run.map((i) => place(i, wide(i))), ...run.reverse().map((i) => place(i, -wide(i)))]))
-    .join("");
-}
-
-/** @param {Series} s @param {number} which @param {Frame} at */
-function curve(s, which, { px, py }) {
+function curve(s, which, at) {
   if (s.band) return "";
-  const colour = colourOf(s, which), mode = s.mode ?? "lines";
-  const known = (/** @type {number} */ i) => finite(s.x[i]) && finite(s.y[i]);
-  const place = (/** @type {number} */ i) => `${short(px(s.x[i]))} ${short(py(/** @type {number} */ (s.y[i])))}`;
-  const all = runs(s, known);
-  const lines = mode.includes("lines")
-    ? `<path d="${all.map((run) => `M${run.map(place).join("L")}`).join("")}" fill="none" stroke="${colour}" ` +
-      `stroke-width="${s.width ?? (s.strong ? 3 : 1.75)}" stroke-linejoin="round"${DASHES[s.dash ?? "solid"]}/>`
-    : "";
-  const ring = "m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0";
-  const points = mode.includes("markers")
-    ? `<path d="${all
-        .flat()
-        .map((i) => `M${place(i)}${ring}`)
-        .join("")}" fill="none" stroke="${colour}" stroke-width="1.4"/>`
-    : "";
-  return lines + points;
+  const place = placed(s, at), all = runs(s), drawn = (/** @type {string} */ d, /** @type {string} */ more) =>
+    `<path d="${d}" fill="none" stroke="${colourOf(s, which)}" ${more}/>`;
+  if (s.mode === "markers")
+    return drawn(all.flat().map((i) => `M${place(i)}m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0`).join(""),
+      'stroke-width="1.4"');
+  return drawn(all.map((run) => (s.smooth ? bent(s, run, at) : `M${run.map((i) => place(i)).join("L")}`)).join(""),
+    `stroke-width="${s.width ?? (s.strong ? 3 : 1.75)}" stroke-linejoin="round"${DASHES[s.dash ?? "solid"]}`);
 }
 
 /**
  * Names at the ends of curves, moved apart where they would lie on one another.
  * @param {Curves} spec @param {Frame} at @param {Colours} colours
  */
-function labels(spec, { px, py, left, top, w, h, reach }, { ink, paper }) {
-  const known = (/** @type {Series} */ s, /** @type {number} */ i) =>
-    finite(s.x[i]) && finite(s.y[i]) && s.x[i] >= reach.x[0] && s.x[i] <= reach.x[1];
+function labels(spec, { px, py, left, top, w, h, reach }, colours) {
   const ends = spec.series.flatMap((s, k) => {
-    const start = s.at === "start",
-      places = s.x.map((_, i) => i),
-      i = (start ? places : places.reverse()).find((i) => known(s, i));
-    if (!s.end || i === undefined) return [];
-    const y = py(/** @type {number} */ (s.y[i]));
-    if (y < top - 20 || y > top + h + 20) return [];
-    return [
-      {
-        x: start ? px(s.x[i]) + 8 : Math.min(px(s.x[i]), left + w) + 5,
-        y: start ? y - 4 : y + 4,
-        text: s.end,
-        strong: s.strong,
-        colour: s.colour ? colourOf(s, k) : ink,
-      },
-    ];
+    const start = s.at === "start", seen = runs(s, (i) => s.x[i] >= reach.x[0] && s.x[i] <= reach.x[1]).flat();
+    const i = start ? seen[0] : seen[seen.length - 1], y = py(Number(s.y[i]));
+    if (!s.end || i === undefined || y < top - 20 || y > top + h + 20) return [];
+    return [{ x: start ? px(s.x[i]) + 8 : Math.min(px(s.x[i]), left + w) + 5, y: start ? y - 4 : y + 4, text: s.end,
+      strong: s.strong, colour: s.colour && colourOf(s, k) }];
   });
-  apart(ends, top + h + 6);
-  return ends
-    .map(
-      (e) =>
-        `<text x="${short(e.x)}" y="${short(e.y)}" fill="${e.colour}"${e.strong ? ' font-weight="600"' : ""} ` +
-          `stroke="${paper}" stroke-width="3" paint-order="stroke">${escaped(e.text)}</text>`,
-    )
-    .join("");
-}
-
-/** @param {{ y: number }[]} ends @param {number} lowest */
-function apart(ends, lowest) {
-  let below = lowest;
-  for (const end of [...ends].sort((a, b) => b.y - a.y)) { end.y = Math.min(end.y, below); below = end.y - 14; }
+  let below = top + h + 6;
+  for (const end of [...ends].sort((a, b) => b.y - a.y)) {
+    end.y = Math.min(end.y, below);
+    below = end.y - 14;
+  }
+  return ends.map(({ x, y, text, strong, colour }) =>
+    words(x, y, text, onPaper(colours, colour) + (strong ? ' font-weight="600"' : ""))).join("");
 }
 
 /** @param {Curves} spec @param {Frame} at */
-function legend(spec, { named }) {
-  return named
-    .map(({ text, i, x, y }) => {
-      const s = spec.series[i],
-        colour = colourOf(s, i);
-      const sign =
-        s.mode === "markers"
-          ? `<circle cx="${x + 10}" cy="${y - 4}" r="3.2" fill="none" stroke="${colour}" stroke-width="1.4"/>`
-          : `<path d="M${x} ${y - 4}h20" stroke="${colour}" stroke-width="2"${DASHES[s.dash ?? "solid"]}/>`;
-      return `${sign}<text x="${x + 25}" y="${y}">${escaped(text)}</text>`;
-    })
-    .join("");
+const legend = (spec, { named }) => named.map(({ text, i, x, y }) => {
+  const s = spec.series[i], colour = colourOf(s, i);
+  const sign = s.mode === "markers"
+    ? `<circle cx="${x + 10}" cy="${y - 4}" r="3.2" fill="none" stroke="${colour}" stroke-width="1.4"/>`
+    : `<path d="M${x} ${y - 4}h20" stroke="${colour}" stroke-width="2"${DASHES[s.dash ?? "solid"]}/>`;
+  return sign + words(x + 25, y, text);
+}).join("");
+
+/**
+ * Slopes of a cubic through points that rises and falls with them (Fritsch and Carlson 1980); at rest in a turn.
+ * @param {number[]} x @param {number[]} y
+ */
+export function slopes(x, y) {
+  if (x.length < 3) return x.map(() => (x.length < 2 ? 0 : (y[1] - y[0]) / (x[1] - x[0])));
+  const h = x.slice(1).map((v, i) => v - x[i]), d = h.map((w, i) => (y[i + 1] - y[i]) / w), n = d.length;
+  // Of the parabola through three points.
+  const end = (/** @type {number} */ a, /** @type {number} */ b) =>
+    ((2 * h[a] + h[b]) * d[a] - h[a] * d[b]) / (h[a] + h[b]);
+  const m = x.map((_, i) => i === 0 ? end(0, 1) : i === n ? end(n - 1, n - 2) : d[i - 1] * d[i] <= 0 ? 0
+    : (h[i] * d[i - 1] + h[i - 1] * d[i]) / (h[i - 1] + h[i]));
+  d.forEach((slope, i) => {
+    const far = slope === 0 ? Infinity : Math.hypot(m[i] / slope, m[i + 1] / slope);
+    if (far > 3) for (const k of [i, i + 1]) m[k] *= 3 / far;
+  });
+  return m;
 }
 
 /**
- * A curve at a value of the lower axis: between its points by a line.
+ * A curve at a value of the lower axis: between its points by a line, or by its cubic.
  * @param {Series} s @param {number} x @param {"y" | "half"} [of]
  */
 export function valueAt(s, x, of = "y") {
@@ -301,7 +290,12 @@ export function valueAt(s, x, of = "y") {
     const [a, b, ya, yb] = [s.x[i - 1], s.x[i], list[i - 1], list[i]];
     if (typeof ya !== "number" || typeof yb !== "number" || Math.min(a, b) > x || Math.max(a, b) < x || a === b)
       continue;
-    return ya + ((yb - ya) * (x - a)) / (b - a);
+    const t = (x - a) / (b - a);
+    if (of === "half" || !s.smooth) return ya + t * (yb - ya);
+    const run = runs(s).find((list) => list.includes(i)) ?? [], k = run.indexOf(i);
+    const m = slopes(run.map((j) => s.x[j]), run.map((j) => /** @type {number} */ (s.y[j])));
+    const [p, q] = [m[k - 1] * (b - a), m[k] * (b - a)], back = 1 - t;
+    return ya * back * back * (1 + 2 * t) + p * t * back * back + yb * t * t * (3 - 2 * t) - q * t * t * back;
   }
   return undefined;
 }
@@ -312,19 +306,14 @@ export function valueAt(s, x, of = "y") {
  */
 export function nearest(spec, at, x, y) {
   /** @type {{ far: number, which: number, x: number, y: number, half?: number } | undefined} */ let best;
-  const take = (
-    /** @type {number} */ which,
-    /** @type {number} */ vx,
-    /** @type {number} */ vy,
-    /** @type {number | undefined} */ half,
-    more = 0,
-  ) => {
+  const take = (/** @type {number} */ which, /** @type {number} */ vx, /** @type {number} */ vy,
+    /** @type {number | undefined} */ half, more = 0) => {
     const far = Math.hypot(at.px(vx) - x, at.py(vy) - y) + more;
     if (!best || far < best.far) best = { far, which, x: vx, y: vy, half };
   };
   const value = at.x(x);
   spec.series.forEach((s, which) => {
-    if (s.band) return;
+    if (s.band || s.silent) return;
     if (s.mode?.includes("markers"))
       s.x.forEach((vx, i) => {
         const vy = s.y[i];

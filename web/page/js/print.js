@@ -4,6 +4,7 @@ import { byId, el } from "./dom.js";
 import { muscle } from "./muscle.js";
 import { pageOf } from "./pages.js";
 import { thumbnail } from "./thumbnail.js";
+import { pictures } from "./view3d.js";
 
 /** What stands in the fields that are shown: names and values. @returns {[string, string][]} */
 function inputs() {
@@ -27,6 +28,13 @@ function inputs() {
 /** @param {[string, string][]} rows */
 const list = (rows) => el("dl", {}, ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)]));
 
+/** The muscle as it is seen. */
+function picture() {
+  const canvas = /** @type {HTMLCanvasElement | null} */ (document.querySelector("main .stage canvas"));
+  const src = canvas && pictures.get(canvas)?.();
+  return src ? el("img", { src, alt: "The muscle in this state" }) : null;
+}
+
 /** The sheet of the page as it is now. */
 function sheet() {
   const numbers = [
@@ -39,12 +47,27 @@ function sheet() {
       el("p", { class: "small" },
         `${pageOf(document.body.dataset.page ?? "").text}, ${new Date().toISOString().slice(0, 10)}`, el("br"),
         `mckibben workbench, ${engine().about}`)),
-    el("div", { class: "columns" }, el("div", {}, el("h2", {}, "Inputs"), list(inputs())),
+    picture(), el("div", { class: "columns" }, el("div", {}, el("h2", {}, "Inputs"), list(inputs())),
       el("div", {}, el("h2", {}, "Numbers"), .../** @type {Node[]} */ (numbers))), notes ?? null,
-    el("p", { class: "small link" }, location.href.length < 400 ? location.href : ""));
+    el("p", { class: "small link" }, location.href.length < 2000 ? location.href : ""));
 }
 
 export function printing() {
-  addEventListener("beforeprint", () => byId("sheet").replaceChildren(sheet()));
-  addEventListener("afterprint", () => byId("sheet").replaceChildren());
+  const { dataset } = document.documentElement;
+  /** @type {string | undefined} */ let theme;
+  /** Paper is light. @param {string | undefined} to */
+  const repaint = (to) => {
+    if (to) dataset.theme = to;
+    else delete dataset.theme;
+    document.dispatchEvent(new Event("theme"));
+  };
+  addEventListener("beforeprint", () => {
+    theme = dataset.theme;
+    repaint("light");
+    byId("sheet").replaceChildren(sheet());
+  });
+  addEventListener("afterprint", () => {
+    byId("sheet").replaceChildren();
+    repaint(theme);
+  });
 }

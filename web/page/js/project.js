@@ -1,11 +1,10 @@
 // A project: several muscles, measured points, joint and drive in one file, and in this tab until it is closed.
 import { address } from "./address.js";
-import { dialog } from "./dialog.js";
-import { download, el, problemBox } from "./dom.js";
+import { download, el } from "./dom.js";
 import { everything, fileOf, keepFile, replaceAll } from "./kept.js";
 import { pack } from "./deflate.js";
 import { muscle } from "./muscle.js";
-import { fileName, nameIn } from "./name.js";
+import { fileName, nameIn } from "./toml.js";
 import { notice } from "./notice.js";
 
 const FORMAT = "mckibben-project";
@@ -19,7 +18,7 @@ const FORMAT = "mckibben-project";
  */
 
 /** @returns {Kept[]} */
-const shelf = () => fileOf("muscles") ?? [];
+const kept = () => fileOf("muscles") ?? [];
 /** The point of the present muscle, as words of the address. */
 function point() {
   const { p, e, F } = muscle.params();
@@ -31,7 +30,7 @@ function point() {
 /** The present muscle goes into the project, in place of one of the same name. */
 async function add() {
   const one = { name: muscle.name, file: await muscle.toml(), point: point() };
-  keepFile("muscles", [...shelf().filter(({ name }) => name !== one.name), one]);
+  keepFile("muscles", [...kept().filter(({ name }) => name !== one.name), one]);
 }
 
 /** @param {Kept} one */
@@ -77,47 +76,36 @@ export async function openProject(text) {
   if (one) await show(one);
 }
 
-export function projectDialog() {
-  dialog("Project", (close) => {
-    const said = el("div", {}), list = el("ul", { class: "shelf" });
-    const act = (/** @type {() => Promise<void> | void} */ work) => async () => {
+/**
+ * The muscles of the project, in the window Open.
+ * @param {(problem: unknown) => void} fail @param {() => void} close
+ */
+export function shelf(fail, close) {
+  const list = el("ul", { class: "shelf" });
+  const button = (/** @type {string} */ text, /** @type {() => Promise<void> | void} */ work, title = text) =>
+    el("button", { type: "button", "aria-label": title, onclick: async () => {
       try {
         await work();
         paint();
       } catch (problem) {
-        said.replaceChildren(problemBox(problem));
+        fail(problem);
       }
-    };
-    const button = (/** @type {string} */ text, /** @type {() => Promise<void> | void} */ work, title = text) =>
-      el("button", { type: "button", onclick: act(work), "aria-label": title }, text);
-    function paint() {
-      const rows = shelf().map((one) =>
-        el("li", { class: "row" }, el("span", { class: "grow" }, one.name || nameIn(one.file)),
-          button("Show", async () => {
-            await show(one);
-            close();
-          }, `Show ${one.name}`), button("Remove", () =>
-            keepFile("muscles", shelf().filter((other) => other !== one)), `Remove ${one.name}`))
-      );
-      list.replaceChildren(...(rows.length ? rows : [el("li", { class: "soft" }, "No muscle yet.")]));
-      const data = fileOf("data");
-      parts.textContent = data
-        ? `Measured points: ${data.name}. What was typed on the other pages belongs to the project too.`
-        : "What was typed on the other pages belongs to the project too.";
-    }
-    const parts = el("p", { class: "small soft" });
-    paint();
-    return [
-      el("p", {},
-        "A project keeps several muscles with their measured points, joint and drive. It lasts until this tab is "
-          + "closed; save it as a file."),
-      list,
-      parts,
-      said,
-      el("p", { class: "row" }, button("Add this muscle", add),
-        button("Save the project",
-          async () => download(fileName(muscle.name, ".mckibben.json"), await saved(), "application/json"))),
-      el("p", { class: "small soft" }, "To open a project, choose Open, or drop its file on the page."),
-    ];
-  });
+    } }, text);
+  const open = async (/** @type {Kept} */ one) => {
+    await show(one);
+    close();
+  };
+  function paint() {
+    list.replaceChildren(...kept().map((one) =>
+      el("li", { class: "row" }, el("span", { class: "grow" }, one.name || nameIn(one.file)),
+        button("Show", () => open(one), `Show ${one.name}`),
+        button("Remove", () => keepFile("muscles", kept().filter((other) => other !== one)), `Remove ${one.name}`))
+    ));
+  }
+  paint();
+  return el("div", {}, el("h3", {}, "Project"),
+    el("p", { class: "small soft" },
+      "Several muscles with their measured points, joint and drive. It lasts until this tab is closed; save it as a file."),
+    list, el("p", { class: "row" }, button("Add this muscle", add), button("Save the project",
+      async () => download(fileName(muscle.name, ".mckibben.json"), await saved(), "application/json"))));
 }

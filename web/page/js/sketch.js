@@ -1,5 +1,6 @@
 // A drawing of what a symbol measures: shown while its name is pointed at, or its field has the focus.
 import { el } from "./dom.js";
+import { MEASURES, POINT } from "./state.js";
 
 // The muscle in section, at rest: tube from 40 to 200, its axis at y = 60.
 const BODY = '<path class="rubber" d="M40 36h160v10H40zM40 74h160v10H40z"/>'
@@ -15,11 +16,7 @@ const PULLEY = '<circle class="plain" cx="150" cy="60" r="22"/><path class="arm"
   + '<path class="plain" d="M100 38h50M100 82h50"/>';
 /**
  * A dimension line between two points, with its symbol.
- * @param {number} x1
- * @param {number} y1
- * @param {number} x2
- * @param {number} y2
- * @param {string} text
+ * @param {number} x1 @param {number} y1 @param {number} x2 @param {number} y2 @param {string} text
  */
 function dimension(x1, y1, x2, y2, text) {
   const long = Math.hypot(x2 - x1, y2 - y1) || 1, [u, v] = [(x2 - x1) / long, (y2 - y1) / long];
@@ -38,7 +35,10 @@ const PRESSURE = arrow("M120 60v-22M116 44l4-6 4 6M120 60v22M116 76l4 6 4-6M80 6
 const PULL = arrow("M192 60h38M222 55l8 5-8 5M48 60H10M18 55l-8 5 8 5", "F", [216, 48]);
 const STRAND = '<circle class="rubber" cx="120" cy="60" r="30"/>';
 
-/** Drawings by the keys of fields; `web/symbols.mjs` makes those of the glossary of them. @type {Record<string, () => string>} */
+/**
+ * Drawings by the keys of fields; `web/symbols.mjs` makes those of the glossary of them.
+ * @type {Record<string, () => string>}
+ */
 export const DRAWINGS = {
   D: () => BODY + dimension(120, 36, 120, 84, "D0"),
   s: () => BODY + dimension(120, 22, 120, 36, "") + dimension(120, 60, 120, 46, "") + "<text x='128' y='30'>s</text>",
@@ -68,28 +68,13 @@ export const DRAWINGS = {
   e0: () => PULLEY + dimension(20, 110, 100, 110, "L0 (1 − ε0)"),
   K: () => PULLEY + arrow("M214 30l6 14M216 38l4 6 1-7", "K = −∂τ/∂φ", [146, 20]),
 };
-/** Fields of other names that mean the same. @type {Record<string, string>} */
-const SAME = {
-  outer_diameter_mm: "D",
-  wall_mm: "s",
-  length_mm: "L",
-  angle_deg: "angle",
-  pressure_mpa: "p",
-  contraction: "e",
-  force_n: "F",
-  stiffness: "k",
-  strand_diameter_mm: "sd",
-  strand_modulus_mpa: "sE",
-  max_pressure_mpa: "p",
-  supply_mpa: "p",
-  max_bulged_diameter_mm: "bulge",
-  stroke_mm: "stroke",
-  radius_mm: "r",
-  pmax: "p",
-};
+/** Fields of other names that mean the same, but for those of measures. @type {Record<string, string>} */
+const SAME = { max_pressure_mpa: "p", supply_mpa: "p", pmax: "p", max_bulged_diameter_mm: "bulge", stroke_mm: "stroke",
+  radius_mm: "r" };
 
-/** The drawing of a key or a field, where there is one. @param {string | undefined} key */
-export const drawing = (key) => DRAWINGS[key ?? ""] ?? DRAWINGS[SAME[key ?? ""]];
+/** The drawing of a key or a field, where there is one. @param {string} [key] @returns {(() => string) | undefined} */
+export const drawing = (key = "") =>
+  DRAWINGS[key] ?? DRAWINGS[SAME[key] ?? [...MEASURES, ...POINT].find(({ field }) => field === key)?.key ?? ""];
 
 /** Marks the row of a field as one with a drawing. @param {HTMLElement} row @param {...(string | undefined)} keys */
 export function sketched(row, ...keys) {
@@ -99,10 +84,10 @@ export function sketched(row, ...keys) {
 
 /** Drawings appear beside rows, and go with the pointer, the focus, or Escape. */
 export function sketches() {
-  const box = el("div", { class: "sketch", role: "tooltip", hidden: true });
+  const box = el("div", { class: "sketch drawn", role: "tooltip", hidden: true });
   document.body.append(box);
   /** @type {HTMLElement | undefined} */ let of;
-  let waits = 0;
+  let waits = 0, top = 0;
   const hide = () => {
     clearTimeout(waits);
     box.hidden = true;
@@ -116,7 +101,9 @@ export function sketches() {
     const about = row.dataset.about;
     if (about) box.append(el("p", { class: "small" }, about));
     box.hidden = false;
-    const at = row.getBoundingClientRect(), { width, height } = box.getBoundingClientRect();
+    const at = row.getBoundingClientRect();
+    top = at.top;
+    const { width, height } = box.getBoundingClientRect();
     // Beside the row, or below it where the window is narrow.
     const beside = at.right + width + 16 < innerWidth;
     box.style.left = `${beside ? at.right + 8 : Math.max(8, Math.min(innerWidth - width - 8, at.left))}px`;
@@ -146,6 +133,8 @@ export function sketches() {
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") hide();
   });
-  addEventListener("scroll", hide, { capture: true, passive: true });
+  // What comes above a row may scroll the page, and leaves the row where it is seen.
+  const moved = () => Math.abs((of?.getBoundingClientRect().top ?? top) - top) > 4 && !box.hidden;
+  addEventListener("scroll", () => { if (moved()) hide(); }, { capture: true, passive: true });
   addEventListener("popstate", hide);
 }

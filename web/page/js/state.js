@@ -2,25 +2,29 @@
 // engine: the muscle is
 // what the engine says that the muscle file and the fields over it are, and no page makes another one of them.
 
+import { replaced } from "./toml.js";
+
 /**
  * A quantity: key of the address, field of requests, key and table of muscle files, kind, unit of a plain number,
  * name, symbol, what it is, the
  * values that it may have and the one where nothing is stated, and the ends of its slider, where it has one.
- * @typedef {{ key: string, field: string, filed?: string, group?: string, kind: import("./units.js").Kind, unit?:
+ * @typedef {{ key: string, field: string, filed?: string, group?: string, kind: Kind, unit?:
  *   string, label: string, symbol?: string, about?: string,
- *   above?: number, minimum?: number, maximum?: number, usual?: number, low?: number, high?: number }} Measure
+ *   above?: number, minimum?: number, maximum?: number, usual?: number, low?: number, high?: number, around?: boolean
+ * }} Measure
  */
 /**
- * What the page adds to measures of the program, by their fields: short keys of the address, and sliders.
- * @type {Record<string, { key: string, low: number, high: number }>}
+ * What the page adds to measures of the program, by their fields: short keys of the address, and sliders; of those
+ * `around` the muscle's own value the ends are where there is none.
+ * @type {Record<string, { key: string, low: number, high: number, around?: boolean }>}
  */
 const OWN = {
-  outer_diameter_mm: { key: "D", low: 6, high: 80 },
-  wall_mm: { key: "s", low: 0.3, high: 10 },
-  length_mm: { key: "L", low: 60, high: 900 },
+  outer_diameter_mm: { key: "D", low: 9, high: 90, around: true },
+  wall_mm: { key: "s", low: 0.9, high: 9, around: true },
+  length_mm: { key: "L", low: 85, high: 850, around: true },
   angle_deg: { key: "angle", low: 12, high: 45 },
-  strand_modulus_mpa: { key: "sE", low: 500, high: 200000 },
-  stiffness: { key: "k", low: 20, high: 2000 },
+  strand_modulus_mpa: { key: "sE", low: 500, high: 200000, around: true },
+  stiffness: { key: "k", low: 20, high: 2000, around: true },
   seating_mm: { key: "seating", low: 0, high: 10 },
   slip_mm_per_n: { key: "slip", low: 0, high: 0.02 },
   grip_mm: { key: "grip", low: 0, high: 40 },
@@ -29,7 +33,6 @@ const OWN = {
 const STRAND_DIAMETER = { key: "sd", field: "strand_diameter_mm", group: "braid", kind: "length",
   label: "Diameter of a strand", low: 0.05, high: 1 };
 
-/** @typedef {import("../../types/commands").Commands} Commands */
 /**
  * The muscle in a request: fields of measures, rubber, sleeve, file.
  * @typedef {Omit<Commands["check"]["request"], "pressure_mpa" | "model" | "muscle_file" | "only_data">} Fields
@@ -43,14 +46,14 @@ export let MEASURES = /** @type {Measure[]} */ ([]);
 export let QUANTITIES = MEASURES, STRANDS = MEASURES, ENDS = MEASURES, MORE = MEASURES;
 export let STIFFNESS = STRAND_DIAMETER;
 
-/** @param {import("../../types/commands").Commands["measures"]["answer"]} answer */
+/** @param {Commands["measures"]["answer"]} answer */
 export function takeMeasures({ measures }) {
   MEASURES = measures.flatMap(
     ({ key, group, field, label, quantity, unit, symbol, about, above, minimum, maximum, default: usual }) => {
       if (!field) return [];
       // Pressures of a muscle are moduli.
       const kind =
-        /** @type {import("./units.js").Kind} */ (quantity === "pressure" ? "modulus" : quantity ?? "number");
+        /** @type {Kind} */ (quantity === "pressure" ? "modulus" : quantity ?? "number");
       const name = label.charAt(0).toUpperCase() + label.slice(1);
       const own = OWN[field],
         found =
@@ -77,7 +80,7 @@ export const LOAD =
     low: 0, high: 1000 });
 
 /** @type {readonly Measure[]} */
-const POINT = [PRESSURE, CONTRACTION, LOAD];
+export const POINT = [PRESSURE, CONTRACTION, LOAD];
 /** Words of the address that are no quantities. */
 const NAMES = ["rubber", "braid"];
 /** Stiffnesses that have a name. */
@@ -160,14 +163,13 @@ export const point = ({ p, e, F }) => ({ pressure_mpa: p, ...(F === undefined ? 
  */
 export async function canonical(state, ask) {
   if (state.file && !Object.keys(state.said).length) return state.file;
-  return /** @type {string} */ ((await ask("check", { ...fields(state), muscle_file: true, only_data: true })).muscle_file);
+  return /** @type {string} */ ((await ask("check", { ...fields(state), muscle_file: true,
+    only_data: true })).muscle_file);
 }
 
 /**
  * A measure as a control shows it: what is said, or what the engine read.
- * @param {State} state
- * @param {object | undefined} shown an answer's muscle
- * @param {Measure} measure
+ * @param {State} state @param {object | undefined} shown an answer's muscle @param {Measure} measure
  */
 export function shownValue(state, shown, { key, field, usual }) {
   const said = state.said[key];
@@ -179,8 +181,7 @@ export function shownValue(state, shown, { key, field, usual }) {
 
 /**
  * What a named sleeve needs beside its name: keys of measures.
- * @param {{ said: State["said"] }} state
- * @param {{ name: string, missing: string }[]} sleeves those of the library
+ * @param {{ said: State["said"] }} state @param {{ name: string, missing: string }[]} sleeves those of the library
  */
 export function missing({ said }, sleeves) {
   if (said.braid === undefined || said.k !== undefined) return [];
@@ -191,7 +192,7 @@ export function missing({ said }, sleeves) {
 
 /**
  * Words of the address: all that is said, to the last digit.
- * @param {State} state @param {(kind: import("./units.js").Kind, value: number) => string} typed
+ * @param {State} state @param {(kind: Kind, value: number) => string} typed
  */
 export function words({ file, said, p, e, F }, typed) {
   /** @type {Record<string, string | undefined>} */
@@ -243,28 +244,35 @@ export function fromWords(params, readings) {
 /** Keys of the address that are the muscle's. */
 export const keys = () => [...MEASURES, ...POINT].map(({ key }) => key).concat(NAMES, FILE);
 
+/** A joint of two muscles; a link where it has a mass. @param {boolean} hasMass */
+const template = (hasMass) => `#:schema joint.schema.json\n\n[joint]\nradius = ""\nrange = ""\ninertia = ""\n`
+  + `${hasMass ? '[link]\nmass = ""\ncentre = ""\ninclination = "-90 deg"\n' : ""}[muscle_1]\nfile = ""\n`
+  + 'contraction_at_neutral = ""\n[muscle_2]\nfile = ""\ncontraction_at_neutral = ""\n';
+
 /**
- * A joint with this muscle against itself or another one.
- * @param {string} file the muscle's
- * @param {string} second file of the other one; empty where it is the same
- * @param {{ r: number, low: number, high: number, e0: number, mass?: number, centre?: number,
- *   inertia?: number }} of mm, degrees, ratio, kg, kg m²; the arm hangs at the neutral angle
+ * A request for a joint with this muscle against itself or another one: that of a file, where there is one, with what
+ * was typed over it.
+ * @param {string} file the muscle's @param {string} second file of the other one; empty where it is the same
+ * @param {{ r?: number, low?: number, high?: number, e0?: number, mass?: number, centre?: number,
+   inertia?: number }} of
+ *   mm, degrees, ratio, kg, kg m²; the arm hangs at the neutral angle @param {string} [text] a joint file
  */
-export function joint(file, second, { r, low, high, e0, mass = 0, centre = 0, inertia = 0 }) {
-  const other = second ? "muscle-2.toml" : "muscle.toml";
-  const arm = mass > 0 ? `[link]\nmass = "${mass} kg"\ncentre = "${centre} mm"\ninclination = "-90 deg"\n` : "";
-  const text = `#:schema joint.schema.json\n\n[joint]\nradius = "${r} mm"\nrange = "${low}..${high} deg"\n`
-    + `${inertia > 0 ? `inertia = "${inertia} kg m2"\n` : ""}${arm}[muscle_1]\nfile = "muscle.toml"\n`
-    + `contraction_at_neutral = "${e0}"\n[muscle_2]\nfile = "${other}"\ncontraction_at_neutral = "${e0}"\n`;
-  return { joint: { name: "joint.toml", text },
+export function joint(file, second, { r, low, high, e0, mass, centre, inertia }, text = template(Number(mass) > 0)) {
+  const other = second ? "muscle-2.toml" : "muscle.toml", neutral = e0 === undefined ? undefined : String(e0);
+  const said = (/** @type {number | undefined} */ value, /** @type {string} */ unit) =>
+    value === undefined ? undefined : `${value} ${unit}`;
+  const put = { "muscle_1.file": "muscle.toml", "muscle_2.file": other, "joint.radius": said(r, "mm"),
+    "joint.inertia": said(inertia || undefined, "kg m2"), "link.mass": said(mass, "kg"), "link.centre": said(centre,
+      "mm"),
+    "joint.range": low === undefined || high === undefined ? undefined : `${low}..${high} deg`,
+    "muscle_1.contraction_at_neutral": neutral, "muscle_2.contraction_at_neutral": neutral };
+  // What stays empty is not stated.
+  const written = replaced(text, put).replace(/^\w+ = ""\n/gm, "");
+  return { joint: { name: "joint.toml", text: written },
     muscles: [{ name: "muscle.toml", text: file }, ...(second ? [{ name: other, text: second }] : [])] };
 }
 
-/**
- * A step of this muscle's pressure.
- * @param {string} file the muscle's
- * @param {import("./form.js").Read} read fields of the form
- */
+/** A step of this muscle's pressure. @param {string} file the muscle's @param {Read} read fields of the form */
 export function motion(file, { model, ...step }) {
   return { step, muscle: { name: "muscle", text: file }, model };
 }
@@ -272,8 +280,7 @@ export function motion(file, { model, ...step }) {
 /**
  * One side of a comparison: this muscle, or that of a file of its own, with what the side says over it, at the side's
  * point or this one's.
- * @param {State} state @param {string} own a muscle file
- * @param {import("./form.js").Read} read fields of the side's form
+ * @param {State} state @param {string} own a muscle file @param {Read} read fields of the side's form
  */
 export function side(state, own, { model, pressure_mpa, contraction, ...over }) {
   // What a side says ousts what excludes it, as on the page Muscle.
@@ -292,10 +299,8 @@ export function side(state, own, { model, pressure_mpa, contraction, ...over }) 
  */
 /**
  * The muscle of a candidate of a design: what the search chose, with what it was given of the strands.
- * @param {Chosen} candidate
- * @param {Commands["design"]["request"]} asked the request
- * @param {{ p: number, e: number }} at
- * @returns {State}
+ * @param {Chosen} candidate @param {Commands["design"]["request"]} asked the request
+ * @param {{ p: number, e: number }} at @returns {State}
  */
 export function candidate(candidate, asked, { p, e }) {
   /** @type {Record<string, number | string>} */

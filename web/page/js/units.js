@@ -2,7 +2,7 @@
 
 /**
  * Kinds of the engine, moduli (pressures that are always in MPa), and plain numbers (ratios that nobody writes in %).
- * @typedef {import("../../types/commands").Commands["units"]["answer"]["kinds"][number]["kind"]} EngineKind
+ * @typedef {Commands["units"]["answer"]["kinds"][number]["kind"]} EngineKind
  * @typedef {EngineKind | "modulus" | "number"} Kind
  */
 /** The engine's kind. @param {Kind} kind @returns {EngineKind} */
@@ -37,7 +37,7 @@ const chosen = Object.fromEntries(Object.entries(CHOICES).map(([kind, list]) => 
  */
 const listeners = new Set(), /** @type {Set<() => void>} */ readers = new Set();
 
-/** @param {Pick<import("../../types/commands").Commands["units"]["answer"], "kinds">} answer of `units` */
+/** @param {Pick<Commands["units"]["answer"], "kinds">} answer of `units` */
 export function takeUnits(answer) {
   for (const { kind, expectation, units } of answer.kinds) kinds.set(kind, { expectation, units });
   const pressure = kinds.get("pressure");
@@ -47,9 +47,10 @@ export function takeUnits(answer) {
 }
 
 /** What may be typed; a number alone has the unit that is shown. @param {string} kind */
-export const expectation = (kind) =>
-  (kinds.get(kind)?.expectation ?? "").replace(/\(a bare number is [^)]*\)$/, () =>
-    `(a number alone is in ${unitName(kind)})`);
+export const expectation = (kind) => bareIn(kinds.get(kind)?.expectation ?? "", kind);
+/** With what a number alone means on the page. @param {string} text @param {string} kind */
+export const bareIn = (text, kind) =>
+  text.replace(/\(a bare number is [^)]*\)$/, () => `(a number alone is in ${unitName(kind)})`);
 /** Names of its units. @param {string} kind */
 export const unitsOf = (kind) => (kinds.get(kind)?.units ?? []).map((u) => u.name);
 /** The unit inside. @param {string} kind */
@@ -76,8 +77,7 @@ export const outside = (kind, inside) => {
 };
 /**
  * The other way, as the engine reads it: to 15 digits, so that 0.7 bar is 0.07 MPa.
- * @param {string} kind
- * @param {number} shown
+ * @param {string} kind @param {number} shown
  */
 export const inside = (kind, shown) => {
   const u = factor(kind);
@@ -116,8 +116,9 @@ export function typed(kind, value) {
  * engine asks about.
  */
 const COMMA = /^([-+]?)(\d+),(\d+)(?![\d,.])(.*)$/s;
-/** With a point in place of a decimal comma. @param {string} text */
+/** With a point in place of a decimal comma; points before it separate thousands. @param {string} text */
 function pointed(text) {
+  if (/^[-+]?\d{1,3}(\.\d{3})+,\d+(?![\d,.])/.test(text)) return text.replaceAll(".", "").replace(",", ".");
   const [, sign, whole, decimals, rest] = COMMA.exec(text) ?? [];
   return whole !== undefined && (decimals.length !== 3 || /^0*$/.test(whole)) &&
       !/\d/.test(rest.replace(/[a-z]+\d/gi, ""))
@@ -133,8 +134,7 @@ function pointed(text) {
  */
 export function meant(kind, typed) {
   const text = pointed(typed), comma = text === typed ? {} : { note: `${typed} was read as ${text}.` };
-  const bare = text !== "" && Number.isFinite(Number(text));
-  if (!bare) return { text, ...comma };
+  if (!/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) || !Number.isFinite(Number(text))) return { text, ...comma };
   const value = Number(text);
   if (kind !== "ratio") return { text, value: inside(kind, value), ...comma };
   if (value === 0) return { text, value };
@@ -144,8 +144,7 @@ export function meant(kind, typed) {
 
 /**
  * Numbers of a form without any unit have the one that is shown: `2.5` and `1..3` in bar.
- * @param {string} kind
- * @param {string} text
+ * @param {string} kind @param {string} text
  */
 export function withUnit(kind, text) {
   const hasUnit = /[a-z%°‰]/i.test(text.replace(/\de[-+]?\d/gi, ""));
@@ -154,18 +153,15 @@ export function withUnit(kind, text) {
   return `${text} ${writtenUnit(kind)}`;
 }
 
-/**
- * A pull to the digits that its ± leaves.
- * @param {string} kind
- * @param {number} value
- * @param {number | null | undefined} half
- */
-export function withUncertainty(kind, value, half) {
-  if (!half) return show(kind, value);
-  const [v, u] = [outside(kind, value), outside(kind, half)];
-  const decimals = Math.min(8, Math.max(0, 1 - Math.floor(Math.log10(u))));
-  return `${v.toFixed(decimals).replace("-", "−")} ± ${u.toFixed(decimals)} ${unitName(kind)}`;
+/** A number to the digits that its ± leaves. @param {number} value @param {number | null | undefined} half */
+export function plusMinus(value, half) {
+  if (!half) return number(value);
+  const decimals = Math.min(8, Math.max(0, 1 - Math.floor(Math.log10(half))));
+  return `${value.toFixed(decimals).replace("-", "−")} ± ${half.toFixed(decimals)}`;
 }
+/** The same of a quantity. @param {string} kind @param {number} value @param {number | null | undefined} half */
+export const withUncertainty = (kind, value, half) =>
+  half ? `${plusMinus(outside(kind, value), outside(kind, half))} ${unitName(kind)}` : show(kind, value);
 
 /** Changes a unit everywhere, to the next one or to one by name. @param {string} kind @param {string} [name] */
 export function changeUnit(kind, name) {

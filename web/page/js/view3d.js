@@ -1,8 +1,9 @@
-// The muscle in space: one lit surface turned about the axis, its strands, and the terminals. WebGL2; without it a
-// section as SVG.
+// The muscle in space: one lit surface turned about the axis, its strands, and the terminals. WebGL2; without it an
+// SVG.
 //
 // What the engine knows along the half muscle goes into one small texture; where each point of surface or strand lies
 // follows from it on the graphics processor, so that a new shape costs one upload of a few kilobytes.
+import { body } from "./body.js";
 import { el } from "./dom.js";
 import { FRAGMENT, SURFACE } from "./shaders.js";
 
@@ -19,16 +20,16 @@ const FITTING = [
   [1.02, -0.12], [1.14, -0.12], [1.14, -0.12], [1.14, 0.06], [1.14, 0.06], [1.05, 0.12], [1.05, 0.2], [1.14, 0.26],
   [1.14, 0.26], [1.14, 0.36], [1.14, 0.36], [1.05, 0.42], [1.05, 0.5], [1.14, 0.56], [1.14, 0.56], [1.14, 0.72],
   [1.14, 0.72], [0.62, 0.72], [0.62, 0.72], [0.62, 0.98], [0.62, 0.98], [0.36, 0.98], [0.36, 0.98], [0.36, 1.1],
-  [0.42, 1.14], [0.36, 1.22], [0.42, 1.26], [0.36, 1.34], [0.36, 1.42], [0.36, 1.42], [0.18, 1.42],
-];
+  [0.42, 1.14], [0.36, 1.22], [0.42, 1.26], [0.36, 1.34], [0.36, 1.42], [0.36, 1.42], [0.18, 1.42]];
+
+/** A row of the mesh about the axis: angles and rows. @param {number} row */
+const round = (row) => Array.from({ length: AROUND + 1 }, (_, k) => [(2 * Math.PI * k) / AROUND, row]);
 
 /** @param {WebGL2RenderingContext} gl @param {string} vertex */
 function program(gl, vertex) {
   const made = /** @type {WebGLProgram} */ (gl.createProgram());
-  for (const [kind, source] of /** @type {[number, string][]} */ ([
-    [gl.VERTEX_SHADER, vertex],
-    [gl.FRAGMENT_SHADER, FRAGMENT],
-  ])) {
+  for (const [kind, source] of /** @type {[number, string][]} */ ([[gl.VERTEX_SHADER, vertex],
+    [gl.FRAGMENT_SHADER, FRAGMENT]])) {
     const shader = /** @type {WebGLShader} */ (gl.createShader(kind));
     gl.shaderSource(shader, source);
     gl.compileShader(shader);
@@ -73,6 +74,12 @@ export function reach(list) {
  * @typedef {{ outer: Piece, inner: Piece, walls: Piece[] }} Mesh
  */
 
+/**
+ * What gives a picture of a view, by its canvas: it is drawn for it.
+ * @type {WeakMap<HTMLCanvasElement, () => string>}
+ */
+export const pictures = new WeakMap();
+
 export class View {
   /**
    * @param {HTMLElement} stage
@@ -103,6 +110,7 @@ export class View {
       this.prepare(gl);
       stage.prepend(this.canvas);
       this.listen();
+      pictures.set(this.canvas, () => { this.draw(true); return this.canvas.toDataURL(); });
       this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
       this.canvas.addEventListener("webglcontextrestored", () => { this.prepare(gl); this.upload(); this.draw(); });
     }
@@ -111,6 +119,8 @@ export class View {
     this.height = stage.clientHeight;
     this.rest = 0;
     this.sized = new ResizeObserver(() => {
+      // On paper the stage has no place, and its picture is made.
+      if (!stage.clientWidth) return;
       this.width = stage.clientWidth;
       this.height = stage.clientHeight;
       this.draw(true);
@@ -143,54 +153,36 @@ export class View {
     const key = `${stations}x${across}`;
     this.parts = this.meshes.get(key);
     if (this.parts) return;
-    const last = stations - 1, count = 2 * last + 1;
-    const grid = (/** @type {[number, number][]} */ columns) => {
-      // Columns of (angle, row); neighbours are joined.
-      const data = /** @type {number[]} */ ([]), index = /** @type {number[]} */ ([]);
-      columns.forEach(([angle, row], k) => {
-        for (let j = -last; j <= last; j++) data.push(j, angle, row);
-        if (k === 0) return;
-        for (let i = 0; i < count - 1; i++) {
-          const a = (k - 1) * count + i, b = k * count + i;
-          index.push(a, a + 1, b, b, a + 1, b + 1);
-        }
-      });
-      return this.buffers(this.surface, data, index, [["station", 1], ["angle", 1], ["row", 1]]);
-    };
-    const round = (/** @type {number} */ row) =>
-      Array.from({ length: AROUND + 1 }, (_, k) => /** @type {[number, number]} */ ([(2 * Math.PI * k) / AROUND, row]));
-    const wall = (/** @type {number} */ angle) =>
-      Array.from({ length: across }, (_, i) => /** @type {[number, number]} */ ([angle, i]));
-    this.parts = {
-      outer: grid(round(across - 1)),
-      inner: grid(round(0)),
-      walls: [grid(wall(0)), grid(wall(Math.PI / 2))],
-    };
+    const last = stations - 1, along = Array.from({ length: 2 * last + 1 }, (_, i) => i - last);
+    const wall = (/** @type {number} */ angle) => Array.from({ length: across }, (_, i) => [angle, i]);
+    this.parts = { outer: this.grid(along, round(across - 1)), inner: this.grid(along, round(0)),
+      walls: [this.grid(along, wall(0)), this.grid(along, wall(Math.PI / 2))] };
     this.meshes.set(key, this.parts);
   }
 
   /**
-   * @param {WebGLProgram | undefined} of @param {number[]} data @param {number[]} index
-   * @param {[string, number][]} parts
+   * Columns of angle and row over stations; neighbours are joined.
+   * @param {number[]} along @param {number[][]} columns
    */
-  buffers(of, data, index, parts) {
-    const gl = /** @type {WebGL2RenderingContext} */ (this.gl), program = /** @type {WebGLProgram} */ (of);
+  grid(along, columns) {
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl), program = /** @type {WebGLProgram} */ (this.surface);
+    const data = columns.flatMap(([angle, row]) => along.flatMap((j) => [j, angle, row])), count = along.length;
+    const index = columns.slice(1).flatMap((_, k) => along.slice(1).flatMap((__, i) => {
+      const a = k * count + i, b = a + count;
+      return [a, a + 1, b, b, a + 1, b + 1];
+    }));
     const array = gl.createVertexArray();
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(data), gl.STATIC_DRAW);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint32Array(index), gl.STATIC_DRAW);
-    const stride = 4 * parts.reduce((sum, [, size]) => sum + size, 0);
-    let offset = 0;
-    for (const [name, size] of parts) {
+    ["station", "angle", "row"].forEach((name, i) => {
       const at = gl.getAttribLocation(program, name);
-      if (at >= 0) {
-        gl.enableVertexAttribArray(at);
-        gl.vertexAttribPointer(at, size, gl.FLOAT, false, stride, offset);
-      }
-      offset += 4 * size;
-    }
+      if (at < 0) return;
+      gl.enableVertexAttribArray(at);
+      gl.vertexAttribPointer(at, 1, gl.FLOAT, false, 12, 4 * i);
+    });
     return { array, count: index.length };
   }
 
@@ -203,6 +195,15 @@ export class View {
     this.show = show;
     if (this.gl) { this.upload(); this.draw(); }
     else this.section();
+  }
+
+  /**
+   * A shape by its largest stretch.
+   * @param {Shape & { muscle: { length_mm: number, outer_diameter_mm: number } }} shape @param {number} [least]
+   */
+  stretched(shape, least = 1.2) {
+    this.set(shape, { field: "max_stretch", low: 1, high: Math.max(least, reach(shape.arrays.max_stretch)[1]),
+      restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });
   }
 
   upload() {
@@ -276,48 +277,33 @@ export class View {
     }
     paint(0, [0.56, 0.58, 0.61]);
     gl.uniform1f(at("shine"), 0.35);
-    this.plugs(at);
+    this.plugs(at, draw);
     gl.uniform1f(at("shine"), 0);
     this.drawn?.();
   }
 
-  /** The fittings at both ends, each with its port. @param {(name: string) => WebGLUniformLocation | null} at */
-  plugs(at) {
+  /**
+   * The fittings at both ends, each with its port.
+   * @param {(name: string) => WebGLUniformLocation | null} at @param {(part: Piece) => void} draw
+   */
+  plugs(at, draw) {
     const { gl, shape } = this;
     if (!gl || !shape) return;
     const last = shape.arrays.z_mm.length - 1, end = shape.arrays.z_mm[last], r = shape.arrays.r_mm[last];
     const profile = FITTING.map(([a, z]) => [a * r, end + z * r]);
     // The first and the last texel only give the others neighbours.
-    const all = [profile[0], ...profile, profile[profile.length - 1]], count = profile.length;
+    const all = [profile[0], ...profile, profile[profile.length - 1]];
     this.plugTexture ??= gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, this.plugTexture);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     const texels = new Float32Array(all.flatMap(([a, z]) => [a, z, 0, 0]));
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, all.length, 1, 0, gl.RGBA, gl.FLOAT, texels);
-    this.plug ??= [1, -1].map((sign) => this.revolved(sign, count));
+    this.plug ??= [1, -1].map((sign) => this.grid(profile.map((_, j) => sign * (j + 1)), round(0)));
     gl.uniform1f(at("flat_normal"), 0);
     gl.uniform1f(at("cut"), 0);
-    for (const part of this.plug) {
-      gl.bindVertexArray(part.array);
-      gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0);
-    }
+    this.plug.forEach(draw);
     gl.bindTexture(gl.TEXTURE_2D, this.texture ?? null);
-  }
-
-  /** A profile of so many stations, turned about the axis. @param {number} sign @param {number} count */
-  revolved(sign, count) {
-    const data = /** @type {number[]} */ ([]),
-      index = /** @type {number[]} */ ([]);
-    for (let k = 0; k <= AROUND; k++)
-      for (let j = 1; j <= count; j++) data.push(sign * j, (2 * Math.PI * k) / AROUND, 0);
-    for (let k = 0; k < AROUND; k++) {
-      for (let j = 0; j < count - 1; j++) {
-        const [a, b] = [count * k + j, count * (k + 1) + j];
-        index.push(a, a + 1, b, b, a + 1, b + 1);
-      }
-    }
-    return this.buffers(this.surface, data, index, [["station", 1], ["angle", 1], ["row", 1]]);
   }
 
   /** The left end stays where it is; the picture is as wide as the muscle at rest. @param {number} aspect */
@@ -464,30 +450,16 @@ export class View {
     canvas.addEventListener("pointercancel", up);
   }
 
-  /** Without WebGL: outer and inner line of the section. */
+  /** Without WebGL: the muscle from the side. */
   section() {
-    if (!this.shape) return;
-    const { stations, across, arrays, length_mm } = this.shape;
-    const { restLength } = this.show;
-    const line = (/** @type {number} */ i, /** @type {number} */ sign) => {
-      const points = [];
-      for (let j = 1 - stations; j < stations; j++) {
-        const at = Math.abs(j) * across + i;
-        points.push(
-          `${((j < 0 ? -1 : 1) * arrays.z_mm[at] + 0.5 * (length_mm - restLength)).toFixed(2)},` +
-            `${(sign * arrays.r_mm[at]).toFixed(2)}`,
-        );
-      }
-      return points;
-    };
-    const wall = (/** @type {number} */ sign) => [...line(across - 1, sign), ...line(0, sign).reverse()].join(" ");
-    const most = Math.max(1.3 * this.largest(), 10);
-    const box = `${-0.6 * restLength} ${-most} ${1.2 * restLength} ${2 * most}`;
-    const svg = `<svg class="section" xmlns="http://www.w3.org/2000/svg" viewBox="${box}" role="img" ` +
-      `aria-label="Section of the deformed muscle"><g fill="#9a8f86" stroke="currentColor" stroke-width="0.5">` +
-      `<polygon points="${wall(1)}"/><polygon points="${wall(-1)}"/></g></svg>`;
+    const { shape, show: { restLength, restRadius } } = this;
+    if (!shape) return;
+    const most = Math.max(1.3 * this.largest(), 10), angle = shape.arrays.strand_angle_deg[0];
+    const muscle = body({ length: shape.length_mm, diameter: 2 * restRadius, bulged: 2 * this.largest(), angle });
     this.stage.querySelector("svg.section")?.remove();
-    this.stage.insertAdjacentHTML("afterbegin", svg);
+    const box = `${-0.1 * restLength} ${-most} ${1.2 * restLength} ${2 * most}`;
+    this.stage.insertAdjacentHTML("afterbegin", `<svg class="section" xmlns="http://www.w3.org/2000/svg" role="img" `
+      + `aria-label="The deformed muscle" viewBox="${box}">${muscle}</svg>`);
     // Of a box that is fitted into the stage whole.
     this.half = 0.5 * Math.max(1.2 * restLength, (2 * most * this.width) / Math.max(1, this.height));
     this.drawn?.();

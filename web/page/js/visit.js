@@ -6,8 +6,7 @@ import { muscle } from "./muscle.js";
 
 /**
  * Goes to a page with words over the kept ones; the muscle goes along.
- * @param {string} page
- * @param {Record<string, string | undefined>} words
+ * @param {string} page @param {Record<string, string | undefined>} words
  */
 export async function visit(page, words) {
   await Promise.all(Object.values(words).map((word) => pack(word ?? "")));

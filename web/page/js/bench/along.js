@@ -2,7 +2,7 @@
 import { KINDS } from "../chart.js";
 import { outside, unitName } from "../units.js";
 
-/** @param {NonNullable<import("./store.js").Store["shape"]>} shape @returns {import("../chart.js").Spec} */
+/** @param {NonNullable<Store["shape"]>} shape @returns {Spec} */
 export function along({ arrays, stations, across }) {
   /** Of the half muscle, that of the whole. @param {(j: number) => number} at @param {number} sign */
   const mirror = (at, sign) => {
@@ -18,14 +18,8 @@ export function along({ arrays, stations, across }) {
     series: [
       { name: "outer radius", end: "outer", x, y: radius(across - 1), colour: KINDS[0] },
       { name: "inner radius", end: "inner", x, y: radius(0), colour: KINDS[4] },
-      {
-        name: "strand angle",
-        end: "angle",
-        x,
-        y: mirror((j) => arrays.strand_angle_deg[j], 1),
-        colour: KINDS[1],
-        dash: "dot",
-      },
+      { name: "strand angle", end: "angle", x, y: mirror((j) => arrays.strand_angle_deg[j], 1), colour: KINDS[1],
+        dash: "dot" },
     ],
   };
 }

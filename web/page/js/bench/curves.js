@@ -8,18 +8,16 @@ import { along } from "./along.js";
 import { FAMILY, OVERLAYS, familyOf, familySeries, overlay, ownOf, ownSeries, reachOf } from "./family.js";
 import { Points } from "./points.js";
 
-/** @typedef {import("./store.js").Store} Store */
 /** @typedef {import("./family.js").Answer} Answer */
 const TESTS = /** @type {[string, string][]} */ ([
-  ["isobaric", "Isobaric"], ["isometric", "Isometric"], ["isotonic", "Isotonic"], ["along", "Along the muscle"],
-]);
+  ["isobaric", "Isobaric"], ["isometric", "Isometric"], ["isotonic", "Isotonic"], ["along", "Along the muscle"]]);
 
 export class Curves {
   /** @param {Store} store */
   constructor(store) {
     this.store = store;
     const slot = () => new Slot({ lane: "curves" });
-    this.slots = { family: slot(), own: slot(), over: slot() };
+    this.slots = { family: slot(), own: slot(), over: slot(), exact: slot() };
     /** @type {{ test: string, answer: Answer, top: number } | undefined} */ this.family = undefined;
     /** @type {{ test: string, answer: Answer } | undefined} */ this.own = undefined;
     /** @type {Answer[]} */ this.overlays = [];
@@ -99,16 +97,16 @@ export class Curves {
     const key = JSON.stringify([names, fields, muscle.p, contractions]);
     if (key === this.keys.over) return;
     this.keys.over = key;
-    const found = /** @type {Answer[]} */ ([]);
-    const isobaric = /** @type {const} */ ("isobaric");
-    const common = { test: isobaric, ...fields, extrapolate: true, pressures_mpa: [muscle.p], contractions };
-    const next = (/** @type {string[]} */ [model, ...rest]) => {
+    const found = /** @type {Answer[]} */ ([]), test_ = /** @type {const} */ ("isobaric");
+    const common = { test: test_, ...fields, extrapolate: true, pressures_mpa: [muscle.p], contractions };
+    const next = () => {
       if (this.keys.over !== key) return;
-      if (!model) { this.overlays = found; return this.draw(); }
-      const take = (/** @type {Answer} */ answer) => { found.push(answer); next(rest); };
-      this.slots.over.ask("curve", { ...common, model }, take, () => next(rest));
+      const model = names.shift(), take = (/** @type {Answer} */ answer) => { found.push(answer); next(); };
+      if (model) return this.slots.over.ask("curve", { ...common, model }, take, next);
+      this.overlays = found;
+      this.draw();
     };
-    next(names);
+    next();
   }
 
   draw() {
@@ -121,8 +119,26 @@ export class Curves {
     if (test === "isobaric") series.push(...this.overlays.map(overlay), ...points.series(top));
     const [pressure, force] = [`pressure p [${unitName("pressure")}]`, `pull F [${unitName("force")}]`];
     const ratio = "contraction ε [%]";
-    chart.show({ x: test === "isobaric" ? ratio : pressure, y: test === "isotonic" ? ratio : force, series });
+    chart.show({ x: test === "isobaric" ? ratio : pressure, y: test === "isotonic" ? ratio : force, series,
+      exact: (s, x, take) => this.exact(s, x, take) });
     this.mark();
+  }
+
+  /**
+   * A curve by finite elements where the pointer rests.
+   * @param {Series} s @param {number} x @param {(y: number, half?: number | null) => void} take
+   */
+  exact({ fixed }, x, take) {
+    const { test } = this.store.wanted, fields = muscle.fields(), { exact } = this.slots;
+    if (fixed === undefined) return;
+    const pressure = x / outside("pressure", 1);
+    if (test === "isotonic")
+      return exact.ask("contraction", { ...fields, force_n: fixed, pressure_mpa: pressure }, (a) =>
+        take(100 * a.contraction, a.contraction_uncertainty && 100 * a.contraction_uncertainty));
+    const at = test === "isobaric" ? { pressure_mpa: fixed, contraction: x / 100 } : { pressure_mpa: pressure,
+      contraction: fixed };
+    exact.ask("force", { ...fields, ...at }, (a) =>
+      take(outside("force", a.force_n), a.uncertainty_n && outside("force", a.uncertainty_n)));
   }
 
   mark() {
@@ -156,26 +172,16 @@ const friction = () => typeof muscle.shown?.friction_coefficient === "number";
 
 /** @param {Store} store @param {() => void} changed */
 function overlayChoice(store, changed) {
-  const boxes = OVERLAYS.map((name) =>
-    el("input", {
-      type: "checkbox",
-      id: `over-${name}`,
-      onchange: () => {
-        store.wanted.over = OVERLAYS.filter((_, i) => boxes[i].checked).join(",");
-        changed();
-      },
-    }),
-  );
+  const boxes = OVERLAYS.map((name) => el("input", { type: "checkbox", id: `over-${name}`, onchange() {
+    store.wanted.over = OVERLAYS.filter((_, i) => boxes[i].checked).join(",");
+    changed();
+  } }));
   const dash = (/** @type {number} */ i) =>
     el("i", { style: `display:inline-block;width:16px;border-top:2px dashed ${KINDS[i + 1]};vertical-align:middle` });
   const labels = OVERLAYS.map((name, i) => el("label", { for: `over-${name}` }, boxes[i], ` ${name} `, dash(i)));
   return {
-    element: el(
-      "div",
-      { class: "row small" },
-      el("span", { class: "soft" }, "Other models at this pressure:"),
-      ...labels,
-    ),
+    element: el("div", { class: "row small" }, el("span", { class: "soft" }, "Other models at this pressure:"),
+      ...labels),
     /** @param {string[]} names */
     set(names) { OVERLAYS.forEach((name, i) => { boxes[i].checked = names.includes(name); }); },
   };

@@ -1,10 +1,9 @@
 // Dimension lines over the muscle, and its shape at rest as a ghost. The handles change the diameter and the length at
 // rest.
+import { dragging } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { show } from "../units.js";
 
-/** @typedef {import("./store.js").Store} Store */
-/** @typedef {import("../view3d.js").View} View */
 /** @typedef {[number, number]} Place */
 const SVG = "http://www.w3.org/2000/svg";
 /** Pixels between the muscle and a dimension line. */
@@ -16,9 +15,7 @@ export function dimensions(stage, store, view) {
   const svg = document.createElementNS(SVG, "svg"), lines = document.createElementNS(SVG, "g");
   svg.setAttribute("class", "dimensions");
   svg.setAttribute("aria-hidden", "true");
-  const handles = [
-    ["D", "Drag to change the outer diameter"],
-    ["L", "Drag to change the length"],
+  const handles = [["D", "Drag to change the outer diameter"], ["L", "Drag to change the length"]
   ].map(([key, title]) => handle(key, title));
   svg.append(lines, ...handles);
   stage.append(svg);
@@ -32,11 +29,7 @@ export function dimensions(stage, store, view) {
     // On a narrow page they would lie on each other: there are sliders.
     handles.forEach((one) => { one.style.display = seen.width > 560 ? "" : "none"; });
     lines.innerHTML = drawing(places, shape, seen.show, seen.width, seen.height);
-    const {
-      rest: [, b],
-      up,
-      radius,
-    } = places;
+    const { rest: [, b], up, radius } = places;
     [[b[0] + up[0] * radius, b[1] + up[1] * radius], b].forEach(([x, y], i) =>
       handles[i].setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)})`),
     );
@@ -48,28 +41,21 @@ export function dimensions(stage, store, view) {
     circle.setAttribute("r", "5");
     words.textContent = title;
     circle.append(words);
-    /** @type {{ x: number, y: number, value: number } | undefined} */ let from;
-    const moved = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
-      if (!from) return;
-      const { up, along, rest } = layout(view(), store.shape, view().show.restLength, view().show.restRadius);
-      const [dx, dy] = [event.clientX - from.x, event.clientY - from.y], perPixel = view().millimetresPerPixel;
+    let from = { x: 0, y: 0, value: 0 };
+    dragging(circle, (event, settled, begins) => {
+      if (begins) {
+        from = { x: event.clientX, y: event.clientY, value: Number(muscle.value(key)) };
+        event.stopPropagation();
+      }
+      const seen = view(), { restLength, restRadius } = seen.show;
+      const { up, along, rest } = layout(seen, store.shape, restLength, restRadius);
+      const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
       // Along the axis lengths are foreshortened.
       const long = Math.hypot(rest[1][0] - rest[0][0], rest[1][1] - rest[0][1]);
-      const by =
-        key === "D"
-          ? 2 * (dx * up[0] + dy * up[1]) * perPixel
-          : ((dx * along[0] + dy * along[1]) * view().show.restLength) / Math.max(20, long);
-      const value = Math.max(1, Math.round(10 * (from.value + by)) / 10);
-      store.changed(key, value, settled);
-    };
-    circle.addEventListener("pointerdown", (event) => {
-      from = { x: event.clientX, y: event.clientY, value: Number(muscle.value(key)) };
-      circle.setPointerCapture(event.pointerId);
-      event.stopPropagation();
+      const by = key === "D" ? 2 * (dx * up[0] + dy * up[1]) * seen.millimetresPerPixel
+        : ((dx * along[0] + dy * along[1]) * restLength) / Math.max(20, long);
+      if (!begins) store.changed(key, Math.max(1, Math.round(10 * (from.value + by)) / 10), settled);
     });
-    circle.addEventListener("pointermove", (event) => moved(event, false));
-    circle.addEventListener("pointerup", (event) => { moved(event, true); from = undefined; });
-    circle.addEventListener("pointercancel", () => { from = undefined; });
     return circle;
   }
   return {
@@ -90,14 +76,8 @@ function layout(view, shape, length, radius) {
   const [dx, dy] = [rest[1][0] - rest[0][0], rest[1][1] - rest[0][1]], long = Math.hypot(dx, dy) || 1;
   const along = /** @type {Place} */ ([dx / long, dy / long]), up = /** @type {Place} */ ([along[1], -along[0]]);
   const perPixel = view.millimetresPerPixel;
-  return {
-    ends,
-    rest,
-    along,
-    up: up[1] > 0 ? /** @type {Place} */ ([-up[0], -up[1]]) : up,
-    radius: radius / perPixel,
-    bulge: view.largest() / perPixel,
-  };
+  return { ends, rest, along, up: up[1] > 0 ? /** @type {Place} */ ([-up[0], -up[1]]) : up, radius: radius / perPixel,
+    bulge: view.largest() / perPixel };
 }
 
 /**

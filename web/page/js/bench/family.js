@@ -4,15 +4,17 @@ import { muscle } from "../muscle.js";
 import { inside, outside, show } from "../units.js";
 import { niceUp, twoDigits } from "./round.js";
 
-/** @typedef {import("./store.js").Store} Store */
-/** @typedef {import("../../../types/commands").Commands["curve"]["answer"]} Answer */
+/** @typedef {Commands["curve"]["answer"]} Answer */
 /** @typedef {Answer["points"][number]} Point */
 /** Other models that can be laid over. */
 export const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
 /** Points of a curve of the family, and of that of the state. */
 export const FAMILY = 13, FINE = 21;
-const steps = (/** @type {number} */ count, /** @type {number} */ end) =>
-  Array.from({ length: count }, (_, i) => (i * end) / (count - 1));
+/** Closer where curves bend: at the beginning. @param {number} count @param {number} end */
+const steps = (count, end) => {
+  const shares = Array.from({ length: count }, (_, i) => i / (count - 1));
+  return shares.map((t) => end * t * (0.4 + 0.6 * t));
+};
 
 /** Contractions up to a little beyond the free one. @param {Store} store @param {number} count */
 export function reachOf(store, count) {
@@ -25,46 +27,31 @@ export function reachOf(store, count) {
  * @param {Store} store @param {number[]} measured
  */
 export function familyOf(store, measured) {
-  const { test } = store.wanted;
-  const shown = outside("pressure", Math.max(muscle.p, 0.02)),
-    step = niceUp(shown / 5),
-    count = Math.ceil(shown / step - 1e-9);
-  let top = inside("pressure", count * step);
-  if (test === "isobaric" && measured.length) {
-    top = Math.max(top, ...measured);
-    return { top, request: { pressures_mpa: measured, contractions: reachOf(store, FAMILY) } };
-  }
-  const pressures = Array.from({ length: count }, (_, i) =>
-    inside("pressure", Number(((i + 1) * step).toPrecision(12))),
-  );
-  if (test === "isobaric") return { top, request: { pressures_mpa: pressures, contractions: reachOf(store, FAMILY) } };
-  const over = steps(FAMILY, top), blocked = store.facts.characteristics?.blocked_force_n ?? 500;
+  const { test } = store.wanted, contractions = reachOf(store, FAMILY);
+  const shown = outside("pressure", Math.max(muscle.p, 0.02)), step = niceUp(shown / 5);
+  const count = Math.ceil(shown / step - 1e-9), round = (/** @type {number} */ i) => Number((i * step).toPrecision(12));
+  const pressures = Array.from({ length: count }, (_, i) => inside("pressure", round(i + 1)));
+  const top = inside("pressure", count * step), over = steps(FAMILY, top);
+  if (test === "isobaric" && measured.length)
+    return { top: Math.max(top, ...measured), request: { pressures_mpa: measured, contractions } };
+  if (test === "isobaric") return { top, request: { pressures_mpa: pressures, contractions } };
   if (test === "isometric") return { top, request: { contractions: [0, 0.05, 0.1, 0.15, 0.2], pressures_mpa: over } };
-  return {
-    top,
-    request: {
-      forces_n: [0.1, 0.3, 0.5, 0.7].map((x) => Math.max(1, twoDigits(x * blocked))),
-      pressures_mpa: over.slice(1),
-    },
-  };
+  const blocked = store.facts.characteristics?.blocked_force_n ?? 500;
+  const forces = [0.1, 0.3, 0.5, 0.7].map((x) => Math.max(1, twoDigits(x * blocked)));
+  return { top, request: { forces_n: forces, pressures_mpa: over.slice(1) } };
 }
 
 /** The curve through the present state. @param {Store} store @param {number} top */
 export function ownOf(store, top) {
-  const { test } = store.wanted;
+  const { test } = store.wanted, over = steps(FINE, top);
   if (test === "isobaric") return { pressures_mpa: [muscle.p], contractions: reachOf(store, FINE) };
-  const over = steps(FINE, top);
   if (test === "isometric") return { contractions: [muscle.e], pressures_mpa: over };
   return { forces_n: [Math.max(1e-3, store.point?.force_n ?? muscle.F ?? 1)], pressures_mpa: over.slice(1) };
 }
 
 /** @param {number} fixed @param {string} test */
 const named = (fixed, test) =>
-  test === "isobaric"
-    ? show("pressure", fixed, 3)
-    : test === "isotonic"
-      ? show("force", fixed, 3)
-      : show("ratio", fixed, 3);
+  show(test === "isobaric" ? "pressure" : test === "isotonic" ? "force" : "ratio", fixed, 3);
 
 /** Points of one curve as a series. @param {Point[]} list @param {string} test */
 function line(list, test) {
@@ -76,11 +63,8 @@ function line(list, test) {
     const half = list.map((q) => (of(q) ? 100 * Number(of(q)) : null));
     return { x, y: list.map((q) => (ok(q) ? 100 * Number(q.contraction) : null)), half };
   }
-  return {
-    x,
-    y: list.map((q) => ("force_n" in q ? outside("force", q.force_n) : null)),
-    half: list.map((q) => ("force_n" in q && q.uncertainty_n ? outside("force", q.uncertainty_n) : null)),
-  };
+  return { x, y: list.map((q) => ("force_n" in q ? outside("force", q.force_n) : null)),
+    half: list.map((q) => ("force_n" in q && q.uncertainty_n ? outside("force", q.uncertainty_n) : null)) };
 }
 
 /**
@@ -96,13 +80,8 @@ export function familySeries(answer, test, top, own) {
     const name = named(fixed, test),
       colour = test === "isobaric" ? pressureColour(fixed, top) : hue(i);
     return [
-      /** @type {import("../chart.js").Series} */ ({
-        name,
-        end: name,
-        at: test === "isobaric" ? "start" : "end",
-        colour,
-        ...line(answer.points.slice(i * count, (i + 1) * count), test),
-      }),
+      /** @type {Series} */ ({ name, end: name, at: test === "isobaric" ? "start" : "end", colour,
+        smooth: true, fixed, ...line(answer.points.slice(i * count, (i + 1) * count), test) }),
     ];
   });
 }
@@ -122,14 +101,9 @@ export function ownSeries(answer, test, top) {
       branch === "contraction" ? " while it shortens" : branch === "elongation" ? " while it lengthens" : "";
     const label = i ? {} : { end: name, at: /** @type {"start" | "end"} */ (test === "isobaric" ? "start" : "end") };
     const curve = line(list, test);
-    return /** @type {import("../chart.js").Series} */ ({
-      name: name + words,
-      ...label,
-      colour,
-      strong: true,
-      dash: branch === "elongation" ? "dash" : "solid",
-      ...curve,
-    });
+    return /** @type {Series} */ ({ name: name + words, ...label, colour, strong: true,
+      smooth: true, fixed: branches.length > 1 ? undefined : answer.fixed[0],
+      dash: branch === "elongation" ? "dash" : "solid", ...curve });
   });
 }
 
@@ -137,10 +111,6 @@ export function ownSeries(answer, test, top) {
 export function overlay(answer) {
   const colour = KINDS[OVERLAYS.indexOf(answer.model) + 1] ?? KINDS[6];
   const { half, ...curve } = isobar(answer.points);
-  return /** @type {import("../chart.js").Series} */ ({
-    name: `${answer.model} at ${show("pressure", answer.fixed[0], 3)}`,
-    dash: "dash",
-    colour,
-    ...curve,
-  });
+  return /** @type {Series} */ ({ name: `${answer.model} at ${show("pressure", answer.fixed[0], 3)}`,
+    dash: "dash", colour, smooth: true, ...curve });
 }

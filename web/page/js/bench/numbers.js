@@ -8,7 +8,6 @@ import { partsView } from "./parts.js";
 import { solveView } from "./solve.js";
 import { tornadoView } from "./tornado.js";
 
-/** @typedef {import("./store.js").Store} Store */
 
 /** @param {Store} store */
 export function numbersView(store) {
@@ -39,17 +38,10 @@ export function numbersView(store) {
         values.push(value);
         return [el("dt", {}, name), value];
       });
-      const head = [el("dt", { class: "head" }, "pull"), el("dd", { class: "head" }, pull, " ", half)];
+      const head = [el("dt", { class: "head" }, "Pull"), el("dd", { class: "head" }, pull, " ", half)];
       const basis = `Model ${point.model}; ± covers 95 % against a measured muscle. ${engine().about}.`;
-      element.replaceChildren(
-        el("dl", {}, ...head, ...lines),
-        parts.element,
-        meters,
-        notes,
-        solve.element,
-        tornado.element,
-        el("p", { class: "small soft" }, basis),
-      );
+      element.replaceChildren(el("dl", {}, ...head, ...lines), parts.element, meters, notes, solve.element,
+        tornado.element, el("p", { class: "small soft" }, basis));
     }
     const [value, uncertainty] = point.slack
       ? ["slack", ""]
@@ -75,22 +67,15 @@ const put = (element, text) => { if (element.textContent !== text) element.textC
 /** @param {Store} store @param {NonNullable<Store["point"]>} point @returns {[string, string][]} */
 function rows({ facts }, point) {
   const c = facts.characteristics;
-  return [
-    ["stiffness", point.stiffness_n_per_mm === undefined ? "–" : `${number(point.stiffness_n_per_mm, 3)} N/mm`],
-    ["contraction", contraction(point)],
-    ["bulged diameter", show("length", point.bulged_diameter_mm)],
-    [
-      "cavity",
-      point.volume_mm3 === undefined || point.volume_mm3 === null ? "–" : `${number(point.volume_mm3 / 1e3, 3)} cm³`,
-    ],
-    ["starts at", show("pressure", facts.start, 3)],
-    ["blocked force", show("force", c?.blocked_force_n)],
-    ["free contraction", show("ratio", c?.free_contraction, 3)],
-    ["bursts at", c?.burst_pressure_mpa ? show("pressure", c.burst_pressure_mpa, 3) : "not known"],
-    ["allowed", c?.allowed_pressure_mpa ? show("pressure", c.allowed_pressure_mpa, 3) : "not known"],
-    ["work to there", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
-    ["air to there", c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–"],
-  ];
+  return [["Stiffness", show("stiffness", point.stiffness_n_per_mm, 3)], ["Contraction", contraction(point)],
+    ["Bulged diameter", show("length", point.bulged_diameter_mm)],
+    ["Cavity", point.volume_mm3 ? show("volume", point.volume_mm3, 3) : "–"],
+    ["Threshold pressure", show("pressure", facts.start, 3)], ["Blocked force", show("force", c?.blocked_force_n)],
+    ["Free contraction", show("ratio", c?.free_contraction, 3)],
+    ["Burst pressure", c?.burst_pressure_mpa ? show("pressure", c.burst_pressure_mpa, 3) : "not known"],
+    ["Allowed pressure", c?.allowed_pressure_mpa ? show("pressure", c.allowed_pressure_mpa, 3) : "not known"],
+    ["Work over the full stroke", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
+    ["Air over the full stroke", c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–"]];
 }
 
 /** Of a held load the contraction has the ±. @param {NonNullable<Store["point"]>} point */
@@ -104,11 +89,9 @@ function contraction(point) {
 /** @param {Store} store @param {NonNullable<Store["point"]>} point */
 function margins({ facts }, point) {
   const c = facts.characteristics;
-  return [
-    meter("stretch of the rubber", point.max_stretch, facts.fitted_to_stretch, (x) => number(x, 3), 1),
-    meter("pull", point.force_n, c?.blocked_force_n, (x) => show("force", x, 3)),
-    meter("contraction", point.contraction, c?.free_contraction, (x) => show("ratio", x, 3)),
-  ].filter((m) => m !== null);
+  return [meter("Stretch of the rubber", point.max_stretch, facts.fitted_to_stretch, (x) => number(x, 3), 1),
+    meter("Pull", point.force_n, c?.blocked_force_n, (x) => show("force", x, 3)),
+    meter("Contraction", point.contraction, c?.free_contraction, (x) => show("ratio", x, 3))].filter((m) => m !== null);
 }
 
 /**
@@ -120,12 +103,8 @@ function meter(name, value, limit, text, from = 0) {
   if (value === undefined || value === null || limit === undefined || limit === null || limit <= from) return null;
   const share = (value - from) / (limit - from), width = Math.min(100, Math.max(0, 100 * share)).toFixed(1);
   const words = el("span", {}, name, el("span", {}, `${text(value)} of ${text(limit)}`));
-  return el(
-    "div",
-    { class: share > 1 ? "meter over" : "meter" },
-    words,
-    el("i", {}, el("b", { style: `width:${width}%` })),
-  );
+  return el("div", { class: share > 1 ? "meter over" : "meter" }, words,
+    el("i", {}, el("b", { style: `width:${width}%` })));
 }
 
 /** @param {Store} store @param {NonNullable<Store["point"]>} point */

@@ -4,21 +4,18 @@ import { muscle } from "../muscle.js";
 import { show } from "../units.js";
 import { inWords } from "../words.js";
 
-/** @typedef {import("./store.js").Store} Store */
 /** Name of each part, and what reduces it. @type {Record<string, [string, string]>} */
 const PARTS = {
-  friction: [
-    "friction, not measured",
-    "Select the branch of the job, or pull the muscle at one pressure in both directions, and identify it on the page Data.",
-  ],
-  measured: ["model against tests", "Identify the rubber from the muscle's own pull on the page Data."],
+  friction: ["friction, not measured",
+    "Pull the muscle at one pressure in both directions, and identify the friction in Measurements."],
+  measured: ["model against tests", "Identify the rubber from the muscle's own pull in Measurements."],
   rubber: ["rubber", "Identify the rubber from the muscle's own pull, or test the rubber in tension."],
   braid: ["stiffness of the braid", "Measure the sleeve, or identify the stiffness from the muscle's own pull."],
-  data_sheet: ["data sheets", "Pull your own muscle, and identify it on the page Data."],
+  data_sheet: ["data sheets", "Pull your own muscle, and identify it in Measurements."],
   formula: ["formula", "Compute by finite elements: the model fe."],
   mesh: ["mesh", "Take a finer mesh; it seldom matters."],
-  length_transfer: ["another length", "Pull your muscle at its own length, and identify it on the page Data."],
-  transfer: ["another specimen", "Pull your own muscle, and identify it on the page Data."],
+  length_transfer: ["another length", "Pull your muscle at its own length, and identify it in Measurements."],
+  transfer: ["another specimen", "Pull your own muscle, and identify it in Measurements."],
   fit: ["fit to the bench", "Measure more points, at the pressures and contractions that you need."],
 };
 
@@ -26,12 +23,8 @@ const PARTS = {
 export function partsView(store) {
   const list = el("dl", { class: "parts" }),
     note = el("p", { class: "small soft" });
-  const element = el(
-    "div",
-    { class: "breakdown", role: "region", "aria-label": "Parts of the ±", hidden: true },
-    list,
-    note,
-  );
+  const element = el("div", { class: "breakdown", role: "region", "aria-label": "Parts of the ±", hidden: true }, list,
+    note);
   let key = "";
   function paint() {
     const { point, facts } = store;
@@ -56,9 +49,6 @@ export function partsView(store) {
 function row(name, value, most) {
   const [words, remedy] = PARTS[name] ?? [name.replaceAll("_", " "), ""];
   const bar = el("i", { style: `width:${Math.max(1, (100 * value) / most).toFixed(1)}%` });
-  return [
-    el("dt", {}, words),
-    el("dd", {}, `± ${show("force", value, 2)}`),
-    el("dd", { class: "wide" }, bar, value > 0.3 * most ? remedy : ""),
-  ];
+  return [el("dt", {}, words), el("dd", {}, `± ${show("force", value, 2)}`),
+    el("dd", { class: "wide" }, bar, value > 0.3 * most ? remedy : "")];
 }

@@ -6,7 +6,6 @@ import { measured, onMeasured } from "../measured.js";
 import { muscle } from "../muscle.js";
 import { outside, show } from "../units.js";
 
-/** @typedef {import("./store.js").Store} Store */
 /** Isobars of more pressures than these would cover each other. */
 const MOST = 7;
 
@@ -89,7 +88,7 @@ export class Points {
     return Array.from({ length: MOST }, (_, i) => all[Math.round((i * (all.length - 1)) / (MOST - 1))]);
   }
 
-  /** @param {number} top the pressure that has the last colour @returns {import("../chart.js").Series[]} */
+  /** @param {number} top the pressure that has the last colour @returns {Series[]} */
   series(top) {
     return [...new Set(this.list.map((q) => q.pressure_mpa))].map((p) => {
       const at = this.list.filter((q) => q.pressure_mpa === p), name = `measured at ${show("pressure", p, 3)}`;

@@ -10,17 +10,12 @@ import { View, reach } from "../view3d.js";
 import { dimensions } from "./dimensions.js";
 import { niceUp } from "./round.js";
 
-/** @typedef {import("./store.js").Store} Store */
 /** What colours the muscle: field, name, kind of its unit. */
-const SHOWN = /** @type {[string, string, string][]} */ ([
-  ["max_stretch", "Largest stretch", ""],
-  ["hoop_stretch", "Hoop stretch", ""],
-  ["stress_hoop_mpa", "Hoop stress", "pressure"],
+const SHOWN = /** @type {[string, string, string][]} */ ([["max_stretch", "Largest stretch", ""],
+  ["hoop_stretch", "Hoop stretch", ""], ["stress_hoop_mpa", "Hoop stress", "pressure"],
   ["stress_axial_mpa", "Axial stress", "pressure"],
   ["strand_tension_n_per_mm", "Tension of the strands per width", "N/mm"],
-  ["strand_tension_n", "Tension of a strand", "force"],
-  ["strand_angle_deg", "Angle of the strands", "angle"],
-]);
+  ["strand_tension_n", "Tension of a strand", "force"], ["strand_angle_deg", "Angle of the strands", "angle"]]);
 const HINT =
   "Drag to turn; drag the right end to contract; Ctrl and wheel, or two fingers, to zoom; double-click to reset";
 
@@ -37,24 +32,17 @@ export function stageView(store, busy) {
     scaled = perPixel;
     const step = niceUp(80 * perPixel * 0.6);
     const line = el("span", {
-      style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / perPixel}px`,
-    });
+      style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / perPixel}px` });
     scale.replaceChildren(line, show("length", step, 3));
   };
   const drawn = () => { paintScale(); measures.paint(); };
   const view = new View(stage, { drawn, contract: contracting(store) });
   const measures = dimensions(stage, store, () => view);
-  const colour = choice(
-    "Colour",
-    SHOWN.map(([name, text]) => [name, text]),
-    store.wanted.show,
-    (name) => store.look({ show: name }),
-  );
-  const cut = el(
-    "button",
+  const colour = choice("Colour", SHOWN.map(([name, text]) => [name, text]), store.wanted.show,
+    (name) => store.look({ show: name }));
+  const cut = el("button",
     { type: "button", "aria-pressed": false, onclick: () => store.look({ cut: store.wanted.cut ? "" : "1" }) },
-    "Cut open",
-  );
+    "Cut open");
   const pump = pumping(store);
   const measure = el("button", { type: "button", "aria-pressed": "true", onclick: () => {
     const on = measure.getAttribute("aria-pressed") !== "true";
@@ -70,13 +58,8 @@ export function stageView(store, busy) {
     colour.set(name);
     cut.setAttribute("aria-pressed", String(Boolean(store.wanted.cut)));
     view.cut = Boolean(store.wanted.cut);
-    view.set(shape, {
-      field: name,
-      low,
-      high,
-      restLength: shape.muscle.length_mm,
-      restRadius: shape.muscle.outer_diameter_mm / 2,
-    });
+    view.set(shape, { field: name, low, high, restLength: shape.muscle.length_mm,
+      restRadius: shape.muscle.outer_diameter_mm / 2 });
     if (!point) return;
     paintLegend(words, kind, low, high);
     said.replaceChildren(...sentence(shape, point));
@@ -108,11 +91,8 @@ export function stageView(store, busy) {
 /** The pull in words. @param {NonNullable<Store["shape"]>} shape @param {NonNullable<Store["point"]>} point */
 function sentence(shape, point) {
   if (point.slack)
-    return [
-      el("b", {}, "Slack"),
-      el("br"),
-      `The muscle is slack: contracted by ${show("ratio", shape.shape_contraction, 3)}, no pull.`,
-    ];
+    return [el("b", {}, "Slack"), el("br"),
+      `The muscle is slack: contracted by ${show("ratio", shape.shape_contraction, 3)}, no pull.`];
   const at = `at ${show("pressure", point.pressure_mpa, 3)} and ${show("ratio", point.contraction, 3)}`;
   return [el("b", {}, withUncertainty("force", point.force_n, point.uncertainty_n)), el("br"), at];
 }
@@ -128,19 +108,24 @@ function contracting(store) {
   };
 }
 
-/** The pressure rises in two seconds. @param {Store} store */
+/** The pressure rises, the muscle shortens, and both go back. @param {Store} store */
 function pumping(store) {
   let running = 0;
-  const button = el("button", { type: "button", onclick: start }, "Pump");
+  const button = el("button", { type: "button", title: "Fills it, lets it shorten, and lets go", onclick: start },
+    "Pump");
   function start() {
     if (running) return stop();
-    const to = muscle.p, began = performance.now();
+    const { p, e } = muscle, began = performance.now();
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     button.textContent = "Stop";
     const step = () => {
-      const share = Math.min(1, (performance.now() - began) / 2000);
+      const share = Math.min(1, (performance.now() - began) / 4500);
       // Three stills where motion is not wanted.
-      store.ask(to * (still ? Math.ceil(share * 3) / 3 : share));
+      const t = 3 * (still ? Math.ceil(share * 3) / 3 : share);
+      const part = (/** @type {number} */ x) => Math.min(1, Math.max(0, x));
+      if (share < 1) store.ask({ pressure_mpa: p * (part(t) - part(t - 2)),
+        contraction: e * (part(t - 1) - part(t - 2)) });
+      else store.ask();
       if (share < 1) running = still ? window.setTimeout(step, 660) : requestAnimationFrame(step);
       else stop();
     };

@@ -9,12 +9,10 @@ import { niceUp } from "./round.js";
 
 /** Keys of the address that are the page's own. */
 export const OWN = ["test", "show", "cut", "over"];
-/** @typedef {import("../../../types/commands").Commands} Commands */
 /** @typedef {Commands["shape"]["answer"] & { arrays: Record<string, Float32Array> }} Shape */
-/** @typedef {import("../engine/problem.js").Problem} Problem */
 /**
  * What views are told: of an answer whether it belongs to the pump, of a problem the state that it is about.
- * @typedef {{ answer: boolean, problem: { problem: Problem, state: import("../state.js").State }, facts: undefined,
+ * @typedef {{ answer: boolean, problem: { problem: Problem, state: State }, facts: undefined,
  *   sync: undefined, changed: undefined, look: undefined, ranges: undefined }} Told
  * @typedef {keyof Told} Event
  */
@@ -72,15 +70,14 @@ export class Store {
     write(address("muscle", { ...muscle.params(), ...own }));
   }
 
-  /** The point and its shape. @param {number} [pressure] in place of the state's */
-  ask(pressure) {
-    const { state } = muscle, at = pointOf(state);
-    const request = { ...muscle.fields(), ...at, pressure_mpa: pressure ?? at.pressure_mpa };
+  /** The point and its shape. @param {{ pressure_mpa: number, contraction: number }} [shown] in place of the state's */
+  ask(shown) {
+    const { state } = muscle, request = { ...muscle.fields(), ...(shown ?? pointOf(state)) };
     this.slots.state.ask("shape", request, (answer) => {
       this.shape = this.point = /** @type {Shape} */ (answer);
       this.problem = undefined;
       if (muscle.state === state) this.take(state, this.point);
-      this.tell("answer", pressure !== undefined);
+      this.tell("answer", shown !== undefined);
     }, (problem) => {
       this.problem = problem;
       this.point = undefined;
@@ -88,7 +85,7 @@ export class Store {
     });
   }
 
-  /** @param {import("../state.js").State} state @param {Shape} answer */
+  /** @param {State} state @param {Shape} answer */
   take(state, answer) {
     muscle.shown = { ...muscle.shown, ...answer.muscle };
     if (state.F !== undefined) {
@@ -136,32 +133,20 @@ export class Store {
     const fields = muscle.fields(), supply = this.supply(), key = JSON.stringify([fields, supply]);
     if (key === this.rangesKey) return;
     this.rangesKey = key;
-    const states = [
-      { pressure_mpa: supply, contraction: 0 },
-      { pressure_mpa: supply, force_n: 0 },
-      { pressure_mpa: supply / 10, contraction: 0 },
-    ];
+    const states = [{ pressure_mpa: supply, contraction: 0 }, { pressure_mpa: supply, force_n: 0 },
+      { pressure_mpa: supply / 10, contraction: 0 }];
     const found = /** @type {Record<string, [number, number]>} */ ({});
-    const next = () => {
-      const at = states.shift();
-      if (!at || this.rangesKey !== key) return;
-      const done = () => {
-        if (states.length) return next();
-        if (this.rangesKey !== key) return;
-        this.ranges = Object.keys(found).length ? found : undefined;
-        this.tell("ranges");
+    const done = () => {
+      if (this.rangesKey !== key) return;
+      const at = states.shift(), take = (/** @type {object} */ answer) => {
+        widen(found, /** @type {Shape} */ (answer));
+        done();
       };
-      this.slots.range.ask(
-        "shape",
-        { ...fields, ...at },
-        (answer) => {
-          widen(found, /** @type {Shape} */ (answer));
-          done();
-        },
-        done,
-      );
+      if (at) return this.slots.range.ask("shape", { ...fields, ...at }, take, done);
+      this.ranges = Object.keys(found).length ? found : undefined;
+      this.tell("ranges");
     };
-    next();
+    done();
   }
 
   end() {

@@ -4,7 +4,6 @@ import { Problem, gone } from "./problem.js";
 
 const API = new URL("../../api/", import.meta.url);
 
-/** @typedef {import("../../../types/commands").Commands} Commands */
 
 export class Engine {
   get about() {
@@ -16,8 +15,7 @@ export class Engine {
   }
 
   /**
-   * @template {keyof Commands} K
-   * @param {K} command @param {Commands[K]["request"]} request
+   * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
    * @param {{ lane?: import("./wasm.js").LaneName, signal?: AbortSignal }} [options]
    * @returns {Promise<Commands[K]["answer"]>}
    */
@@ -36,8 +34,7 @@ export class Engine {
 
   /**
    * Long work, without progress; the signal ends it.
-   * @template {keyof Commands} K
-   * @param {K} command @param {Commands[K]["request"]} request
+   * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
    * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} [options]
    * @returns {Promise<Commands[K]["answer"]>}
    */

@@ -3,7 +3,6 @@
 // drags; the whole one is loaded when it is first needed.
 import { Problem, gone } from "./problem.js";
 
-/** @typedef {import("../../../types/commands").Commands} Commands */
 
 /** Commands of the small module; it has no `fe3d`, and reads no files of formulas and loads. */
 const LIVE = ["force", "pressure", "contraction", "curve", "shape", "check", "measures", "quantities", "units"];
@@ -86,8 +85,7 @@ class Lane {
   }
 
   /**
-   * @param {string} command
-   * @param {object} request
+   * @param {string} command @param {object} request
    * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} options
    */
   ask(command, request, { signal, progress } = {}) {
@@ -152,10 +150,8 @@ export class Engine {
 
   /**
    * Answers a request. `lane`: what waits for what; `state` comes first, and `read` is for what takes no time.
-   * @template {keyof Commands} K
-   * @param {K} command @param {Commands[K]["request"]} request
-   * @param {{ lane?: LaneName, signal?: AbortSignal }} [options]
-   * @returns {Promise<Commands[K]["answer"]>}
+   * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
+   * @param {{ lane?: LaneName, signal?: AbortSignal }} [options] @returns {Promise<Commands[K]["answer"]>}
    */
   async ask(command, request, { lane = "side", signal } = {}) {
     const of =
@@ -168,8 +164,7 @@ export class Engine {
 
   /**
    * Long work with progress; the signal ends it.
-   * @template {keyof Commands} K
-   * @param {K} command @param {Commands[K]["request"]} request
+   * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
    * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} [options]
    * @returns {Promise<Commands[K]["answer"]>}
    */

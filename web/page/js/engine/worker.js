@@ -12,8 +12,7 @@ let current = 0;
 const encoder = new TextEncoder(), decoder = new TextDecoder();
 
 /**
- * @param {string} command
- * @param {string} request
+ * @param {string} command @param {string} request
  * @returns {{ problem?: object, answer?: unknown, buffers?: ArrayBuffer[] }}
  */
 function ask(command, request) {

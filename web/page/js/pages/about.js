@@ -21,12 +21,12 @@ function withoutNetwork() {
     await say();
     if (wrong) text.textContent = wrong;
     keep.disabled = false;
-  } }, "Make all pages available offline");
+  } }, "Make all places available offline");
   const element = el("div", { hidden: true }, el("h2", {}, "Without a network"), el("p", { class: "row" }, text, keep));
   const say = async () => {
     const all = await isKept();
     keep.hidden = all;
-    text.textContent = all ? "Every page works." : "The page Muscle works; the other pages need more.";
+    text.textContent = all ? "Every place works." : "The muscle works; the other places need more.";
     element.hidden = false;
   };
   // Where the browser keeps nothing there is nothing to say.
@@ -62,7 +62,7 @@ export function mount(main) {
           + `typed and opened is kept in this tab until you close it.`), el("h2", {}, "Accuracy"),
       el("p", {},
         "The ± covers 95 % of the differences from measured muscles. It is wide because rubbers vary from batch to "
-          + "batch and few are known; it becomes smaller when you identify your own rubber on the page Data. The "
+          + "batch and few are known; it becomes smaller when you identify your own rubber in Measurements. The "
           + "model includes the thickness of the braid, the gap before first contact, the slip of the ends, the "
           + "history of the rubber and the friction between strands only if the muscle file states them."),
       withoutNetwork(),
@@ -72,9 +72,7 @@ export function mount(main) {
     models,
     el("div", { class: "prose" }, el("h2", {}, "Sources and licence"),
       el("p", {},
-        "mckibben is free software under MIT or Apache 2.0. Maps and surfaces are drawn by plotly.js (MIT). "
-          + "The documentation "
-          + "lists the sources and terms of formulas, rubbers and measured muscles. ",
+        "mckibben is free software under MIT or Apache 2.0. The documentation lists the sources and terms of formulas, rubbers and measured muscles. ",
         DOCUMENTATION && el("a", { href: DOCUMENTATION }, "Read it.")),
       el("p", { class: "small soft" },
         "The command line, Rust, Python and HTTP offer the same commands under the same names: `mckibben --help`.")),

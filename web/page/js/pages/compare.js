@@ -1,90 +1,57 @@
-// Two muscles, or two models, side by side: each side is the muscle of the page Muscle, or that of a file, with what
-// the side says over it.
+// The muscle beside another one, or beside another model of it: B is the same muscle, or that of a file, with what is
+// said over it.
 import { Slot } from "../ask.js";
 import { address, write } from "../address.js";
 import { Chart, KINDS, isobar } from "../chart.js";
 import { fileField } from "../controls.js";
 import { pack } from "../deflate.js";
-import { capital, el, problemBox } from "../dom.js";
+import { capital, dim, el, problemBox } from "../dom.js";
 import { form, table, warnings } from "../form.js";
 import { atEnd, held } from "../life.js";
 import { muscle } from "../muscle.js";
 import { QUANTITIES, STIFFNESS, STIFFNESS_NAMES, STRANDS, missing, shownValue, side as asked } from "../state.js";
 import { number, onUnits, show, unitName, withUncertainty } from "../units.js";
-import { View, reach } from "../view3d.js";
+import { View } from "../view3d.js";
 
 const MODELS =
   /** @type {[string, string][]} */ (["fe", "universal", "thick-wall", "ideal", "paper", "chou-hannaford",
     "force-balance", "tondu-lopez"].map((m) => [m, m]));
-/** @typedef {import("../../../types/commands").Commands} Commands */
 
-/** Fields of a side. @param {string} name @param {boolean} second @param {() => void} ask */
-function sideForm(name, second, ask) {
-  const measure = (/** @type {import("../state.js").Measure} */ { key, field, label, kind }, more = {}) => ({
-    key: name + key,
-    field,
-    label,
-    kind,
-    ...more,
-  });
-  const fields = form([
-    ...QUANTITIES.map((m) => measure(m)),
+/** Fields of a side: its model, and of B what it changes. @param {string} name @param {() => void} ask */
+function sideForm(name, ask) {
+  const measure = (/** @type {Measure} */ { key, field, label, kind }, more = {}) =>
+    ({ key: name + key, field, label, kind, ...more });
+  const model = { key: `${name}model`, field: "model", label: "Model", options: MODELS,
+    value: name === "b" ? "thick-wall" : "fe" };
+  const fields = form(name === "a" ? [model] : [model, ...QUANTITIES.map((m) => measure(m)),
     { key: `${name}rubber`, field: "rubber", label: "Rubber" },
     { key: `${name}braid`, field: "braid", label: "Braid" },
     measure(STIFFNESS, { or: STIFFNESS_NAMES }),
     ...STRANDS.map((m) => measure(m, { hidden: true })),
-    { key: `${name}model`, field: "model", label: "Model", options: MODELS, value: second ? "thick-wall" : "fe" },
     { key: `${name}p`, field: "pressure_mpa", label: "Pressure", kind: "pressure" },
-    { key: `${name}e`, field: "contraction", label: "Contraction", kind: "ratio" },
-  ], ask);
+    { key: `${name}e`, field: "contraction", label: "Contraction", kind: "ratio" }], ask);
   fields.element.addEventListener("change", ask);
   return fields;
 }
 
-/** Which muscle it is. @param {Commands["force"]["answer"]["muscle"] | undefined} m */
-function muscleLine(m) {
-  if (!m) return "";
-  const size = `D0 ${show("length", m.outer_diameter_mm)}, s ${show("length", m.wall_mm)}`;
-  return `${size}, L0 ${show("length", m.length_mm)}, θ0 ${show("angle", m.angle_deg)}, rubber ${m.rubber}, `
-    + `braid ${m.braid}`;
-}
-
-/**
- * What a field says where nothing is typed into it: that of the muscle.
- * @param {ReturnType<typeof form>} fields @param {string} name of the side @param {string} file of its own
- */
-function usualTexts(fields, name, file) {
-  const put = (/** @type {string} */ key, /** @type {string | null | undefined} */ text) =>
-    fields.usual(name + key, file ? "as in its file" : text ?? "");
-  for (const m of QUANTITIES) {
-    const value = shownValue(muscle.state, muscle.shown, m), shown = value === undefined ? "" : show(m.kind, value);
-    put(m.key, m.key === "angle" && fields.text(`${name}braid`) ? "of the sleeve" : shown);
-  }
-  put("rubber", muscle.shown?.rubber);
-  put("braid", muscle.shown?.sleeve);
-  put("k", muscle.shown?.braid);
-  fields.usual(`${name}p`, show("pressure", muscle.p));
-  fields.usual(`${name}e`, show("ratio", muscle.e));
-}
-
-/** One of both. @param {string} name @param {boolean} second @param {{ ask: () => void, paint: () => void }} act */
-function sideOf(name, second, { ask, paint }) {
-  const fields = sideForm(name, second, ask), stage = el("div", { class: "stage", style: "height:220px" }),
+/** One of both. @param {string} name @param {{ ask: () => void, paint: () => void }} act */
+function sideOf(name, { ask, paint }) {
+  const fields = sideForm(name, ask), stage = el("div", { class: "stage", style: "height:220px" }),
     which = el("p", { class: "small soft" }), said = el("div", {});
   const view = held(/** @type {View & { destroy?: () => void }} */ (new View(stage)));
   const point = new Slot(), shape = new Slot({ lane: "state" }), curve = new Slot({ lane: "curves" });
-  const back = el("button", { type: "button", hidden: true, onclick: () => take("") },
-    "The muscle of the page Muscle again");
+  const back = el("button", { type: "button", hidden: true, onclick: () => take("") }, "The same muscle again");
   const take = async (/** @type {string} */ text) => {
     await pack(text);
     side.file = text;
     ask();
   };
-  const box = el("details", {}, el("summary", {}, "Another muscle"),
+  const box = name === "b" && el("details", {}, el("summary", {}, "Another muscle"),
     fileField("Open a muscle file (TOML)", ".toml", (_, text) => take(text)), back);
-  const element = el("section", { "aria-label": name.toUpperCase() }, el("h2", {}, name.toUpperCase()), stage, said,
-    which, el("div", { class: "controls", style: "margin-top:8px" }, fields.element, box));
-  const stale = (/** @type {boolean} */ on) => [stage, which].forEach((part) => part.classList.toggle("stale", on));
+  const element = el("section", { "aria-label": name.toUpperCase() },
+    el("h2", {}, name === "a" ? "A: the muscle" : "B: with changes"), stage, said, which,
+    el("div", { class: "controls" }, fields.element, box));
+  const stale = (/** @type {boolean} */ on) => dim([stage, which], on);
   const side = {
     name,
     fields,
@@ -101,39 +68,41 @@ function sideOf(name, second, { ask, paint }) {
       const read = await fields.read();
       if (!read) return stale(true);
       const { muscle: of, model, pressure_mpa, contraction } = asked(muscle.state, side.file, read);
-      const fail = (/** @type {import("../engine/problem.js").Problem} */ problem) => {
-        side.answer = undefined;
-        stale(true);
-        fields.at(problem);
-        said.replaceChildren(problemBox(problem));
-        paint();
-      };
       point.ask("force", { ...of, model, contraction, pressure_mpa, extrapolate: true }, (answer) => {
         side.answer = answer;
         stale(false);
         said.replaceChildren(warnings(answer.warnings));
         paint();
-      }, fail);
-      shape.ask("shape", { ...of, contraction, pressure_mpa }, (answer) => {
-        const { max_stretch: stretch } = answer.arrays;
-        view.set(answer, { field: "max_stretch", low: 1, high: Math.max(1.2, reach(stretch)[1]),
-          restLength: answer.muscle.length_mm, restRadius: answer.muscle.outer_diameter_mm / 2 });
-      }, () => {});
-      curve.ask("curve", { ...of, model, test: "isobaric", pressures_mpa: [pressure_mpa], extrapolate: true },
-        (answer) => {
-          side.family = answer;
-          paint();
-        }, () => {
-        side.family = undefined;
+      }, (problem) => {
+        side.answer = undefined;
+        stale(true);
+        fields.at(problem);
+        said.replaceChildren(problemBox(problem));
         paint();
       });
+      shape.ask("shape", { ...of, contraction, pressure_mpa }, (answer) => view.stretched(answer), () => {});
+      const drawn = (/** @type {typeof side.family} */ answer) => {
+        side.family = answer;
+        paint();
+      };
+      curve.ask("curve", { ...of, model, test: "isobaric", pressures_mpa: [pressure_mpa], extrapolate: true }, drawn,
+        () => drawn(undefined));
     },
-    /** Which muscle it is. */
-    line() {
-      which.textContent = muscleLine(side.answer?.muscle);
-    },
+    /** Which muscle it is, and what its fields say where nothing is typed into them. */
     usual() {
-      usualTexts(fields, name, side.file);
+      which.textContent = side.answer ? muscle.line(side.answer.muscle) : "";
+      const put = (/** @type {string} */ key, /** @type {string | null | undefined} */ text) =>
+        fields.usual(name + key, side.file ? "as in its file" : text ?? "");
+      for (const m of QUANTITIES) {
+        const value = shownValue(muscle.state, muscle.shown, m), sleeve = m.key === "angle"
+          && fields.text(`${name}braid`);
+        put(m.key, sleeve ? "of the sleeve" : value === undefined ? "" : show(m.kind, value));
+      }
+      put("rubber", muscle.shown?.rubber);
+      put("braid", muscle.shown?.sleeve);
+      put("k", muscle.shown?.braid);
+      fields.usual(`${name}p`, show("pressure", muscle.p));
+      fields.usual(`${name}e`, show("ratio", muscle.e));
     },
     end() {
       [point, shape, curve].forEach((slot) => slot.end());
@@ -149,56 +118,41 @@ const ROWS = [
   ["stiffness", (x) => show("stiffness", x.stiffness_n_per_mm, 3)],
   ["bulged diameter", (x) => show("length", x.bulged_diameter_mm)],
   ["cavity", (x) => (x.volume_mm3 ? show("volume", x.volume_mm3, 3) : "–")],
-  ["starts at", (x) => show("pressure", x.start_pressure_mpa, 3)],
+  ["threshold pressure", (x) => show("pressure", x.start_pressure_mpa, 3)],
   ["largest stretch", (x) => number(x.max_stretch, 3)],
 ];
 
 /** @param {HTMLElement} main */
 export function mount(main) {
-  const sides = ["a", "b"].map((name, i) => sideOf(name, i === 1, { ask: () => ask(), paint: () => paint() }));
+  const sides = ["a", "b"].map((name) => sideOf(name, { ask: () => ask(), paint: () => paint() })), [, b] = sides;
   const chart = new Chart("compare", { tools: el("h2", {}, "Pull over contraction") }), numbers = el("div", {});
-  main.replaceChildren(el("div", { class: "pair" }, ...sides.map((s) => s.element)),
-    el("div", { style: "margin-top:16px" }, chart.element), numbers);
-  const files = () => Object.fromEntries(sides.map((s) => [`${s.name}file`, s.file]));
+  main.replaceChildren(el("div", { class: "pair" }, el("div", {}, sides[0].element, numbers, chart.element),
+    b.element));
 
   async function ask() {
     sides.forEach((side) => side.usual());
-    write(
-      address("compare", { ...muscle.params(), ...sides[0].fields.texts(), ...sides[1].fields.texts(), ...files() }),
-    );
+    write(address("compare", { ...muscle.params(), ...Object.assign({}, ...sides.map((s) => s.fields.texts())),
+      bfile: b.file }));
     await Promise.all(sides.map((side) => side.ask()));
   }
-
   function paint() {
-    const [a, b] = sides.map((s) => s.answer);
-    sides.forEach((side) => side.line());
-    numbers.replaceChildren(
-      table(["", "A", "B"], ROWS.map(([name, of]) => [capital(name), a ? of(a) : "–", b ? of(b) : "–"]), {
-        label: "both in numbers",
-      }),
-    );
-    const series = sides.flatMap((s, i) => {
-      const name = s.name.toUpperCase(), dash = /** @type {"dash" | "solid"} */ (i ? "dash" : "solid");
-      return s.family
-        ? [{ name: `${name}: ${s.family.model}`, end: name, colour: KINDS[i], dash, ...isobar(s.family.points) }]
-        : [];
-    });
+    sides.forEach((side) => side.usual());
+    const rows = ROWS.map(([name, of]) => [capital(name), ...sides.map(({ answer }) => (answer ? of(answer) : "–"))]);
+    numbers.replaceChildren(table(["", "A", "B"], rows, { label: "both in numbers" }));
+    const series = sides.flatMap(({ name, family }, i) => (family
+      ? [{ name: `${name.toUpperCase()}: ${family.model}`, end: name.toUpperCase(), colour: KINDS[i], smooth: true,
+        dash: /** @type {"dash" | "solid"} */ (i ? "dash" : "solid"), ...isobar(family.points) }]
+      : []));
     chart.show({ x: "contraction ε [%]", y: `pull F [${unitName("force")}]`, series });
   }
-
-  atEnd(onUnits(() => {
-    sides.forEach((side) => side.usual());
-    paint();
-  }));
+  atEnd(onUnits(paint));
   return {
     /** @param {URLSearchParams} params */
     async load(params) {
-      await muscle.read(params, sides.flatMap((s) => [...s.fields.keys, `${s.name}file`]));
-      for (const side of sides) {
-        side.fields.set(params);
-        side.file = params.get(`${side.name}file`) ?? "";
-        side.fields.options(`${side.name}braid`, muscle.sleeves.map((s) => s.name));
-      }
+      await muscle.read(params, [...sides.flatMap((s) => s.fields.keys), "bfile"]);
+      for (const side of sides) side.fields.set(params);
+      b.file = params.get("bfile") ?? "";
+      b.fields.options("bbraid", muscle.sleeves.map((s) => s.name));
       await ask();
     },
     unmount() {

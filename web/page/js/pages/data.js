@@ -4,7 +4,7 @@ import { address, write } from "../address.js";
 import { problemOf } from "../engine/problem.js";
 import { columnChoice, headings } from "../columns.js";
 import { fileField } from "../controls.js";
-import { download, el, problemBox } from "../dom.js";
+import { dim, download, el, problemBox } from "../dom.js";
 import { Figures } from "../figure.js";
 import { form, job, table, warnings } from "../form.js";
 import { example } from "../gallery.js";
@@ -14,7 +14,6 @@ import { measured } from "../measured.js";
 import { muscle } from "../muscle.js";
 import { number, onUnits, show, unitName } from "../units.js";
 
-/** @typedef {import("../../../types/commands").Commands} Commands */
 /** @typedef {Commands["compare"]["answer"]["understood"][number]["columns"][number]} Column */
 const HEADING = "pressure_bar,contraction,force_n\n", CONSTANTS = "constants";
 
@@ -61,14 +60,14 @@ const errorTable = (models) => {
   return table(["model", "rms", "largest", "mean", "points"], rows, { label: "errors of the models" });
 };
 
-/** What is asked of the table. @type {import("../form.js").Field[]} */
+/** What is asked of the table. @type {Field[]} */
 export const FIELDS = [
   { key: "free", field: "free", label: "Free constants", words: true, hint: "modulus; or mu, braid.angle" },
   { key: "models", field: "models", label: "Models", words: true, value: "fe, thick-wall, ideal" },
 ];
 const HINT = "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading.";
-const BEGIN = "Drop a table of measured points. The figure compares it with the models of the muscle of the page "
-  + "Muscle. Then you can identify its constants.";
+const BEGIN = "Drop a table of measured points. The figure compares it with the models of the muscle above. "
+  + "Then you can identify its constants.";
 
 class DataPage {
   /** @type {Commands["compare"]["answer"] | undefined} */ #compared;
@@ -83,11 +82,10 @@ class DataPage {
     this.understood = el("div", {}, el("p", { class: "soft" }, BEGIN));
     this.errors = el("div", {});
     this.found = el("div", {});
-    this.which = el("p", { class: "small soft" });
     this.figures = new Figures("data");
     this.fitted = new Figures("identified");
     this.identify = job("Identify", "identify", () => this.#request(), (answer) => this.#identified(answer),
-      () => this.#dim([this.found, this.fitted.element], true));
+      () => dim([this.found, this.fitted.element], true));
     main.replaceChildren(el("div", { class: "bench two" }, this.#controls(),
       el("div", { class: "middle" }, this.understood, this.errors, this.figures.element, this.found,
         this.fitted.element)));
@@ -108,7 +106,7 @@ class DataPage {
       button("a bench with its muscle", () => this.#bench().catch(fail)));
     return el("section", { class: "controls", "aria-label": "Data" }, el("h2", {}, "Measured points"),
       fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) => this.#take(name, text)),
-      el("p", { class: "small soft" }, HINT), samples, this.which, this.columns.element, this.what.element,
+      el("p", { class: "small soft" }, HINT), samples, this.columns.element, this.what.element,
       el("div", { class: "row" }, button("Compare", () => this.#look())), this.identify.element);
   }
 
@@ -124,7 +122,7 @@ class DataPage {
       this.found.replaceChildren(el("p", { class: "soft" }, "Open a table first."));
       return undefined;
     }
-    return { ...this.#fields(), data: [this.data], columns: this.columns.value(), free: read.free ?? [],
+    return { ...muscle.fields(), data: [this.data], columns: this.columns.value(), free: read.free ?? [],
       figure: unitName("pressure") };
   }
 
@@ -132,22 +130,16 @@ class DataPage {
   #identified(answer) {
     this.#known = answer;
     keepFile(CONSTANTS, true);
-    this.#dim([this.found, this.fitted.element], false);
+    dim([this.found, this.fitted.element], false);
     this.#paint();
     this.fitted.show(answer.figure);
   }
 
-  #fields() {
-    this.which.textContent = `Compared with ${muscle.line()}.`;
-    return muscle.fields();
-  }
   /** @param {unknown} why */
   #fail(why) { this.understood.replaceChildren(problemBox(why)); }
-  /** @param {HTMLElement[]} parts @param {boolean} on */
-  #dim(parts, on) { parts.forEach((part) => part.classList.toggle("stale", on)); }
   #place() {
     const own = { ...this.what.texts(), columns: this.columns.text() };
-    write(address("data", { ...muscle.params(), ...own }), true);
+    write(address("data", { ...muscle.params(), ...own }));
   }
 
   /** @param {string} name @param {string} text */
@@ -170,18 +162,18 @@ class DataPage {
     this.#looking.abort();
     const { signal } = (this.#looking = new AbortController()), columns = this.columns.value();
     measured.set(data, columns);
-    const request = { ...this.#fields(), data: [data], columns, models: read.models, extrapolate: true,
+    const request = { ...muscle.fields(), data: [data], columns, models: read.models, extrapolate: true,
       figure: unitName("pressure") };
     try {
       this.#compared = await engine().ask("compare", request, { signal });
       this.#paint();
-      this.#dim([this.errors, this.figures.element], false);
+      dim([this.errors, this.figures.element], false);
       this.figures.show(this.#compared.figure);
     } catch (why) {
       if (signal.aborted) return;
       this.#fail(why);
       if (problemOf(why).kind === "data") this.columns.open();
-      this.#dim([this.errors, this.figures.element], true);
+      dim([this.errors, this.figures.element], true);
     }
   }
 
@@ -205,7 +197,6 @@ class DataPage {
     this.columns.read(params.get("columns") ?? "");
     this.data = measured.file;
     this.#begin();
-    this.#fields();
     if (this.data) await this.#look();
     // What was identified before is there again.
     if (this.data && fileOf(CONSTANTS)) this.identify.run();

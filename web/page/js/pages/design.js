@@ -4,7 +4,7 @@ import { address, write } from "../address.js";
 import { designMap } from "../design-map.js";
 import { designTarget } from "../design-target.js";
 import { closestView, foundView, rejectedView } from "../design-view.js";
-import { el, problemBox } from "../dom.js";
+import { dim, el, problemBox } from "../dom.js";
 import { Figures } from "../figure.js";
 import { form, job } from "../form.js";
 import { atEnd } from "../life.js";
@@ -20,8 +20,7 @@ const OBJECTIVES = /** @type {[string, string][]} */ ([
   ["bulged-diameter", "smallest diameter in use"],
   ["length", "shortest"],
 ]);
-/** @typedef {import("../form.js").Field} Field */
-/** @typedef {import("../../../types/commands").Commands["design"]} Design */
+/** @typedef {Commands["design"]} Design */
 /** @typedef {Design["request"]} Asked */
 /** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /** @type {Field[]} */
@@ -93,10 +92,7 @@ function specification(submit) {
     options: (/** @type {string} */ key, /** @type {string[]} */ names) => choice.options(key, names),
     texts: () => Object.assign({}, ...forms.map((f) => f.texts())),
     set: (/** @type {URLSearchParams} */ params) => forms.forEach((f) => f.set(params)),
-    /**
-     * Fields of the request, or nothing where a text cannot be read.
-     * @returns {Promise<Asked | undefined>}
-     */
+    /** Fields of the request, or nothing where a text cannot be read. @returns {Promise<Asked | undefined>} */
     async read() {
       const [want, space, tolerance] = await Promise.all([wanted.read(), choice.read({ intervals: true }),
         spread.read()]);
@@ -107,7 +103,7 @@ function specification(submit) {
       return { ...want, ...space, figure: unitName("pressure"),
         ...(Object.keys(tolerance).length ? { tolerance } : {}) };
     },
-    /** @param {import("../engine/problem.js").Problem} problem */
+    /** @param {Problem} problem */
     at(problem) {
       forms.some((f) => f.at(problem));
       for (const key of lacking())
@@ -129,9 +125,7 @@ const priced = () => (prices ??= engine().ask("parts-list", { kind: "tubes" }).t
 
 /**
  * The address of a muscle of the search: that muscle, and nothing of the one of the other pages.
- * @param {import("../state.js").Chosen} c
- * @param {Asked} of the request
- * @param {{ p: number, e: number }} at
+ * @param {import("../state.js").Chosen} c @param {Asked} of the request @param {{ p: number, e: number }} at
  */
 const linked = (c, of, at) => address("muscle", muscle.paramsOf(candidate(c, of, at)));
 
@@ -168,9 +162,7 @@ export function mount(main) {
     stale(true);
   });
   /** What is shown belongs to the last specification that had an answer. @param {boolean} on */
-  const stale = (on) =>
-    [results, target.element, ...map.elements, figures.element].forEach((part) =>
-      part.classList.toggle("stale", on && Boolean(found)));
+  const stale = (on) => dim([results, target.element, ...map.elements, figures.element], on && Boolean(found));
   const place = () => {
     if (main.contains(results)) write(address("design", { ...spec.texts(), m: muscle.word() }));
   };

@@ -2,20 +2,17 @@
 // finite-element programs.
 import { engine } from "../ask.js";
 import { address, write } from "../address.js";
-import { build } from "../build-view.js";
 import { choice } from "../controls.js";
-import { download, el, problemBox } from "../dom.js";
+import { download, el } from "../dom.js";
 import { filesView } from "../files-view.js";
 import { form, job, warnings } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
-import { fileName } from "../name.js";
+import { fileName } from "../toml.js";
 import { withViewer } from "../report.js";
 import { number, onUnits, show, unitName } from "../units.js";
 
-/** @typedef {import("../../../types/commands").Commands} Commands */
 /** @typedef {Commands["export-list"]["answer"]["targets"][number]} Target */
-/** @typedef {import("../form.js").Field} Field */
 /** What a report states of itself; the name is that of the muscle. @type {Field[]} */
 export const TITLE = [
   { key: "project", field: "project", label: "Project" },
@@ -133,38 +130,39 @@ function elementsCard(place) {
   return { job: go, state, pick, element: card("Finite elements", about, pick.element, go.element, done) };
 }
 
-/** Drawing, plugs, steps and test sheet. */
+/** Cut list, drawing, plugs, steps and test sheet. */
 function workshopCard() {
   const done = el("div", {});
-  const make = () => build(done).catch((problem) => done.replaceChildren(problemBox(problem)));
-  const button = el("button", { type: "button", class: "main", onclick: make }, "Make the build sheet");
+  const go = job("Make the build sheet", "build", async () => ({ ...muscle.fields(),
+    pressure_mpa: muscle.p || undefined }),
+    (answer) => {
+      const [at, proof] = [answer.pressure_mpa, answer.proof_pressure_mpa].map((p) => show("pressure", p, 3));
+      const cut = `At ${at}: cut ${show("length", answer.cut.tube_mm)} of tube. Proof test with water at ${proof}.`;
+      done.replaceChildren(el("p", {}, cut), warnings(answer.warnings),
+        filesView(answer.files, fileName(muscle.name, "-build")));
+    });
   const about = "Cut list, plugs to print or turn, drawing, bill of materials, steps, and the sheet of the first test.";
-  return card("Workshop", about, button, done);
+  return { job: go, element: card("Workshop", about, go.element, done) };
 }
 
 /** @param {HTMLElement} main */
 export function mount(main) {
-  const which = el("p", { class: "small soft" });
   const report = reportCard(() => place()), out = exportCard(() => place()), elements = elementsCard(() => place());
+  const workshop = workshopCard();
   const forms = [report.form, out.form];
-  main.replaceChildren(which,
-    el("div", { class: "cards-of-files" }, report.element, out.element, elements.element, workshopCard()));
+  main.replaceChildren(
+    el("div", { class: "cards-of-files" }, report.element, workshop.element, out.element, elements.element));
 
-  const place = (replace = false) => {
-    if (!main.contains(which)) return;
+  const place = () => {
+    if (!main.contains(report.element)) return;
     const own = { target: out.state.target === "c" ? "" : out.state.target,
       elements: elements.state.model === "fe" ? "" : elements.state.model };
     const texts = Object.assign({}, ...forms.map((f) => f.texts()));
-    write(address("files", { ...muscle.params(), ...texts, ...own }), replace);
-  };
-  const paint = () => {
-    which.textContent = `The muscle: ${muscle.line()}, at ${show("pressure", muscle.p)} and `
-      + `${show("ratio", muscle.e, 3)}. Change it on the page Muscle.`;
-    out.paint();
+    write(address("files", { ...muscle.params(), ...texts, ...own }));
   };
   atEnd(onUnits(() => {
-    paint();
-    place(true);
+    out.paint();
+    place();
   }));
   return {
     /** @param {URLSearchParams} params */
@@ -175,10 +173,10 @@ export function mount(main) {
       elements.state.model = params.get("elements") === "fe3d" ? "fe3d" : "fe";
       elements.pick.set(elements.state.model);
       await muscle.read(params, [...forms.flatMap((f) => f.keys), "target", "elements"]);
-      paint();
+      out.paint();
     },
     unmount() {
-      [report, out, elements].forEach(({ job }) => job.end());
+      [report, workshop, out, elements].forEach(({ job }) => job.end());
     },
   };
 }

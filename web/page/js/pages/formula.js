@@ -1,6 +1,6 @@
 // A campaign of finite-element tests and the formula fitted to it: errors, figures, surfaces, and the file.
 import { address, write } from "../address.js";
-import { download, el } from "../dom.js";
+import { dim, download, el } from "../dom.js";
 import { form, job } from "../form.js";
 import { PUBLISHED, errorsView, figuresView, surfaces } from "../formula-view.js";
 import { fileOf, keepFile } from "../kept.js";
@@ -32,17 +32,17 @@ pressures = "0..0.25:0.01 MPa"
 /** The plan that was computed before: it is computed again when one comes back. */
 const COMPUTED = /** @type {const} */ ("campaign");
 
-/** How a formula is fitted. @type {import("../form.js").Field[]} */
+/** How a formula is fitted. @type {Field[]} */
 export const HOW = [
   { key: "method", field: "method", label: "Method",
-    options: [["paper", "the paper's seven steps"], ["global", "one least-squares problem"]], value: "paper" },
+    options: [["paper", "seven steps (Antonelli 2018)"], ["global", "one least-squares problem"]], value: "paper" },
   { key: "hold", field: "hold_out_mm", label: "Diameters kept out", kind: "length", list: true, hint: "45 mm" },
-  { key: "at", field: "at", label: "Surfaces at", kind: "pressure", value: "2.5 bar" },
+  { key: "at", field: "at", label: "Maps at", kind: "pressure", value: "2.5 bar" },
 ];
 
 /** @param {HTMLElement} main */
 export function mount(main) {
-  /** @type {import("../../../types/commands").Commands["plan"]["answer"] | undefined} */ let made;
+  /** @type {Commands["plan"]["answer"] | undefined} */ let made;
   /** @type {import("../formula-view.js").File | typeof PUBLISHED} */ let formula = PUBLISHED;
   const plan = el("textarea", { rows: 20, style: "width:100%;font:13px ui-monospace,monospace",
     "aria-label": "Plan (TOML)", spellcheck: "false" });
@@ -50,8 +50,7 @@ export function mount(main) {
   plan.addEventListener("input", () => keepFile("plan", plan.value === PLAN ? undefined : plan.value));
   const how = form(HOW, () => (made ? fit.run() : paint()));
   const table1 = el("p", { class: "small" }), errors = el("div", {}), figures = el("div", {}), shown = surfaces();
-  const stale = (/** @type {boolean} */ on) =>
-    [errors, shown.element, figures].forEach((part) => part.classList.toggle("stale", on));
+  const stale = (/** @type {boolean} */ on) => dim([errors, shown.element, figures], on);
   const campaign = job("Compute the plan", "plan", async () => ({ plan: { name: "page.toml", text: plan.value } }),
     (answer) => {
       made = answer;
@@ -85,17 +84,17 @@ export function mount(main) {
     el("div", { class: "bench two" },
       el("section", { class: "controls", "aria-label": "Campaign" }, el("h2", {}, "Campaign"),
         el("p", { class: "small soft" },
-          "A plan lists the muscles to compute by finite elements. This is the plan of the paper."), plan,
+          "A plan lists the muscles to compute by finite elements. This is the plan of Antonelli (2018)."), plan,
         campaign.element, table1, how.element, fit.element),
       el("div", { class: "middle" }, errors, shown.element, figures)),
   );
   errors.append(el("h2", {}, PUBLISHED.name),
     el("p", { class: "soft" },
-      "Below is the formula that the paper published. Compute a campaign and fit your own formula to it. The paper "
-        + "used a hundred simulations; here they run while you watch."));
+      "Below is the published formula. Compute a campaign and fit your own formula to it: a hundred simulations run "
+        + "while you watch."));
 
   const place = () => {
-    if (main.contains(plan)) write(address("formula", { ...muscle.params(), ...how.texts() }), true);
+    if (main.contains(plan)) write(address("formula", { ...muscle.params(), ...how.texts() }));
   };
   async function paint() {
     place();

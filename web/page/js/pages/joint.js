@@ -4,7 +4,7 @@ import { address, write } from "../address.js";
 import { Chart } from "../chart.js";
 import { fileField, quantity } from "../controls.js";
 import { pack } from "../deflate.js";
-import { el, problemBox } from "../dom.js";
+import { dim, dragging, el, problemBox } from "../dom.js";
 import { job, warnings } from "../form.js";
 import { jointDrawing } from "../joint-drawing.js";
 import { angleAt, numbersView, reachChart, torqueChart } from "../joint-view.js";
@@ -17,47 +17,46 @@ import { visit } from "../visit.js";
 
 /** @typedef {import("../joint-view.js").Answer} Answer */
 /** @typedef {import("../joint-view.js").Family} Family */
-/** @typedef {import("../engine/problem.js").Problem} Problem */
-/** @typedef {import("../../../types/commands").Commands["joint"]["request"]} Request */
+/** @typedef {Commands["joint"]["request"]} Request */
 /** @typedef {import("../joint-words.js").Key} Key */
 /** @typedef {import("../joint-words.js").Values} Values */
 
 /**
+ * Groups of controls: key, label, ends of the slider, symbol.
+ * @type {[string, [Key, string, number, number, string?][]][]}
+ */
+const GROUPS = [
+  ["Required", [["phi", "Angle", -60, 60, "φ"], ["K", "Stiffness (0: lowest pressures)", 0, 30]]],
+  ["Joint", [["r", "Radius of the pulley", 5, 80, "r"], ["low", "Range from", -150, 0], ["high", "Range to", 0, 150],
+    ["e0", "Contraction at the neutral angle", 0, 0.25], ["pmax", "Pressure of the supply", 0.05, 1]]],
+  ["Arm", [["mass", "Mass of the arm", 0, 5], ["centre", "Centre of mass from the axis", 10, 400],
+    ["inertia", "Moment of inertia", 0.001, 0.2]]],
+];
+
+/**
  * The controls.
  * @param {Values} v
- * @param {{ changed: (key: Key, settled: boolean) => void, takeSecond: (text: string) => void, takeJoint: (text:
- *   string) => void }} act
+ * @param {{ changed: (key: Key, settled: boolean) => void, takeSecond: (text: string) => void,
+ *   takeJoint: (text: string) => void }} act
  */
 function controlsOf(v, { changed, takeSecond, takeJoint }) {
   const controls = /** @type {Record<Key, ReturnType<typeof quantity>>} */ ({});
-  const make = (/** @type {Key} */ key, /** @type {string} */ label, /** @type {number} */ low,
-    /** @type {number} */ high, symbol = "") =>
-  {
-    controls[key] = quantity({ key, label, symbol, kind: KINDS_OF[key], low, high, value: v[key],
-      change(value, settled) {
-        if (value !== undefined) {
+  const groups = GROUPS.map(([name, list]) => el("fieldset", { class: name === "Required" && "state" },
+    el("legend", {}, name), ...list.map(([key, label, low, high, symbol]) => {
+      controls[key] = quantity({ key, label, symbol, kind: KINDS_OF[key], low, high, value: v[key],
+        change(value = v[key], settled) {
           v[key] = value;
           changed(key, settled);
-        }
-      } });
-    return controls[key].element;
-  };
-  const which = el("p", { class: "small soft" }), ofFile = el("p", { class: "small soft" });
+        } });
+      return controls[key].element;
+    })));
+  const ofFile = el("p", { class: "small soft" });
   const back = el("button", { type: "button", hidden: true, onclick: () => takeSecond("") },
     "Use the same muscle twice");
   const leave = el("button", { type: "button", hidden: true, onclick: () => takeJoint("") }, "Close the joint file");
-  const element = el("section", { class: "controls", "aria-label": "Joint" },
-    el("fieldset", { class: "state" }, el("legend", {}, "Required"), make("phi", "Angle", -60, 60, "φ"),
-      make("K", "Stiffness", 0, 30),
-      el("p", { class: "small soft" }, "A stiffness of 0 selects the lowest pressures.")),
-    el("fieldset", {}, el("legend", {}, "Joint"), make("r", "Radius of the pulley", 5, 80, "r"),
-      make("low", "Range from", -150, 0),
-      make("high", "Range to", 0, 150), make("e0", "Contraction at the neutral angle", 0, 0.25),
-      make("pmax", "Pressure of the supply", 0.05, 1)),
-    el("fieldset", {}, el("legend", {}, "Arm"), make("mass", "Mass of the arm", 0, 5),
-      make("centre", "Centre of mass from the axis", 10, 400), make("inertia", "Moment of inertia", 0.001, 0.2)), which,
+  const element = el("section", { class: "controls", "aria-label": "Joint" }, ...groups,
     el("details", {}, el("summary", {}, "Another muscle 2"),
-      el("p", { class: "small soft" }, "Both muscles are that of the page Muscle, unless you open a file."),
+      el("p", { class: "small soft" }, "Both muscles are the one above, unless you open a file."),
       fileField("Open muscle 2 (TOML)", ".toml", (_, text) => takeSecond(text)), back),
     el("details", {}, el("summary", {}, "Joint file"), ofFile,
       fileField("Open a joint file (TOML)", ".toml", (_, text) => takeJoint(text)), leave));
@@ -72,7 +71,6 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
         ? "A joint file is open: its spring, weight and friction count; pulley, range and neutral contraction can "
           + "be changed above."
         : "A joint file can state a spring, the weight of the arm, and more.";
-      which.textContent = `The muscle: ${muscle.line()}. Change it on the page Muscle.`;
     },
   };
 }
@@ -84,7 +82,7 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
 function moveBox(v, question) {
   const to = { angle: -20, seconds: 1 };
   const field = (/** @type {"angle" | "seconds"} */ key, /** @type {string} */ label,
-    /** @type {import("../units.js").Kind} */ kind, /** @type {number} */ low, /** @type {number} */ high) =>
+    /** @type {Kind} */ kind, /** @type {number} */ low, /** @type {number} */ high) =>
     quantity({ label, kind, low, high, value: to[key], change(value) {
       if (value !== undefined) to[key] = value;
     } }).element;
@@ -93,30 +91,8 @@ function moveBox(v, question) {
   });
   const about = "From the angle above at the required stiffness. Motion shows how valves and arm follow.";
   return { job: play, element: el("details", {}, el("summary", {}, "Move the arm"),
-    el("p", { class: "small soft" }, about), field("angle", "Move to", "angle", -60, 60), field("seconds", "Within", "time", 0.1, 5), play.element) };
-}
-
-/**
- * The arm is dragged about its axis.
- * @param {HTMLElement} arm
- * @param {(angle: number, settled: boolean) => void} turned
- */
-function turning(arm, turned) {
-  let on = false;
-  const turn = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
-    const angle = angleAt(arm, event);
-    if (angle !== undefined) turned(angle, settled);
-  };
-  arm.addEventListener("pointerdown", (event) => {
-    on = true;
-    arm.setPointerCapture(event.pointerId);
-    turn(event, false);
-  });
-  arm.addEventListener("pointermove", (event) => on && turn(event, false));
-  arm.addEventListener("pointerup", (event) => {
-    if (on) turn(event, true);
-    on = false;
-  });
+    el("p", { class: "small soft" }, about), field("angle", "Move to", "angle", -60, 60), field("seconds", "Within",
+      "time", 0.1, 5), play.element) };
 }
 
 /** Pressures at angles, with the stiffness that the page asks for. @param {Values} v @param {number[]} list */
@@ -205,11 +181,14 @@ class JointPage {
     main.replaceChildren(el("div", { class: "bench" }, this.bench.element,
       el("div", { class: "middle" }, this.arm, charts, this.map.element),
       el("div", { class: "side" }, this.said, this.numbers)));
-    turning(this.arm, (angle, settled) => this.#turned(angle, settled));
+    dragging(this.arm, (event, settled) => {
+      const angle = angleAt(this.arm, event);
+      if (angle !== undefined) this.#turned(angle, settled);
+    });
     atEnd(onUnits(() => {
       this.#paint();
       this.#mapped(this.#reached);
-      this.#place(true);
+      this.#place();
     }));
   }
 
@@ -247,8 +226,8 @@ class JointPage {
     this.asks.ask(this.#request(), v, settled);
     if (settled) this.#place();
   }
-  #place(replace = false) {
-    write(address("joint", { ...muscle.params(), ...this.joint.words() }), replace);
+  #place() {
+    write(address("joint", { ...muscle.params(), ...this.joint.words() }));
   }
 
   /** @param {Answer} answer */
@@ -270,7 +249,7 @@ class JointPage {
     if (map) this.reach.show(reachChart(map));
   }
   /** @param {boolean} on */
-  #stale(on) { [this.arm, this.numbers].forEach((part) => part.classList.toggle("stale", on)); }
+  #stale(on) { dim([this.arm, this.numbers], on); }
   #drawArm() {
     const { length_mm: length = 285, outer_diameter_mm: diameter = 30, angle_deg: angle = 28 } = muscle.shown ?? {};
     const { v } = this.joint, point = this.#point;
@@ -279,7 +258,7 @@ class JointPage {
   }
   #paint() {
     const point = this.#point;
-    const which = this.joint.files.file2 ? "Muscle 2 is that of its file." : "Both muscles are those of the page Muscle.";
+    const which = this.joint.files.file2 ? "Muscle 2 is that of its file." : "Both muscles are the one above.";
     this.#drawArm();
     if (this.#family) this.torque.show(torqueChart(this.#family, point));
     this.numbers.replaceChildren(...(point ? numbersView(point, which) : []));

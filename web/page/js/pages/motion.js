@@ -4,20 +4,21 @@ import { address, write } from "../address.js";
 import { Chart } from "../chart.js";
 import { fileField } from "../controls.js";
 import { pack } from "../deflate.js";
-import { el, problemBox } from "../dom.js";
+import { dim, el, problemBox } from "../dom.js";
 import { form, job, warnings } from "../form.js";
 import { example } from "../gallery.js";
 import { JointWords } from "../joint-words.js";
 import { wordsOf } from "../kept.js";
 import { atEnd, held } from "../life.js";
-import { figures, pressureChart, stateAt, stateLine, wayChart } from "../motion-view.js";
+import { figures, isJoint, pressureChart, stateAt, stateLine, wayChart } from "../motion-view.js";
 import { muscle } from "../muscle.js";
 import { motion } from "../state.js";
+import { stated } from "../toml.js";
 import { onUnits } from "../units.js";
-import { View, reach } from "../view3d.js";
+import { View } from "../view3d.js";
 
 const DRIVE = "drive";
-/** @type {import("../form.js").Field[]} */
+/** @type {Field[]} */
 export const STEP = [
   { key: "to", field: "pressure_mpa", label: "Step to", kind: "pressure", value: "3 bar" },
   { key: "supply", field: "supply_mpa", label: "Supply", kind: "pressure", value: "6 bar" },
@@ -31,16 +32,11 @@ const STEP_KEYS = STEP.map(({ key }) => key).filter((key) => key !== "model");
 
 /**
  * A drive file with the muscle of the page, or with the joint of the page Joint.
- * @param {string} text
- * @param {string} file
- * @param {string | undefined} model
+ * @param {string} text @param {string} file @param {string | undefined} model
  */
 async function driven(text, file, model) {
-  const drive = { name: "drive.toml", text }, ofJoint = /^\s*joint\s*=/m.test(text);
-  if (!ofJoint) {
-    const [, name = "muscle.toml"] = /^\s*muscle\s*=\s*"([^"]+)"/m.exec(text) ?? [];
-    return { drive, muscle: { name, text: file }, model };
-  }
+  const drive = { name: "drive.toml", text }, of = stated(text);
+  if (!of.has(".joint")) return { drive, muscle: { name: of.get(".muscle") ?? "muscle.toml", text: file }, model };
   const joint = new JointWords();
   await joint.read(new URLSearchParams(wordsOf("joint")));
   return { drive, ...joint.request(file), model };
@@ -67,10 +63,7 @@ function player() {
     slider.value = String(1000 * share);
     slider.setAttribute("aria-valuetext", `${times[i].toFixed(2)} s`);
     clock.replaceChildren(el("b", {}, `${times[i].toFixed(2)} s`), el("br"), stateLine(run, i));
-    slot.ask("shape", { ...muscle.fields(), ...stateAt(run, i) }, (shape) => {
-      view.set(shape, { field: "max_stretch", low: 1, high: Math.max(1.2, reach(shape.arrays.max_stretch)[1]),
-        restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });
-    }, () => {});
+    slot.ask("shape", { ...muscle.fields(), ...stateAt(run, i) }, (shape) => view.stretched(shape), () => {});
   }
   function start() {
     if (!run) return;
@@ -102,8 +95,7 @@ function player() {
 }
 
 const CLOSED =
-  "A drive file states supply, valve, load and commands over time. One with a joint moves the joint of the "
-  + "page Joint.";
+  "A drive file states supply, valve, load and commands over time. One with a joint moves that of Joint.";
 const EXAMPLES = [["lift 10 kg and lower it", "drive.toml"], ["turn the joint", "elbow-drive.toml"]];
 
 /** Drive files: one that is opened, and examples. @param {(text: string) => void} take */
@@ -129,13 +121,14 @@ function driveBox(take) {
 
 /** Pressure and way over time. */
 function chartsOf() {
-  const pressure = new Chart("motion-pressure", { tools: el("h2", {}, "Pressure") });
-  const way = new Chart("motion-contraction", { tools: el("h2", {}, "Contraction") });
+  const pressure = new Chart("motion-pressure", { tools: el("h2", {}, "Pressure over time") });
+  const title = el("h2", {}), way = new Chart("motion-contraction", { tools: title });
   return {
     element: el("div", { class: "charts" }, pressure.element, way.element),
     /** @param {import("../motion-view.js").Run} run */
     show(run) {
       pressure.show(pressureChart(run));
+      title.textContent = `${isJoint(run) ? "Angle" : "Contraction"} over time`;
       way.show(wayChart(run));
     },
   };
@@ -147,7 +140,7 @@ export function mount(main) {
   let drive = "";
   const fields = form(STEP, () => go.run()), shown = player();
   const charts = chartsOf();
-  const numbers = el("div", {}), which = el("p", { class: "small soft" });
+  const numbers = el("div", {});
   const box = driveBox((text) => take(text));
   const title = el("h2", {}, "A step on a valve");
   const go = job("Run", "motion", request, (answer) => {
@@ -161,20 +154,19 @@ export function mount(main) {
   });
   main.replaceChildren(
     el("div", { class: "bench two" },
-      el("section", { class: "controls", "aria-label": "Step" }, title, fields.element, go.element, which, numbers,
+      el("section", { class: "controls", "aria-label": "Step" }, title, fields.element, go.element, numbers,
         box.element), el("div", { class: "middle" }, shown.stage, shown.row, charts.element)),
   );
 
   /** What is shown belongs to the last step that had an answer. @param {boolean} on */
-  const stale = (on) => [shown.stage, numbers, charts.element].forEach((part) => part.classList.toggle("stale", on));
-  const place = (replace = false) =>
-    write(address("motion", { ...muscle.params(), ...fields.texts(), [DRIVE]: drive }), replace);
+  const stale = (on) => dim([shown.stage, numbers, charts.element], on);
+  const place = () =>
+    write(address("motion", { ...muscle.params(), ...fields.texts(), [DRIVE]: drive }));
 
   async function request() {
     const read = await fields.read();
     if (!read || !main.contains(title)) return undefined;
     place();
-    which.textContent = `The muscle: ${muscle.line()}. Change it on the page Muscle.`;
     const file = await muscle.file();
     return drive ? driven(drive, file, read.model) : motion(file, read);
   }
@@ -203,7 +195,7 @@ export function mount(main) {
   atEnd(onUnits(() => {
     paint();
     shown.again();
-    place(true);
+    place();
   }));
   return {
     /** @param {URLSearchParams} params */

@@ -4,9 +4,7 @@ import { Curves } from "../bench/curves.js";
 import { numbersView } from "../bench/numbers.js";
 import { stageView } from "../bench/stage.js";
 import { OWN, Store } from "../bench/store.js";
-import { onDrop } from "../controls.js";
-import { el, problemBox, say } from "../dom.js";
-import { measured } from "../measured.js";
+import { dim, el, problemBox, say } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { onUnits, withUncertainty } from "../units.js";
 
@@ -14,35 +12,17 @@ import { onUnits, withUncertainty } from "../units.js";
 export function mount(main) {
   const busy = el("div", { class: "busy" }), said = el("div", {});
   const store = new Store((on) => busy.classList.toggle("on", on));
-  const controls = controlsView(store, (problem) => said.replaceChildren(problemBox(problem)));
+  const controls = controlsView(store);
   const stage = stageView(store, busy),
     curves = new Curves(store),
     numbers = numbersView(store);
-  const middle = el(
-    "div",
-    { class: "middle" },
-    stage.stage,
-    stage.tools,
-    curves.chart.element,
-    curves.points.element,
-    curves.over.element,
-  );
-  const bench = el(
-    "div",
-    { class: "bench" },
-    controls.element,
-    middle,
-    el("div", { class: "side" }, said, numbers.element),
-  );
-  main.replaceChildren(bench);
-  onDrop(bench, (file) => file?.text().then((text) => {
-    if (file.name.endsWith(".toml")) controls.take(text);
-    else measured.set({ name: file.name, text });
-  }));
+  main.replaceChildren(el("div", { class: "bench" }, controls.element,
+    el("div", { class: "middle" }, stage.stage, stage.tools, curves.chart.element, curves.points.element,
+      curves.over.element),
+    el("div", { class: "side" }, said, numbers.element)));
 
   /** What is shown belongs to the last muscle that had an answer. @param {boolean} on */
-  const stale = (on) =>
-    [stage.stage, numbers.element, curves.chart.element].forEach((part) => part.classList.toggle("stale", on));
+  const stale = (on) => dim([stage.stage, numbers.element, curves.chart.element], on);
   store.on("answer", (pumped) => {
     said.replaceChildren();
     stale(false);
@@ -75,6 +55,7 @@ export function mount(main) {
       });
       curves.load();
       store.tell("sync");
+      controls.anchor();
       controls.revealAll();
       store.ask();
       store.follow();

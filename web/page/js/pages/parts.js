@@ -5,15 +5,18 @@ import { choice } from "../controls.js";
 import { problemOf } from "../engine/problem.js";
 import { capital, el, problemBox } from "../dom.js";
 import { table } from "../form.js";
+import { library } from "../library.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { notice } from "../notice.js";
 import { number, onUnits, show } from "../units.js";
 import { inWords } from "../words.js";
 
-/** @typedef {import("../../../types/commands").Commands["parts-list"]["answer"]} Parts */
+/** @typedef {Commands["parts-list"]["answer"]} Parts */
 /** @typedef {"tubes" | "sleeves" | "rubbers"} Kind */
-const KINDS = /** @type {[Kind, string][]} */ ([["tubes", "Tubes"], ["sleeves", "Sleeves"], ["rubbers", "Rubbers"]]);
+const LISTED = /** @type {Kind[]} */ (["tubes", "sleeves", "rubbers"]);
+const KINDS = /** @type {[string, string][]} */ ([["tubes", "Tubes"], ["sleeves", "Sleeves"], ["rubbers", "Rubbers"],
+  ["muscles", "Measured muscles"]]);
 /** What a part says of the muscle: keys of the state. @typedef {Record<string, number | string>} Said */
 /**
  * A row: the name, cells, the words that a filter looks at, its outer or possible diameters, and what it says of the
@@ -39,7 +42,7 @@ const LISTS = {
         words: [t.name, t.rubber, t.source, t.note, t.is_cast ? "cast" : "sold"].join(" "),
         said: { D: t.outer_diameter_mm, s: Number(t.wall_mm.toPrecision(12)), rubber: t.rubber },
         cells: [t.name, show("length", t.inner_diameter_mm), show("length", t.outer_diameter_mm),
-          show("length", t.wall_mm, 3), t.rubber, t.is_cast ? "cast by oneself" : "as sold", t.price ?? "–",
+          show("length", t.wall_mm, 3), t.rubber, t.is_cast ? "cast" : "sold", t.price ?? "–",
           t.pressure_mpa ? show("pressure", t.pressure_mpa, 3) : "–", source(t.source, t.note)],
       })),
   },
@@ -125,9 +128,9 @@ const putButton = ({ name }, act) =>
 /** @param {HTMLElement} main */
 export function mount(main) {
   /** @type {Parts | undefined} */ let parts;
-  const state = { kind: /** @type {Kind} */ ("tubes"), find: "" };
+  const state = { kind: "tubes", find: "" };
   const kind = choice("Show", KINDS, state.kind, (name) => {
-    state.kind = /** @type {Kind} */ (name);
+    state.kind = name;
     changed();
   });
   const find = el("input", { type: "text", id: "parts-find", autocomplete: "off", spellcheck: "false",
@@ -135,21 +138,20 @@ export function mount(main) {
       state.find = find.value.trim();
       changed();
     } });
-  const fits = check("parts-fits", "only what fits the muscle's diameter", () => changed());
-  const cast = check("parts-sold", "only as sold", () => changed());
+  const fits = check("parts-fits", "fits the muscle's diameter", () => changed());
+  const cast = check("parts-sold", "sold only", () => changed());
   const list = el("div", { class: "parts-list" }), count = el("p", { class: "small soft", role: "status" }),
-    which = el("p", { class: "small soft" });
-  const filter = el("label", { for: "parts-find" }, "Filter");
+    filter = el("label", { for: "parts-find" }, "Filter");
   const line = el("div", { class: "parts-filter" }, kind.element, filter, find, fits.row, cast.row);
-  main.replaceChildren(line, which, count, list);
+  main.replaceChildren(line, count, list);
 
-  const place = (replace = false) => {
+  const place = () => {
     const own = { kind: state.kind === "tubes" ? "" : state.kind, find: state.find };
     const ticks = { fits: fits.box.checked ? "1" : "", sold: cast.box.checked ? "1" : "" };
-    write(address("parts", { ...muscle.params(), ...own, ...ticks }), replace);
+    write(address("parts", { ...muscle.params(), ...own, ...ticks }));
   };
   function changed() {
-    place(true);
+    place();
     paint();
   }
 
@@ -159,10 +161,15 @@ export function mount(main) {
 
   function paint() {
     if (!parts) return;
-    const { head, text, rows } = LISTS[state.kind], all = rows(parts), shown = all.filter(matches);
+    find.disabled = state.kind === "muscles";
     cast.row.hidden = state.kind !== "tubes";
     fits.row.hidden = state.kind !== "sleeves";
-    which.textContent = `The muscle: ${muscle.line()}.`;
+    if (find.disabled) {
+      count.textContent = "Muscles whose pulls were measured. Open one: it becomes the muscle.";
+      return list.replaceChildren(library((problem) => list.replaceChildren(problemBox(problem)), () => {}));
+    }
+    const { head, text, rows } = LISTS[/** @type {Kind} */ (state.kind)], all = rows(parts),
+      shown = all.filter(matches);
     count.textContent = `${shown.length} of ${all.length} ${state.kind}. What no source states is marked as estimated.`;
     const put = (/** @type {Row} */ row) => putButton(row, () => take(row));
     const cells = shown.map((row) => [row.cells[0], put(row), ...row.cells.slice(1)]);
@@ -179,14 +186,14 @@ export function mount(main) {
 
   atEnd(onUnits(() => {
     paint();
-    place(true);
+    place();
   }));
   return {
     /** @param {URLSearchParams} params */
     async load(params) {
       await muscle.read(params, ["kind", "find", "fits", "sold"]);
       const asked = params.get("kind") ?? "tubes";
-      state.kind = /** @type {Kind} */ (KINDS.some(([name]) => name === asked) ? asked : "tubes");
+      state.kind = KINDS.some(([name]) => name === asked) ? asked : "tubes";
       kind.set(state.kind);
       if (document.activeElement !== find) find.value = params.get("find") ?? "";
       state.find = find.value.trim();
@@ -194,7 +201,7 @@ export function mount(main) {
       cast.box.checked = params.has("sold");
       try {
         if (!parts) {
-          const kinds = await Promise.all(KINDS.map(([kind]) => engine().ask("parts-list", { kind })));
+          const kinds = await Promise.all(LISTED.map((kind) => engine().ask("parts-list", { kind })));
           parts = { ...kinds[0], sleeves: kinds[1].sleeves, rubbers: kinds[2].rubbers };
         }
         paint();

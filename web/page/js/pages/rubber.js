@@ -1,21 +1,22 @@
 // Laws of rubber from a test of it: constants, curves with the points, and the muscle with that rubber.
 import { address, write } from "../address.js";
 import { fileField } from "../controls.js";
-import { download, el } from "../dom.js";
+import { dim, download, el } from "../dom.js";
 import { Figures } from "../figure.js";
 import { form, job, table, warnings } from "../form.js";
 import { fileOf, keepFile } from "../kept.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
-import { fileName } from "../name.js";
+import { fileName } from "../toml.js";
 import { number, onUnits, show } from "../units.js";
 
-/** @typedef {import("../../../types/commands").Commands["rubber"]["answer"]} Answer */
+/** @typedef {Commands["rubber"]["answer"]} Answer */
 /** @typedef {Answer["laws"][number]} Law */
-/** @type {import("../form.js").Field[]} */
+/** @type {Field[]} */
 export const FIELDS = [
   { key: "laws", field: "laws", label: "Laws", words: true, hint: "all that the points determine" },
-  { key: "set", field: "set", label: "Constants of the table", words: true, hint: "area=8mm2, gauge_length=25mm, mode=planar" },
+  { key: "set", field: "set", label: "Constants of the table", words: true,
+    hint: "area=8mm2, gauge_length=25mm, mode=planar" },
   { key: "upto", field: "up_to_stretch", label: "Up to a stretch of", kind: "number", hint: "all points" },
   { key: "stable", field: "stable", label: "In a muscle", value: "",
     options: [["", "fit as the points are"], ["yes", "only what stays stable"]] },
@@ -69,10 +70,9 @@ export function mount(main) {
         fit.element),
       el("div", { class: "middle" }, understood, laws, figures.element)),
   );
-  const stale = (/** @type {boolean} */ on) =>
-    [laws, figures.element].forEach((part) => part.classList.toggle("stale", on));
-  const place = (replace = false) => {
-    if (main.contains(laws)) write(address("rubber", { ...muscle.params(), ...fields.texts() }), replace);
+  const stale = (/** @type {boolean} */ on) => dim([laws, figures.element], on);
+  const place = () => {
+    if (main.contains(laws)) write(address("rubber", { ...muscle.params(), ...fields.texts() }));
   };
 
   /** @param {string} name @param {string} text */
@@ -104,7 +104,7 @@ export function mount(main) {
   }
   atEnd(onUnits(() => {
     paint();
-    place(true);
+    place();
   }));
   return {
     /** @param {URLSearchParams} params */
