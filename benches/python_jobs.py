@@ -127,8 +127,8 @@ def loop() -> None:
 
 
 def rollout() -> None:
-    """1,000 rollouts of a second of an elbow in steps of 50 ms"""
-    mk.rollout(mk.Simulation("examples/elbow-drive.toml", 0.05, model="universal"), np.random.default_rng(1).uniform(0.1, 0.2, (1000, 20, 2)))
+    """100 rollouts of a second of an elbow in steps of 50 ms"""
+    mk.rollout(mk.Simulation("examples/elbow-drive.toml", 0.05, model="universal"), np.random.default_rng(1).uniform(0.1, 0.2, (100, 20, 2)))
 
 
 def jax_batch() -> None:

@@ -43,9 +43,3 @@ pub fn quantities(name: &str, text: &str) -> PyResult<Vec<f64>> {
 pub fn unit_of(name: &str) -> Option<&'static str> {
     NamedUnit::of_field(name).map(|of| of.unit).filter(|unit| !unit.is_empty())
 }
-
-/// What is said of a bare number that was likely meant in another unit.
-#[pyfunction]
-pub fn unlikely(name: &str, number: f64) -> Option<String> {
-    request::unlikely(name, number)
-}

@@ -24,11 +24,12 @@ use pyo3::pymodule;
 mod _native {
     #[pymodule_export]
     use crate::{
-        ask::{ask, quantities, quantity, unit_of, unlikely},
+        ask::{ask, quantities, quantity, unit_of},
         files::{drive_files, joint_files, read_file, toml, toml_text, write_file},
         formula::Formula,
         model::Model,
         muscle::Muscle,
+        request::unlikely,
         simulation::{Simulation, rollout},
         view::{body_html, report_html},
     };

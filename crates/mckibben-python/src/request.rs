@@ -2,6 +2,7 @@
 
 use mckibben::units::{Dimension, NamedUnit, parse_quantity, parse_values};
 use mckibben_app::{Choice, CommandEntry, Problem, ProblemKind};
+use pyo3::pyfunction;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -67,8 +68,9 @@ fn stated(text: &str, kind: Dimension) -> Result<(), Problem> {
 }
 
 /// What is said of a bare number that was likely meant in another unit.
-pub fn unlikely(name: &str, value: f64) -> Option<String> {
-    let (_, low, high) = *LIKELY.iter().find(|row| row.0 == name)?;
+#[pyfunction]
+pub fn unlikely(name: &str, number: f64) -> Option<String> {
+    let (value, (_, low, high)) = (number, *LIKELY.iter().find(|row| row.0 == name)?);
     if value <= 0.0 || !value.is_finite() || (low..=high).contains(&value) {
         return None;
     }
