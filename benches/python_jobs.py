@@ -19,6 +19,7 @@ from statistics import median
 import numpy as np
 
 import mckibben as mk
+from mckibben.answers import Fit
 
 os.environ.setdefault("MPLBACKEND", "Agg")
 MUSCLE = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
@@ -26,30 +27,59 @@ PRESSURES = np.linspace(0.05, 0.25, 1_000_000)
 FOLDER = Path(tempfile.mkdtemp())
 
 
-def one_point() -> None:
-    """A pull with its ±"""
-    state = MUSCLE.state("2.5 bar", "10%")
-    print(state.force_n, state.uncertainty_n)
+def number() -> None:
+    """A pull of two numbers, by `fe`"""
+    MUSCLE.force("2.5 bar", "10%")
+
+
+def uncertain() -> None:
+    """A pull with its ±, by `fe`"""
+    print(MUSCLE.solve("2.5 bar", "10%").uncertainty_n)
+
+
+def inverse() -> None:
+    """The pressure for 700 N, by `fe`"""
+    MUSCLE.pressure(700, 0.1)
 
 
 def broadcast() -> None:
-    """10⁶ pressures at one contraction, by the paper's formula"""
-    MUSCLE.model("paper").force(PRESSURES, 0.1)
+    """10⁶ pressures at one contraction, by `paper`"""
+    MUSCLE.force(PRESSURES, 0.1, model="paper")
+
+
+def universal() -> None:
+    """10⁵ points by `universal`"""
+    MUSCLE.force(PRESSURES[::10], 0.1, model="universal")
+
+
+def slopes() -> None:
+    """Pulls at 100 points with slopes by modulus and wall, by `universal`"""
+    MUSCLE.force(PRESSURES[::10000], 0.1, jac=["tube.material.c10", "wall_mm"], model="universal")
 
 
 def isobars() -> None:
-    """Isobars with their ±, drawn"""
-    MUSCLE.curve("isobaric", pressures_mpa=[0.1, 0.2, 0.3], model="universal").plot(units="bar").figure.savefig(FOLDER / "isobars.png")
+    """Isobars, drawn"""
+    MUSCLE.curve(pressures_mpa=[0.1, 0.2, 0.3], model="universal").plot(units="bar").figure.savefig(FOLDER / "isobars.png")
 
 
 def table() -> None:
-    """A map of 50 points with all results, as a data frame"""
+    """A map of 50 points with all results, by `fe`, as a data frame"""
     MUSCLE.solve(np.linspace(0.05, 0.25, 10)[:, None], np.linspace(0, 0.15, 5)).to_pandas()
+
+
+def load() -> None:
+    """The contraction under a load of 20 kg at five pressures"""
+    MUSCLE.curve(load="mass:20kg", pressures_mpa="0.5..2.5:0.5 bar", model="universal")
 
 
 def design() -> None:
     """A muscle for a specification"""
-    print(mk.design(force_n=700, contraction=0.15, max_pressure_mpa=0.25, model="universal").best)
+    print(mk.design(force_n=700, contraction="15%", max_pressure_mpa="2.5 bar", model="universal").best)
+
+
+def tolerance() -> None:
+    """The same with the spread of its making"""
+    mk.design(force_n=700, contraction="15%", max_pressure_mpa="2.5 bar", model="universal", tolerance={"wall_mm": 0.1, "modulus": "10%"})
 
 
 def identify() -> None:
@@ -58,9 +88,14 @@ def identify() -> None:
     print(found.x, found.stderr)
 
 
+def compare() -> None:
+    """Three models beside measurements"""
+    mk.load("examples/tondu2012.toml").compare(models=["ideal", "universal", "thick-wall"], data="data/tondu2012/static_force_20deg.csv")
+
+
 def rubber() -> None:
     """A rubber from tension data, used in a muscle"""
-    MUSCLE.replace(rubber=mk.rubber("data/treloar/tension.csv").rubber()).force(0.2, 0.1)
+    MUSCLE.replace(rubber=mk.fit_rubber("data/treloar/tension.csv").rubber()).force(0.2, 0.1)
 
 
 def formula() -> None:
@@ -69,25 +104,40 @@ def formula() -> None:
     fitted(pressure_mpa=0.2, contraction=0.1, outer_diameter_mm=np.linspace(30, 50, 41)[:, None], wall_mm=np.linspace(1, 5, 31))
 
 
+def fit() -> None:
+    """A formula of a table of finite-element tests"""
+    mk.fit("data/campaign/paper.csv")
+
+
 def elbow() -> None:
     """The torque of an elbow at 25 angles"""
-    mk.joint("examples/elbow.toml", pressures_mpa=[[0.3, 0.1]], angles_deg=np.linspace(-60, 60, 25).tolist(), model="universal")
+    mk.load("examples/elbow.toml").solve(pressures_mpa=[["3 bar", "1 bar"]], angles_deg=np.linspace(-60, 60, 25), model="universal")
+
+
+def motion() -> None:
+    """Two seconds of an elbow on its valves"""
+    mk.load("examples/elbow-drive.toml").motion(model="universal")
 
 
 def loop() -> None:
     """A second of an elbow in a control loop of 1 kHz"""
-    elbow = mk.Simulation("examples/elbow-drive.toml", dt=1e-3, model="universal")
-    angle = 0.0
+    simulation, angle = mk.Simulation("examples/elbow-drive.toml", 1e-3, record=False, model="universal"), 0.0
     for _ in range(1000):
-        angle = elbow.step([0.15 + 0.004 * (20 - angle), 0.15 - 0.004 * (20 - angle)]).angle_deg
+        angle = simulation.step([0.15 + 0.004 * (20 - angle), 0.15 - 0.004 * (20 - angle)]).angle_deg
+
+
+def rollout() -> None:
+    """100 rollouts of a second of an elbow in steps of 50 ms"""
+    mk.rollout(mk.Simulation("examples/elbow-drive.toml", 0.05, model="universal"), np.random.default_rng(1).uniform(0.1, 0.2, (100, 20, 2)))
 
 
 def jax_batch() -> None:
     """Value and slopes of 1,000 points by JAX, traced each time"""
     import jax
 
-    force = mk.jax.force(MUSCLE.model("universal"))
-    jax.vmap(jax.value_and_grad(force))(np.linspace(0.1, 0.3, 1000), np.full(1000, 0.1))
+    from mckibben.jax import force
+
+    jax.vmap(jax.value_and_grad(force(MUSCLE, model="universal")))(np.linspace(0.1, 0.3, 1000), np.full(1000, 0.1))
 
 
 def optimise() -> None:
@@ -97,15 +147,26 @@ def optimise() -> None:
     brentq(lambda wall: MUSCLE.replace(wall_mm=wall).force(0.2, 0.1, model="universal") - 1000, 1.1, 5)
 
 
+def export() -> None:
+    """C code of a muscle for a controller"""
+    MUSCLE.export("c", model="universal").write(FOLDER / "c", overwrite=True)
+
+
+def build() -> None:
+    """Drawing, plugs and steps to build a muscle"""
+    MUSCLE.build("2 bar").write(FOLDER / "build", overwrite=True)
+
+
 def saved() -> None:
     """A muscle saved, and read again"""
     MUSCLE.save(FOLDER / "muscle.toml")
     mk.load(FOLDER / "muscle.toml")
 
 
-FORMULA: mk.Fit | None = None
+FORMULA: Fit | None = None
 JOBS: list[Callable[[], None]] = [
-    one_point, broadcast, isobars, table, design, identify, rubber, formula, elbow, loop, jax_batch, optimise, saved,
+    number, uncertain, inverse, broadcast, universal, slopes, isobars, table, load, design, tolerance, identify, compare, rubber, formula, fit, elbow, motion, loop, rollout, jax_batch,
+    optimise, export, build, saved,
 ]
 
 

@@ -27,5 +27,5 @@ trap 'rm -rf "$work"' EXIT
 cargo build --quiet --workspace --all-targets --profile test --locked
 cp -r python/mckibben python/tests "$work"
 cp "$target/debug/lib_native.so" "$work/mckibben/_native.abi3.so"
-"$target/venv/bin/python" python/write.py stubs "$work/mckibben"
+MCKIBBEN=$target/debug/mckibben "$target/venv/bin/python" python/write.py api --check
 MCKIBBEN=$target/debug/mckibben MCKIBBEN_ROOT=$PWD PYTHONPATH=$work "$target/venv/bin/python" -m pytest -q -p no:cacheprovider "$work/$tests"

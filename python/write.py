@@ -1,170 +1,463 @@
-"""Writes what is made of the Python package and its compiled half.
+"""Writes what is made of the schema of the program and of the docstrings of the package.
 
-    python python/write.py stubs [FOLDER]       types of what the package makes from the schema, beside its modules
+    python python/write.py api [--check]        python/mckibben/_api.py: commands and answers as plain functions and classes
     python python/write.py reference FILE       the reference page, from the docstrings
     python python/write.py pages FOLDER         the same as pages for Sphinx (python/docs.sh makes HTML of them)
 
-The compiled half is the library of the workspace's build (``cargo build --workspace --profile test``), or ``--native FILE``.
+The schema is that of the program (``MCKIBBEN``, or ``target/debug/mckibben``); docstrings are those of a package with its compiled half: the installed one, or that of
+``--native FILE`` (the library of the workspace's build).
 """
 
 from __future__ import annotations
 
 import argparse
-import ast
+import difflib
 import inspect
+import json
 import keyword
 import os
 import re
+import subprocess
 import sys
 import textwrap
 from collections.abc import Iterator
-from functools import cache
 from importlib.machinery import ExtensionFileLoader
-from importlib.util import find_spec, module_from_spec, spec_from_file_location
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from typing import Any
-from unittest.mock import MagicMock
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "python" / "mckibben"
-HEAD = "# Written by python/write.py from the schema.\n"
-TYPES = """
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, Literal
+Schema = Any
 
-from . import _answers, _muscle, _results
-from ._ask import Progress
-from ._drives import Drive, Joint
-from ._formula import Formula
-from ._inputs import Choice, FileLike, FormulaLike, Measured, MuscleLike, Number, Numbers, Plain, TableLike
-from ._muscle import Muscle
-from ._rubber import Rubber
-"""
+# Commands as functions and as methods of a muscle, a joint and a drive, with what may be given without its keyword.
+FUNCTIONS: dict[str, tuple[str, list[str]]] = {
+    "design": ("design", []), "identify": ("identify", ["muscle", "data"]), "rubber": ("fit_rubber", ["data"]), "fit": ("fit", ["table"]),
+    "parts-list": ("parts", ["kind"]), "parts-show": ("part", ["name"]), "measures": ("measures", []), "validate": ("validate", []), "measured": ("measured", []),
+    "sweep": ("sweep", ["muscles"]), "plan": ("plan", ["plan"]), "fit-report": ("fit_report", []), "export-list": ("export_targets", []), "check-formula": ("check_formula", ["file"]),
+}
+METHODS: dict[str, dict[str, tuple[str, list[str]]]] = {
+    "MuscleCommands": {
+        "curve": ("curve", ["test"]), "simulate": ("simulate", ["test"]), "shape": ("shape", ["pressure_mpa", "contraction"]), "fill": ("fill", ["volume_mm3"]), "check": ("check", []),
+        "compare": ("compare", []), "study": ("study", []), "build": ("build", ["pressure_mpa"]), "export": ("export", ["target"]),
+    },
+    "JointCommands": {"joint": ("solve", [])},
+    "DriveCommands": {"motion": ("motion", [])},
+    "CampaignCommands": {"campaign": ("run", []), "campaign-status": ("status", []), "campaign-show": ("summary", [])},
+}
+# Arguments that such an object has itself.
+OWN = {"MuscleCommands": {"muscle"}, "JointCommands": {"joint", "muscles"}, "DriveCommands": {"drive", "muscle", "joint", "muscles", "tables"}, "CampaignCommands": {"plan", "output", "campaign"}}
+DEFAULTS = {("curve", "test"): "isobaric", ("simulate", "test"): "isobaric", ("sweep", "muscles"): 100}
+# What must be given.
+NEEDED = {("identify", "muscle"), ("identify", "data"), ("rubber", "data"), ("parts-show", "name"), ("parts-list", "kind"), ("plan", "plan"), ("check-formula", "file"), ("fill", "volume_mm3")}
+# Answers with a name of their own, and what they inherit from.
+NAMES = {
+    "CurveAnswer": "Curve", "PlanAnswer": "Plan", "FitAnswer": "Fit", "IdentifyAnswer": "Identification", "RubberFitAnswer": "RubberFit", "DesignAnswer": "Design", "BuildAnswer": "Build",
+    "ExportAnswer": "Export", "ShapeAnswer": "Shape", "CheckFormulaAnswer": "FormulaCheck", "JointAnswer": "JointSolution", "MotionAnswer": "Motion", "Results": "FitReport",
+    "Summary": "CampaignSummary", "Outcome": "CampaignOutcome",
+}
+BASES = {
+    "Curve": "Curves", "Plan": "Planned", "Fit": "Fitting", "Identification": "Identified", "RubberFit": "FittedLaws", "Design": "Designed", "Build": "Files", "Export": "Files", "Shape": "Shaped",
+}
+# The list of an answer that is its table, by command.
+ROWS = {
+    "build": "parts", "export": "files", "export-list": "targets", "simulate": "points", "design": "candidates", "joint": "points", "study": "points", "validate": "cases",
+    "measured": "results", "compare": "models", "identify": "parameters", "rubber": "laws", "measures": "measures", "motion": "series", "fit-report": "findings", "parts-list": "tubes",
+    "curve": "points", "plan": "table",
+}
+# Types of what may be given, by the names of fields.
+GIVEN = {
+    "muscle": "MuscleLike", "cases": "FileLike | Sequence[FileLike]", "rubber": "RubberLike", "model": "FormulaLike", "models": "FormulaLike | Sequence[FormulaLike]",
+    "formulas": "Sequence[FormulaLike]", "file": "FormulaLike", "terminal": "Mapping[str, Plain]", "log": "TableLike", "table": "TableLike",
+    **dict.fromkeys(("data", "tables", "load_tables"), "TableLike | Sequence[TableLike]"), "stiffness": "Number",
+}
+# Numbers that a muscle answers: what it is, of which two, what the derivatives are, and an example.
+NUMBERS = {
+    "force": ("F(P, ε): the pull, in N; 0 where the muscle is slack", ("pressure_mpa", "contraction"), "∂F/∂P in N/MPa, ∂F/∂ε in N, then ∂F/∂θ of each name in N per its unit", "muscle.force([0.1, 0.2], 0.1, model=\"paper\").round(1)", "array([ 585.7, 1202.7])"),
+    "pressure": ("P(F, ε): the pressure that gives a pull, in MPa", ("force_n", "contraction"), "∂P/∂F, ∂P/∂ε, then ∂P/∂θ, by implicit differentiation", "round(muscle.pressure(300, \"10%\", model=\"ideal\"), 4)", "0.0377"),
+    "contraction": ("ε(F, P): the contraction at which a pressure gives a pull", ("force_n", "pressure_mpa"), "∂ε/∂F, ∂ε/∂P, then ∂ε/∂θ, by implicit differentiation", "round(muscle.contraction(300, \"2 bar\", model=\"ideal\"), 3)", "0.293"),
+}
+OF = {
+    "pressure_mpa": ("MPa", "Gauge pressures P: numbers, a text such as `\"2.5 bar\"` or `\"0..2.5:0.5 bar\"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for."),
+    "contraction": ("ratio", "Contraction ratios ε = ΔL/L0, broadcast against the other argument."), "force_n": ("N", "Pulls F, broadcast against the other argument."),
+}
+JAC = (
+    "True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others held: k of the strands as well, where the "
+    "diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by `replace`: k of a named braid follows the diameter. Those of finite elements come from the "
+    "factorised tangent of the equilibrium itself."
+)
+OPTIONS = "`model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `formulas`, `mesh`, `match`, `terminal`, `extrapolate`, `two_sided`, `direction`."
+ERRORS = "`raise` for the first point without an answer, `nan` for NaN there."
+PROGRESS = "True for a line on standard error, or a function that is called with (done, total)."
+HEAD = '''"""Commands and answers of the program. Written by python/write.py from the schema; do not edit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, overload
+
+from . import _results
+from ._record import Record
+from ._request import answered
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+    from typing_extensions import Unpack
+
+    from ._muscle import Muscle
+    from ._values import Choice, FileLike, Floats, FormulaLike, MuscleLike, Number, Numbers, Options, Plain, Progress, RubberLike, TableLike
+
+    Errors = Literal["raise", "nan"]
+    Array = NDArray[np.float64]
+'''
 
 
-def load(native: Path) -> None:
-    """Makes a library the compiled half of the package in the sources."""
+class Bundle:
+    """The schemas of all commands."""
+
+    def __init__(self, held: dict[str, Any]) -> None:
+        self.held, self.defs = held, held["$defs"]
+        self.commands = [name for name in held if not name.startswith("$")]
+
+    def defined(self, schema: Schema) -> Schema:
+        """A schema, or the definition to which it refers."""
+        name = reference(schema)
+        return schema if name is None else self.defs[name]
+
+    def properties(self, schema: Schema) -> dict[str, Schema]:
+        """All fields of an object, those of its variants among them."""
+        schema = self.defined(schema)
+        out = dict(schema.get("properties", {}))
+        for option in [*options(schema), *schema.get("allOf", [])]:
+            for name, field in self.properties(option).items():
+                out.setdefault(name, field)
+        return out
+
+    def required(self, schema: Schema) -> set[str]:
+        """The fields that an object always has."""
+        schema = self.defined(schema)
+        of_options = [self.required(option) for option in options(schema)]
+        return set(schema.get("required", [])).union(set.intersection(*of_options) if of_options else ())
+
+    def request(self, command: str) -> dict[str, Schema]:
+        return self.properties(self.held[command]["request"])
+
+    def is_record(self, schema: Schema) -> bool:
+        return bool(self.properties(schema)) and not words(self.defined(schema))
+
+    def type_of(self, schema: Schema, is_answer: bool) -> str:
+        """The type of a schema in the words of Python."""
+        if not isinstance(schema, dict) or not schema:
+            return "Any"
+        if name := reference(schema):
+            known = {"TextFile": "FileLike", "Choice": "Choice", "Stiffness": "Number | str"}.get(name)
+            if not is_answer and known:
+                return known
+            target = self.defined(schema)
+            if self.is_record(schema):
+                return NAMES.get(name, name) if is_answer else "Mapping[str, Plain]"
+            return self.type_of(target, is_answer)
+        if choice := words(schema):
+            return f"Literal[{', '.join(map(json.dumps, choice))}]"
+        if alternatives := options(schema):
+            return union([self.type_of(option, is_answer) for option in alternatives])
+        kind = schema.get("type")
+        if isinstance(kind, list):
+            return union([self.type_of({**schema, "type": one}, is_answer) for one in kind])
+        if kind == "array" and "prefixItems" in schema:
+            return f"tuple[{', '.join(self.type_of(item, is_answer) for item in schema['prefixItems'])}]"
+        if kind == "array":
+            return f"list[{self.type_of(schema.get('items'), is_answer)}]"
+        if kind == "object":
+            return f"dict[str, {self.type_of(schema.get('additionalProperties') or None, is_answer)}]"
+        return {"string": "str", "number": "float", "integer": "int", "boolean": "bool", "null": "None"}.get(str(kind), "Any")
+
+    def muscle(self) -> dict[str, Schema]:
+        """The fields of a muscle besides its file."""
+        return {name: field for name, field in self.request("check").items() if field.get("x-group") == "muscle" and name != "muscle"}
+
+
+def reference(schema: Schema) -> str | None:
+    return schema["$ref"].rsplit("/", 1)[-1] if isinstance(schema, dict) and "$ref" in schema else None
+
+
+def options(schema: Schema) -> list[Schema]:
+    return [*schema.get("anyOf", []), *schema.get("oneOf", [])] if isinstance(schema, dict) else []
+
+
+def words(schema: Schema) -> list[str]:
+    """The words of a schema that is a choice of words, else none."""
+    if all(isinstance(word, str) for word in schema.get("enum", [None])):
+        return list(schema["enum"])
+    out: list[str] = []
+    for option in options(schema):
+        found = [option["const"]] if "const" in option else option.get("enum") if option.get("type") == "string" else None
+        if found is None:
+            return []
+        out += found
+    return out
+
+
+def union(kinds: list[str]) -> str:
+    """One of several types; None is the last."""
+    parts = list(dict.fromkeys(kinds))
+    return "Any" if "Any" in parts else " | ".join([*(p for p in parts if p != "None"), *(p for p in parts if p == "None")])
+
+
+def doc(schema: Schema) -> str:
+    """The description, as Python has it: Rustdoc's brackets around references and its examples are left out."""
+    text = schema.get("description", "") if isinstance(schema, dict) else ""
+    text = re.sub(r"```.*?```", "", text, flags=re.DOTALL).strip()
+    text = re.sub(r"\\\[([a-z0-9]+)\\\]", r"[\1]", text)
+    return " ".join(re.sub(r"\[(`[^`]*`)\](\([^)]*\))?", r"\1", text).split()).replace("\\", "\\\\")
+
+
+def named(name: str) -> str:
+    return name + "_" if keyword.iskeyword(name) else name
+
+
+def documented(parts: list[str], indent: str) -> str:
+    """A docstring of paragraphs."""
+    text = "\n\n".join(part for part in parts if part)
+    return textwrap.indent(f'"""{text}\n"""' if "\n" in text else f'"""{text}"""', indent)
+
+
+def wrapped(text: str, indent: str = "") -> str:
+    return textwrap.fill(text, 150, initial_indent=indent, subsequent_indent=indent, break_long_words=False)
+
+
+def section(title: str, entries: list[tuple[str, str, str]]) -> str:
+    """A part of a docstring: names with their units, and what they are."""
+    lines = [name + (f" : {unit}" if unit else "") + "\n" + wrapped(text or "See the documentation.", "    ") for name, unit, text in entries]
+    return "\n".join([title, "-" * len(title), *lines]) if lines else ""
+
+
+def entries_of(fields: dict[str, Schema]) -> list[tuple[str, str, str]]:
+    return [(named(name), field.get("x-unit", "") if isinstance(field, dict) else "", doc(field)) for name, field in fields.items()]
+
+
+def parameter(bundle: Bundle, command: str, name: str, schema: Schema) -> tuple[str, str | None]:
+    """The annotated parameter of a field, and its default; None where it must be given."""
+    kind = bundle.type_of(schema, False)
+    if name in GIVEN and kind not in ("bool", "int"):
+        kind = GIVEN[name]
+    kind = re.sub(r"^list\[list\[.*?\]\]", "Sequence[Numbers]", kind)
+    kind = re.sub(r"^list\[float\]", "Numbers", kind).replace("list[", "Sequence[").replace("dict[", "Mapping[")
+    kind = re.sub(r"\bfloat\b", "Number", kind).removesuffix(" | None")
+    default = DEFAULTS.get((command, name))
+    if default is not None:
+        return f"{named(name)}: {kind}", json.dumps(default)
+    if (command, name) in NEEDED:
+        return f"{named(name)}: {kind}", None
+    if kind == "bool":
+        return f"{named(name)}: bool", repr(schema.get("default") is True)
+    return f"{named(name)}: {kind} | None", "None"
+
+
+def signature(me: bool, parameters: list[tuple[str, str | None]], keywords: list[tuple[str, str | None]]) -> str:
+    def one(p: tuple[str, str | None]) -> str:
+        return p[0] if p[1] is None else f"{p[0]} = {p[1]}"
+
+    return ", ".join([*(["self"] if me else []), *map(one, parameters), *(["*", *map(one, keywords)] if keywords else [])])
+
+
+def function(bundle: Bundle, command: str, name: str, first: list[str], owner: str | None) -> str:
+    held = bundle.held[command]
+    title = held["answer"]["title"]
+    answer = NAMES.get(title, title)
+    fields = bundle.request(command)
+    left_out = (OWN[owner] if owner else set()) | {"figure"} | (set(bundle.muscle()) if owner == "MuscleCommands" else set())
+    fields = {n: fields[n] for n in [*first, *(n for n in fields if n not in first)] if n not in left_out}
+    made = {n: parameter(bundle, command, n, field) for n, field in fields.items()}
+    keywords = [made[n] for n in fields if n not in first]
+    listed = entries_of(fields)
+    if held["long"] or command == "curve":
+        keywords.append(("progress: Progress", "None"))
+        listed.append(("progress", "", PROGRESS))
+    indent = "    " if owner else ""
+    figure = bundle.request(command).get("figure")
+    # A curve is drawn when it is wanted, and so are measured muscles, which may be rubbers alone.
+    drawn = "" if figure is None or command in ("curve", "measured") else ", True" if figure.get("type") == "boolean" else ', "MPa"'
+    raises = section("Raises", [("MckibbenError", "", "One of its classes says why there is no answer.")])
+    about = [wrapped(doc(held["request"]) or f"The command `{command}`."), section("Parameters", listed), section("Returns", [(answer, "", doc(held["answer"]) or "The answer.")]), raises]
+    return f"{indent}def {name}({signature(bool(owner), [made[n] for n in first], keywords)}) -> {answer}:\n{documented(about, indent + '    ')}\n{indent}    return answered({answer}, \"{command}\", locals(){drawn})"
+
+
+def fields_class(bundle: Bundle) -> str:
+    """What makes a muscle of its fields, and the fields as attributes."""
+    fields = bundle.muscle()
+    always = ("outer_diameter_mm", "wall_mm", "length_mm")
+    made = {n: parameter(bundle, "check", n, field) for n, field in fields.items()}
+    needed = {n: (made[n][0].removesuffix(" | None"), None) for n in always}
+    entries = [(n, unit, text + (" Or a :class:`Rubber`." if n == "rubber" else "")) for n, unit, text in entries_of(fields)]
+    raises = section("Raises", [("InputError", "", "There is no such muscle; `field` is the argument to blame.")])
+    out = ["class MuscleFields:", documented(["What makes a muscle, and its measures; None where it does not have one."], "    "), "    if TYPE_CHECKING:\n        def _make(self, given: dict[str, Any]) -> Any: ...\n        def _changed(self, given: dict[str, Any]) -> Muscle: ...\n        def _field(self, name: str) -> Any: ...\n"]
+    parameters = [*(needed[n] for n in always), *(made[n] for n in fields if n not in always)]
+    out.append(f"    def __init__({signature(True, [], parameters)}) -> None:\n{documented([section('Parameters', sorted(entries, key=lambda e: e[0] not in always)), raises], '        ')}\n        self._make({{name: value for name, value in locals().items() if name != \"self\"}})\n")
+    out.append(f"    def replace({signature(True, [], list(made.values()))}) -> Muscle:\n{documented(['The same with other values.', section('Parameters', entries), raises], '        ')}\n        return self._changed({{name: value for name, value in locals().items() if name != \"self\"}})\n")
+    for name, field in fields.items():
+        if name not in ("rubber", "rubber_file", "braid"):
+            kind = "float | str" if name == "stiffness" else "float"
+            kind = kind if name in (*always, "angle_deg") else f"{kind} | None"
+            out.append(f"    @property\n    def {name}(self) -> {kind}:\n{documented([wrapped(doc(field))], '        ')}\n        found: {kind} = self._field(\"{name}\")\n        return found\n")
+    return "\n".join(out)
+
+
+def record(bundle: Bundle, name: str, schema: Schema, rows: str | None) -> str:
+    fields, always = bundle.properties(schema), bundle.required(schema)
+    base = f"_results.{BASES[name]}" if name in BASES else "Record"
+    lines = [f"class {name}({base}):", documented([wrapped(doc(schema) or name), section("Attributes", entries_of(fields))], "    ")]
+    if rows:
+        lines.append(f"    _rows: ClassVar[str | None] = {json.dumps(rows)}")
+    # Those that are always there first, as in any dataclass.
+    for field, value in sorted(fields.items(), key=lambda f: f[0] not in always):
+        kind = bundle.type_of(value, True)
+        optional = field not in always
+        kind = f"{kind} | None" if optional and not kind.endswith("None") and kind != "Any" else kind
+        # A method of the same name stands in the base class.
+        if (name, field) != ("Plan", "points"):
+            lines.append(f"    {named(field)}: {kind}" + (" = None" if optional else ""))
+    return "\n".join(lines)
+
+
+def solution(bundle: Bundle) -> str:
+    """What is known of points, each as an array."""
+    fields = {n: f for n, f in bundle.properties({"$ref": "#/$defs/Answer"}).items() if bundle.type_of(f, True) in ("float", "float | None")}
+    about = ["Points of a muscle as arrays of one shape; NaN where a point does not have it.", section("Attributes", [*entries_of(fields), ("slack", "", "Whether the muscle hangs slack."), ("status", "", "`ok`, or the kind of why there is no answer."), ("cause", "", "Why there is none."), ("warned", "", "A bit for each of `warnings`.")])]
+    kinds = {**dict.fromkeys(fields, "float64"), "slack": "bool_", "status": "str_", "cause": "object_", "warned": "int64"}
+    return "\n".join(["class Solution(_results.Points):", documented(about, "    "), *(f"    {n}: NDArray[np.{kind}]" for n, kind in kinds.items())])
+
+
+def numbers() -> str:
+    """What a muscle answers of numbers and arrays."""
+    out = ["class MuscleNumbers:", documented(["What a muscle answers of numbers and arrays."], "    ")]
+    out.append("    if TYPE_CHECKING:\n        def _asked(self, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress, options: Mapping[str, Any]) -> Any: ...\n        def _solved(self, pressure_mpa: Any, contraction: Any, errors: str, progress: Progress, options: Mapping[str, Any]) -> Solution: ...\n")
+    more = "errors: Errors = \"raise\", progress: Progress = None, **options"
+    raises = ("MckibbenError", "", "One of its classes says why there is no answer; `index` is the place of the point.")
+    rest = [("errors", "", ERRORS), ("progress", "", PROGRESS), ("options", "", OPTIONS)]
+    for name, (about, pair, slopes, example, shown) in NUMBERS.items():
+        first, second = pair
+        usual = " = 0.0" if second == "contraction" else ""
+        for kind, jac, found in (("Number", "Literal[False] = False", "float"), ("Floats", "Literal[False] = False", "Array"), ("Number", "Literal[True] | Sequence[str]", "tuple[float, Array]"), ("Floats", "Literal[True] | Sequence[str]", "tuple[Array, Array]")):
+            ignored = "  # type: ignore[overload-overlap]" if kind == "Number" else ""
+            out.append(f"    @overload\n    def {name}(self, {first}: {kind}, {second}: {kind}{usual}, *, jac: {jac}, {more}: Unpack[Options]) -> {found}: ...{ignored}")
+        returns = ("float or numpy.ndarray", "", f"Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: {slopes}, all other constants held.")
+        text = [about + ".", section("Parameters", [*((n, *OF[n]) for n in pair), ("jac", "", JAC), *rest]), section("Returns", [returns]), section("Raises", [raises])]
+        text.append(f"Examples\n--------\n>>> import mckibben as mk\n>>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)\n>>> {example}\n{shown}")
+        out.append(f"    def {name}(self, {first}: Any, {second}: Any{usual}, *, jac: bool | Sequence[str] = False, {more}: Any) -> Any:\n{documented(text, '        ')}\n        return self._asked(\"{name}\", {first}, {second}, jac, errors, progress, options)\n")
+    returns = ("Solution", "", "Its arrays are attributes: `force_n`, `uncertainty_n`, `volume_mm3`, …; `warned` has a bit for each of `warnings`.")
+    text = ["All that is known of points: pulls with their ±, volumes, stiffness, strand tension, … as arrays of one shape.", section("Parameters", [("pressure_mpa", *OF["pressure_mpa"]), ("contraction", *OF["contraction"]), *rest]), section("Returns", [returns]), section("Raises", [raises])]
+    text.append("Examples\n--------\n>>> import mckibben as mk\n>>> points = mk.Muscle.prototype().solve([0.1, 0.2], 0.1, model=\"universal\")\n>>> points.force_n.shape, bool((points.uncertainty_n > 0).all())\n((2,), True)")
+    out.append(f"    def solve(self, pressure_mpa: Floats, contraction: Floats = 0.0, *, {more}: Unpack[Options]) -> Solution:\n{documented(text, '        ')}\n        return self._solved(pressure_mpa, contraction, errors, progress, options)")
+    return "\n".join(out)
+
+
+def state(bundle: Bundle) -> str:
+    """Where a simulation is."""
+    fields = {n: {**f, "description": re.sub(r"; of a liquid.*", "", f.get("description", ""))} for n, f in bundle.properties({"$ref": "#/$defs/MotionSeries"}).items()}
+    about = ["Where a simulation is; None what it is not.", section("Attributes", entries_of(fields))]
+    # Of a muscle or of a joint: whoever asks knows which it is, and needs no look at None.
+    return "\n".join(["class State(Record):", documented(about, "    "), *(f"    {n}: float" for n in fields)])
+
+
+def answers(bundle: Bundle) -> dict[str, tuple[Schema, str | None]]:
+    """All records, by name: those of commands, and those to which they refer."""
+    asked = dict.fromkeys([*(c for names in METHODS.values() for c in names), *FUNCTIONS])
+    out: dict[str, tuple[Schema, str | None]] = {}
+
+    def reach(schema: Any) -> None:
+        parts: Any = schema.values() if isinstance(schema, dict) else schema if isinstance(schema, list) else ()
+        for part in parts:
+            reach(part)
+        name = reference(schema)
+        if name is not None and NAMES.get(name, name) not in out and bundle.is_record(schema):
+            out[NAMES.get(name, name)] = bundle.defs[name], None
+            reach(bundle.defs[name])
+
+    for command in asked:
+        schema = bundle.held[command]["answer"]
+        reach(schema)
+        out[NAMES.get(schema["title"], schema["title"])] = schema, ROWS.get(command)
+    return dict(sorted(out.items()))
+
+
+def api(bundle: Bundle) -> str:
+    made = answers(bundle)
+    geometry = ("outer_diameter_mm", "wall_mm", "length_mm")
+    keys = {n: f["x-key"] for n, f in sorted(bundle.muscle().items(), key=lambda f: f[0] not in geometry) if "x-key" in f}
+    parts = [HEAD, f"__all__ = {json.dumps([*made, 'Solution', 'State'])}\n# Keys of the muscle file, by field.\nKEYS = {json.dumps(keys)}"]
+    parts += [record(bundle, name, *held) for name, held in made.items()]
+    parts += [solution(bundle), state(bundle), fields_class(bundle).rstrip(), numbers()]
+    for owner, methods in METHODS.items():
+        parts.append("\n\n".join([f"class {owner}:\n{documented(['What the program answers of it, by command.'], '    ')}", *(function(bundle, c, n, first, owner) for c, (n, first) in methods.items())]))
+    parts += [function(bundle, c, n, first, None) for c, (n, first) in FUNCTIONS.items()]
+    return "\n\n\n".join(parts) + "\n"
+
+
+def schema() -> Bundle:
+    program = os.environ.get("MCKIBBEN") or str(ROOT / "target/debug/mckibben")
+    return Bundle(json.loads(subprocess.run([program, "schema"], capture_output=True, text=True, check=True).stdout))
+
+
+def ready(native: Path | None) -> None:
+    """The package in the sources with a library as its compiled half; without one, that of the workspace's build."""
     sys.path.insert(0, str(ROOT / "python"))
-    if any((PACKAGE / name).exists() for name in ("_native.abi3.so", "_native.pyd")):
-        return
-    spec = spec_from_file_location("mckibben._native", native, loader=ExtensionFileLoader("mckibben._native", str(native)))
-    assert spec is not None and spec.loader is not None
-    sys.modules["mckibben._native"] = module_from_spec(spec)
-    spec.loader.exec_module(sys.modules["mckibben._native"])
+    built = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug"
+    native = native or next((path for name in ("lib_native.so", "lib_native.dylib", "_native.dll") if (path := built / name).exists()), built)
+    if not any((PACKAGE / name).exists() for name in ("_native.abi3.so", "_native.pyd")):
+        spec = spec_from_file_location("mckibben._native", native, loader=ExtensionFileLoader("mckibben._native", str(native)))
+        assert spec is not None and spec.loader is not None
+        sys.modules["mckibben._native"] = module_from_spec(spec)
+        spec.loader.exec_module(sys.modules["mckibben._native"])
 
 
-@cache
-def listed() -> list[str]:
-    """The names that the package lists; before others stand in for libraries that are not installed."""
+def parts() -> Iterator[tuple[str, str, str, Any]]:
+    """What is documented: the page, the module, the name, and what it is."""
     import mckibben
+    from mckibben import _api
 
-    return mckibben.__all__
-
-
-def documented(text: str | None, indent: str) -> str:
-    return textwrap.indent(f'"""{text}\n"""' if "\n" in (text or "") else f'"""{text}"""', indent)
-
-
-def function(name: str, made: Any, indent: str = "") -> str:
-    from mckibben._commands import unit_free
-
-    signature = inspect.signature(made)
-    # A quantity is also given by its name without the unit, as a text or a quantity of pint.
-    more = [inspect.Parameter(bare, inspect.Parameter.KEYWORD_ONLY, default=None, annotation="str | Measured | Sequence[str | Measured] | None") for bare in unit_free(signature.parameters)]
-    signature = signature.replace(parameters=[*signature.parameters.values(), *more])
-    return f"{indent}def {name}{signature}:\n{documented(made.__doc__, indent + '    ')}"
-
-
-def commands() -> Iterator[str]:
-    from mckibben import _commands
-
-    yield HEAD + TYPES
-    yield "def unit_free(names: Iterable[str]) -> dict[str, str]: ..."
-    yield "def spelled(function: str, given: dict[str, Any], known: Iterable[str]) -> dict[str, Any]: ..."
-    yield f"__all__ = {_commands.__all__}"
-    for name in _commands.__all__:
-        yield function(name, getattr(_commands, name))
-    yield "CLASSES: dict[str, Any]"
-    for name in _commands.CLASSES:
-        made = getattr(_commands, name)
-        yield f"class {name}:\n{documented(made.__doc__, '    ')}"
-        for member, value in vars(made).items():
-            if isinstance(value, property):
-                yield "    @property\n" + function(member, value.fget, "    ").split('"""')[0].rstrip() + "\n" + documented(value.__doc__, "        ")
-            elif inspect.isfunction(value):
-                yield function(member, value, "    ")
-
-
-def answers() -> Iterator[str]:
-    from mckibben import _answers
-
-    yield HEAD + "\nfrom typing import Any, Literal\n\nfrom ._record import Record\n"
-    yield f"OWN: dict[str, type[Record]]\n\ndef kind(name: str) -> type[Record]: ...\n\n__all__ = {_answers.__all__}"
-    for name in _answers.__all__:
-        made = getattr(_answers, name)
-        fields = "".join(f"\n    {field}: {kind}" for field, kind in made.__annotations__.items() if not keyword.iskeyword(field))
-        yield f"class {name}(Record):\n{documented(made.__doc__, '    ')}{fields}"
-
-
-def stubs(folder: Path) -> None:
-    for name, lines in (("_commands", commands()), ("_answers", answers())):
-        (folder / f"{name}.pyi").write_text("\n\n".join(lines) + "\n", "utf-8")
-
-
-def classes(module: Any) -> Iterator[tuple[str, Any]]:
-    """Functions and classes of a module in the order in which they are written; of one that is made from the schema, all there are."""
-    made = module.__name__.rsplit(".", 1)[-1]
-    if made in ("_commands", "_answers"):
-        names = module.__all__
-    else:
-        names = [node.name for node in ast.parse(inspect.getsource(module)).body if isinstance(node, (ast.FunctionDef, ast.ClassDef))]
-    for name in names:
-        # Functions that the modules have for each other are not described.
-        own = inspect.isfunction(getattr(module, name)) and made.startswith("_") and name not in listed()
-        if not name.startswith("_") and not own and getattr(module, name).__doc__:
-            yield name, getattr(module, name)
+    for name in mckibben.__all__:
+        made = getattr(mckibben, name)
+        title = "Exceptions" if inspect.isclass(made) and issubclass(made, (Exception, Warning)) else "Objects" if inspect.isclass(made) else "Functions"
+        if not inspect.ismodule(made):
+            yield title, "", name, made
+    for name in _api.__all__:
+        yield "Answers", "_api", name, getattr(_api, name)
 
 
 def members(made: type) -> Iterator[tuple[str, Any]]:
-    """What a class has itself, and what a muscle has of its fields."""
-    for part in (made, *(base for base in made.__mro__ if base.__name__.endswith(("Fields", "Asked", "Tabled")))):
+    """What a class has itself, and what a noun has of its commands."""
+    for part in (made, *(base for base in made.__mro__ if base.__name__.endswith(("Fields", "Commands")))):
         for name, value in vars(part).items():
             value = value.__func__ if isinstance(value, (classmethod, staticmethod)) else value
             if not name.startswith("_") and (inspect.isfunction(value) or isinstance(value, property)) and value.__doc__:
                 yield name, value
 
 
-PARTS = {"Objects": "_muscle _rubber _model _points _drives _simulation _formula _campaign _table", "Commands": "_commands", "Answers": "_results _record _load", "Exceptions": "_errors", "For JAX": "jax"}
-
-
-def parts() -> Iterator[tuple[str, str, str, Any]]:
-    """What is documented: the page, the module, the name, and what it is."""
-    from importlib import import_module
-
-    for title, modules in PARTS.items():
-        if modules == "jax" and "jax" not in sys.modules and not find_spec("jax"):
-            continue
-        for module in modules.split():
-            yield from ((title, module, name, made) for name, made in classes(import_module(f"mckibben.{module}")))
-
-
-def reference() -> str:
-    """The reference page."""
-    import mckibben._muscle
-
-    fields = inspect.getdoc(mckibben._muscle.Muscle.__init__) or ""
+def reference_page() -> str:
     out, last = ["# Python reference\n", "Made from the docstrings of the package. [The Python package](python.md) tells how they go together.\n"], ""
-    for title, module, name, made in parts():
-        if title != last:
-            out.append(f"## {title}\n")
-        last, text = title, inspect.getdoc(made) or ""
-        if name == "Muscle":
-            text = text.replace("Examples\n", f"{fields}\n\nExamples\n")
-        out += entry(f"jax.{name}" if module == "jax" else name, made, text, "###")
-        if inspect.isclass(made):
-            for member, value in members(made):
-                out += entry(f"{name}.{member}", value, inspect.getdoc(value) or "", "####")
+    for title, _, name, made in sorted(parts(), key=lambda p: ("Objects", "Functions", "Answers", "Exceptions").index(p[0])):
+        out += [f"## {title}\n"] if title != last else []
+        last = title
+        out += entry(name, made, "###")
+        for member, value in members(made) if inspect.isclass(made) else ():
+            out += entry(f"{name}.{member}", value, "####")
     return "\n".join(out).rstrip() + "\n"
+
+
+def entry(heading: str, made: Any, level: str) -> list[str]:
+    text = inspect.getdoc(made) or ""
+    if inspect.isclass(made) and made.__init__ is not object.__init__ and "Parameters" not in text:
+        text += "\n\n" + (inspect.getdoc(made.__init__) or "" if "Parameters" in (made.__init__.__doc__ or "") else "")
+    if inspect.isfunction(made):
+        names = [name for name in inspect.signature(made).parameters if name not in ("self", "cls")]
+        heading += "(" + ", ".join(names[:4] + (["…"] if len(names) > 4 else [])) + ")"
+    text = re.sub(r":\w+:`([^`]+)`", r"`\1`", text)
+    text = re.sub(r"((?:^(?:>>>|\.\.\.).*\n?(?:^(?!>>>)\S.*\n?)*)+)", r"```python\n\1\n```\n", text, flags=re.MULTILINE)
+    text = re.sub(r"^(\w[\w ]*)\n-+$", r"**\1**\n", text, flags=re.MULTILINE)
+    text = re.sub(r"^(\w[\w, ]*?)(?: : (.*))?\n((?:    .*\n?)+)", lambda m: f"- `{m[1]}`" + (f" ({m[2]})" if m[2] else "") + ": " + " ".join(m[3].split()) + "\n", text, flags=re.MULTILINE)
+    return [f"{level} `{heading}`\n", text.strip().replace("<module", "&lt;module"), ""]
 
 
 def pages(folder: Path) -> None:
@@ -172,76 +465,34 @@ def pages(folder: Path) -> None:
     texts: dict[str, list[str]] = {}
     for title, module, name, made in parts():
         kind = "exception" if title == "Exceptions" else "class" if inspect.isclass(made) else "function"
-        options = ["   :members:", "   :inherited-members: object, Exception, str, float", "   :class-doc-from: both"] if kind == "class" else []
-        texts.setdefault(title, []).append("\n".join([f".. auto{kind}:: mckibben.{module}.{name}", *options, ""]))
-    names = {title: title.lower().replace(" ", "-") for title in texts}
+        extra = ["   :members:", "   :inherited-members: object, Exception, str, float", "   :class-doc-from: both"] if kind == "class" else []
+        texts.setdefault(title, []).append("\n".join([f".. auto{kind}:: mckibben.{module + '.' if module else ''}{name}", *extra, ""]))
     for title, directives in texts.items():
-        (folder / f"{names[title]}.rst").write_text("\n".join([title, "=" * len(title), "", *directives]), "utf-8")
-    tree = [".. toctree::", "   :maxdepth: 2", "", *(f"   {name}" for name in names.values()), ""]
+        (folder / f"{title.lower()}.rst").write_text("\n".join([title, "=" * len(title), "", *directives]), "utf-8")
+    tree = [".. toctree::", "   :maxdepth: 2", "", *(f"   {title.lower()}" for title in texts), ""]
     (folder / "index.rst").write_text("\n".join(["mckibben for Python", "===================", "", *tree]), "utf-8")
     settings = [f"import sys; sys.path.insert(0, {str(ROOT / 'python')!r})", "import write; write.ready(None)", 'project = "mckibben"', 'extensions = ["sphinx.ext.autodoc", "sphinx.ext.napoleon"]', "add_module_names = False", 'autodoc_typehints = "none"', 'html_theme = "alabaster"', ""]
     (folder / "conf.py").write_text("\n".join(settings), "utf-8")
 
 
-def entry(heading: str, made: Any, text: str, level: str) -> list[str]:
-    if inspect.isfunction(made):
-        names = [name for name, p in inspect.signature(made).parameters.items() if name not in ("self", "cls") and p.kind not in (p.VAR_KEYWORD, p.VAR_POSITIONAL)]
-        heading += "(" + ", ".join(names[:4] + (["…"] if len(names) > 4 else [])) + ")"
-    lines, body = re.sub(r":\w+:`([^`]+)`", r"`\1`", text).splitlines(), []
-    i = 0
-    while i < len(lines):
-        # An example, up to the next empty line.
-        if lines[i].startswith(">>>"):
-            body.append("```python")
-            while i < len(lines) and lines[i]:
-                body.append(lines[i])
-                i += 1
-            body.append("```")
-            continue
-        if i + 1 < len(lines) and set(lines[i + 1].strip()) == {"-"}:
-            body += [f"**{lines[i].strip()}**", ""]
-            i += 2
-            continue
-        # A name with its text below it becomes a point of a list.
-        if i + 1 < len(lines) and lines[i] and not lines[i].startswith(" ") and lines[i + 1].startswith("    "):
-            about = []
-            j = i + 1
-            while j < len(lines) and (lines[j].startswith("    ") or not lines[j]):
-                about.append(lines[j].strip())
-                j += 1
-            name, _, kind = lines[i].partition(" : ")
-            body.append(f"- `{name}`" + (f" ({kind})" if kind else "") + ": " + " ".join(a for a in about if a))
-            if j < len(lines) and not about[-1]:
-                body.append("")
-            i = j
-            continue
-        body.append(lines[i])
-        i += 1
-    return [f"{level} `{heading}`\n", "\n".join(body).strip().replace("<module", "&lt;module"), ""]
-
-
-def ready(native: Path | None) -> None:
-    """Loads the package with its compiled half."""
-    built = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug"
-    load(native or next((path for name in ("lib_native.so", "lib_native.dylib", "_native.dll") if (path := built / name).exists()), built))
-    listed()
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["stubs", "reference", "pages"])
-    parser.add_argument("place", type=Path, nargs="?", default=PACKAGE)
+    parser.add_argument("what", choices=["api", "reference", "pages"])
+    parser.add_argument("place", type=Path, nargs="?", default=PACKAGE / "_api.py")
+    parser.add_argument("--check", action="store_true")
     parser.add_argument("--native", type=Path)
     args = parser.parse_args()
+    if args.what == "api":
+        text, held = api(schema()), args.place.read_text("utf-8") if args.place.exists() else ""
+        if args.check and text != held:
+            sys.exit("".join(list(difflib.unified_diff(held.splitlines(True), text.splitlines(True), "kept", "made"))[:40]) + "python python/write.py api writes it anew")
+        if not args.check:
+            args.place.write_text(text, "utf-8")
+        return
     ready(args.native)
-    if args.what == "stubs":
-        return stubs(args.place)
     if args.what == "pages":
         return pages(args.place)
-    if not find_spec("jax"):
-        # What it would be called with is described where it is not installed, too.
-        sys.modules.update({"jax": MagicMock(), "jax.numpy": MagicMock()})
-    args.place.write_text(reference(), "utf-8")
+    args.place.write_text(reference_page(), "utf-8")
 
 
 if __name__ == "__main__":

@@ -26,23 +26,22 @@ ARM = """
 """
 
 
-def torque_nm(model: mk.Model, pressures_mpa: tuple[float, float], angle_rad: float) -> float:
+def torque_nm(muscle: mk.Muscle, pressures_mpa: tuple[float, float], angle_rad: float) -> float:
     """The muscles pull on a pulley, each on its side: F1 r − F2 r."""
-    length = model.muscle.length_mm or 1.0
-    pulls = [model.force(p, AT_NEUTRAL + sign * RADIUS_MM * angle_rad / length) for p, sign in zip(pressures_mpa, (1, -1))]
+    pulls = [muscle.force(p, AT_NEUTRAL + sign * RADIUS_MM * angle_rad / muscle.length_mm, model="universal") for p, sign in zip(pressures_mpa, (1, -1))]
     return float(1e-3 * RADIUS_MM * (pulls[0] - pulls[1]))
 
 
 def main(pressures_mpa: tuple[float, float] = (0.2, 0.1)) -> float:
     """The angle at which the arm comes to rest in MuJoCo, degrees."""
-    model = mk.Muscle(EXAMPLES / "biceps.toml").model("universal")
+    muscle = mk.load(EXAMPLES / "biceps.toml")
     arm = mujoco.MjModel.from_xml_string(ARM)
     data = mujoco.MjData(arm)
     for _ in range(3000):
-        data.qfrc_applied[0] = torque_nm(model, pressures_mpa, data.qpos[0])
+        data.qfrc_applied[0] = torque_nm(muscle, pressures_mpa, float(data.qpos[0]))
         mujoco.mj_step(arm, data)
     return float(data.qpos[0]) * 57.29577951308232
 
 
 if __name__ == "__main__":
-    print(f"MuJoCo {main():.3f} degrees, mckibben {mk.motion(EXAMPLES / 'elbow-drive.toml', model='universal').equilibrium_angle_deg:.3f} degrees")
+    print(f"MuJoCo {main():.3f} degrees, mckibben {mk.load(EXAMPLES / 'elbow-drive.toml').motion(model='universal').equilibrium_angle_deg:.3f} degrees")

@@ -30,12 +30,12 @@ def by_emcee(found: Any, p: Array, e: Array, f: Array, steps: int = 300) -> Arra
     """Samples of θ: flat prior, errors of the size that identify found."""
     import emcee
 
-    model, muscle, names = found.identified.model("universal"), found.identified, found.names
+    muscle, names = found.identified, found.names
 
     def log_probability(theta: Array) -> float:
         if not (theta > 0).all():
             return -np.inf
-        pulls = model.of(muscle.with_parameters(dict(zip(names, theta)))).force(p, e, errors="nan")
+        pulls = muscle.with_parameters(dict(zip(names, theta))).force(p, e, errors="nan", model="universal")
         chi = float((((pulls - f) / found.deviation) ** 2).sum())
         return -0.5 * chi if np.isfinite(chi) else -np.inf
 
@@ -55,9 +55,11 @@ def by_nuts(found: Any, p: Array, e: Array, f: Array, samples: int = 400) -> Arr
     import numpyro
     from numpyro.infer import MCMC, NUTS
 
+    from mckibben.jax import force
+
     config: Any = jax.config
     config.update("jax_enable_x64", True)
-    pull = mk.jax.force(found.identified.model("universal"), found.names, errors="nan")
+    pull = force(found.identified, found.names, errors="nan", model="universal")
 
     def model() -> None:
         z = numpyro.sample("z", numpyro.distributions.Normal(jnp.zeros(len(found.x)), 30.0).to_event(1))

@@ -24,7 +24,7 @@ SCALE = np.array([0.1, 500.0])
 def main() -> Any:
     """C10 in MPa and k in N/mm."""
     muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=3, length_mm=285)
-    pull, forces = force(muscle.model(), NAMES), measured(muscle)
+    pull, forces = force(muscle, NAMES), measured(muscle)
 
     @jax.jit
     def loss(scaled: Any) -> Any:

@@ -18,16 +18,16 @@ PRESSURES, CONTRACTIONS = np.array([0.1, 0.15, 0.2, 0.25])[:, None], np.array([0
 
 def measured(muscle: mk.Muscle) -> Any:
     """In place of a bench: forces in N of the muscle with C10 0.15 MPa, k 700 N/mm."""
-    return muscle.with_parameters(dict(zip(NAMES, [0.15, 700.0]))).model().force(PRESSURES, CONTRACTIONS)
+    return muscle.with_parameters(dict(zip(NAMES, [0.15, 700.0]))).force(PRESSURES, CONTRACTIONS)
 
 
 def main() -> Any:
     """C10 in MPa and k in N/mm."""
     muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=3, length_mm=285)
-    model, forces = muscle.model(), measured(muscle)
+    forces = measured(muscle)
 
     def at(theta: Any) -> Any:
-        return model.of(muscle.with_parameters(dict(zip(NAMES, theta)))).force(PRESSURES, CONTRACTIONS, jac=NAMES)
+        return muscle.with_parameters(dict(zip(NAMES, theta))).force(PRESSURES, CONTRACTIONS, jac=NAMES)
 
     found = least_squares(
         lambda theta: (at(theta)[0] - forces).ravel(),

@@ -4,24 +4,22 @@ from __future__ import annotations
 
 import os
 import time
-import uuid
 from typing import TYPE_CHECKING, Any
 
-from . import _answers, _commands, _errors, _files, _native
-from ._ask import Progress, listening
-from ._table import Fixed
+from . import _api, _errors, _native
+from ._request import file, listening
+from ._values import Fixed, Progress
 
 if TYPE_CHECKING:
-    import pandas
-
     from concurrent.futures import Executor, Future
     from os import PathLike
 
-    from ._inputs import FileLike, Option
-    from ._results import Fitted
+    import pandas
+
+    from ._values import FileLike, Plain
 
 
-class Campaign(Fixed):
+class Campaign(_api.CampaignCommands, Fixed):
     """Many finite-element tests from a plan: a table (Parquet) that grows, and that a run resumes where it was ended.
 
     Parameters
@@ -33,9 +31,9 @@ class Campaign(Fixed):
 
     Examples
     --------
-    >>> campaign = Campaign("campaign.parquet", "plans/paper.toml")  # doctest: +SKIP
-    >>> campaign.run(progress=True)                                  # doctest: +SKIP
-    >>> campaign.to_pandas()                                         # doctest: +SKIP
+    >>> import mckibben as mk
+    >>> mk.Campaign("campaign.parquet").output
+    'campaign.parquet'
     """
 
     __slots__ = ("_output", "_plan")
@@ -44,7 +42,7 @@ class Campaign(Fixed):
 
     def __init__(self, output: str | PathLike[str], plan: FileLike | None = None) -> None:
         object.__setattr__(self, "_output", os.fspath(output))
-        object.__setattr__(self, "_plan", None if plan is None else _files.text(plan))
+        object.__setattr__(self, "_plan", None if plan is None else file(plan))
 
     @property
     def output(self) -> str:
@@ -57,42 +55,14 @@ class Campaign(Fixed):
         parts = self._output + ".parts"
         return parts if not os.path.exists(self._output) and os.path.isdir(parts) else self._output
 
-    def run(self, *, shard: str | None = None, threads: int | None = None, overwrite: bool = False, progress: Progress = None) -> _answers.Outcome:
-        """Runs the plan, or what is missing of it. Ctrl-C ends it well: what was computed stays, and another run resumes it.
-
-        Parameters
-        ----------
-        shard
-            Only share i of n of the plan, as ``"i/n"``, as parts in a folder; :meth:`merge` joins them.
-        threads
-            As many as cores where it is left out. The table does not depend on them.
-        overwrite
-            Overwrite a file at ``output`` that is not of this plan.
-        progress
-            True for a line on standard error, or a function that is called with (done, total).
-
-        Returns
-        -------
-        Outcome
-            What was computed.
-        """
-        request = {"plan": self._plan, "output": self._output, "shard": shard, "threads": threads, "overwrite": overwrite}
-        request = {name: value for name, value in request.items() if value is not None}
-        with listening(progress, "campaign") as heard:
-            return _answers.Outcome(_native.ask("campaign", request, heard))
-
-    def status(self) -> _answers.CampaignStatus:
-        """How far the folder of parts is, shard by shard: done, running, missing."""
-        return _answers.CampaignStatus(_native.ask("campaign-status", {"output": self._folder}))
-
     @property
     def _folder(self) -> str:
         """Where the parts are while it is computed."""
         return self._output + ".parts" if self._output.lower().endswith(".parquet") else self._output
 
-    def summary(self) -> _answers.Summary:
-        """What the table holds: muscles, points, failures by cause, ranges, where it comes from."""
-        return _answers.Summary(_native.ask("campaign-show", {"campaign": self._table}))
+    def _files(self, command: str) -> dict[str, Any]:
+        of: dict[str, dict[str, Any]] = {"campaign": {"plan": self._plan, "output": self._output}, "campaign-status": {"output": self._folder}, "campaign-show": {"campaign": self._table}}
+        return {name: value for name, value in of[command].items() if value is not None}
 
     @staticmethod
     def merge(folders: list[str | PathLike[str]], output: str | PathLike[str], *, overwrite: bool = False) -> Campaign:
@@ -100,10 +70,10 @@ class Campaign(Fixed):
         _native.ask("campaign-merge", {"folders": [os.fspath(f) for f in folders], "output": os.fspath(output), "overwrite": overwrite})
         return Campaign(output)
 
-    def fit(self, method: str | None = None, *, progress: Progress = None, **options: Option) -> Fitted:
+    def fit(self, method: str | None = None, *, progress: Progress = None, **options: Plain) -> _api.Fit:
         """The formula that a method makes of the table; the other arguments are those of :func:`fit`."""
-        found: Fitted = _commands.fit(campaign=self._table, progress=progress, **dict[str, Any]({**options, "method": method}))
-        return found
+        given: dict[str, Any] = {**options, "method": method}
+        return _api.fit(campaign=self._table, progress=progress, **given)
 
     def to_pandas(self) -> pandas.DataFrame:
         """The table as a ``pandas.DataFrame`` (by pyarrow or fastparquet)."""
@@ -111,11 +81,8 @@ class Campaign(Fixed):
 
         return pd.read_parquet(self._table)
 
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Campaign) and (self._output, self._plan) == (other._output, other._plan)
-
-    def __hash__(self) -> int:
-        return hash(("Campaign", self._output, None if self._plan is None else self._plan["text"]))
+    def _key(self) -> Any:
+        return self._output, None if self._plan is None else tuple(self._plan.items())
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Campaign, (self._output, self._plan)
@@ -128,7 +95,7 @@ def _on(campaign: Campaign, executor: Executor, request: dict[str, object], shar
     """Computes the shards of a campaign on an executor, and waits for their end."""
     folder = os.path.abspath(campaign._folder)
     os.makedirs(folder, exist_ok=True)
-    stop = os.path.join(folder, f".stop-{uuid.uuid4().hex}")
+    stop = os.path.join(folder, f".stop-{os.urandom(8).hex()}")
     futures: list[Future[None]] = [executor.submit(_shard, {**request, "output": folder, "shard": f"{i}/{shards}"}, stop) for i in range(1, shards + 1)]
 
     # Futures of some executors (Dask) are not those of the standard library, whose functions do not wait for them.

@@ -1,8 +1,4 @@
-"""Joints and drives: the files that ``joint``, ``motion`` and :class:`Simulation` take, as objects.
-
-Keys are those of the files (docs/joints.md, docs/motion.md). A number carries its unit in the keyword (``radius_mm=25``), a text or a quantity of pint by
-the same word without it (``radius="25 mm"``); a tuple of two is bounds, a list is values.
-"""
+"""Joints and drives: files of tables, and the files that they name."""
 
 from __future__ import annotations
 
@@ -11,33 +7,35 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Union
 
-from . import _files, _native, _quantity
+from . import _api, _native
+from ._errors import InputError
 from ._muscle import Muscle
-from ._table import Fixed
+from ._request import beside, file, put, table
+from ._values import Fixed, Number, Numbers, bare
 
 if TYPE_CHECKING:
     from typing import TypeAlias
 
     from typing_extensions import Self
 
-    from ._inputs import Number, Numbers, TableLike
+    from ._values import TableLike
 
     Key: TypeAlias = Union[Number, Numbers, bool, Sequence[Sequence[Number]]]
-    Keys: TypeAlias = Mapping[str, "Key"]
+    Keys: TypeAlias = Mapping[str, Key]
 
 
 def _key(name: str, value: Any) -> tuple[str, Any]:
-    """A key of a file and its value, of an argument."""
-    kind = _quantity.kind_of(name)
-    unit = kind[1] if kind else ""
+    """A key of a file and its value. A number carries its unit in the name, and is a text with that unit in the file."""
+    unit = _native.unit_of(name)
+    words = name.split("_")
+    short = next(("_".join(words[:i]) for i in range(len(words) - 1, 0, -1) if unit and _native.unit_of("_".join(["x", *words[i:]])) == unit), name)
 
     def written(value: Any) -> Any:
-        if hasattr(value, "magnitude"):
+        if unit:
+            value = bare(name, value)
+        elif hasattr(value, "magnitude"):
             value = f"{value.magnitude!r} {value.units:~}"
-        if hasattr(value, "tolist"):
-            value = value.tolist()
-        if isinstance(value, (str, bool)):
-            return value
+        value = value.tolist() if hasattr(value, "tolist") else value
         if isinstance(value, tuple) and len(value) == 2 and unit:
             return f"{float(value[0])!r}..{float(value[1])!r} {unit}"
         if isinstance(value, (list, tuple)):
@@ -45,13 +43,13 @@ def _key(name: str, value: Any) -> tuple[str, Any]:
                 # Pairs of times and values.
                 return [[f"{float(t)!r} s" if isinstance(t, (int, float)) else t, written(v)] for t, v in value]
             return [written(v) for v in value]
-        return f"{float(value)!r} {unit}" if unit else value
+        return value if isinstance(value, (str, bool)) or not unit else f"{float(value)!r} {unit}"
 
-    return _quantity.bare(name), written(value)
+    return short, written(value)
 
 
-def _table(given: Mapping[str, Any]) -> dict[str, Any]:
-    return dict(_key(name, value) for name, value in given.items() if value is not None)
+def _table(given: Mapping[str, Any] | None) -> dict[str, Any]:
+    return dict(_key(name, value) for name, value in (given or {}).items() if value is not None)
 
 
 class _File(Fixed):
@@ -81,30 +79,26 @@ class _File(Fixed):
         place = Path(path)
         files = dict(self.to_dict().get("files", {}))
         for of in self._beside.values():
-            if isinstance(of, _File):
-                files |= of.to_dict().get("files", {})
-        beside = {place.parent / name: text for name, text in files.items()}
-        _files.put({**beside, place: self.to_toml()}, overwrite)
+            files |= of.to_dict().get("files", {}) if isinstance(of, _File) else {}
+        put({**{place.parent / name: text for name, text in files.items()}, place: self.to_toml()}, overwrite)
 
-    def __eq__(self, other: object) -> bool:
-        return type(self) is type(other) and isinstance(other, _File) and (self._tables, self._beside) == (other._tables, other._beside)
-
-    def __hash__(self) -> int:
-        return hash((type(self).__name__, self.to_toml()))
+    def _key(self) -> Any:
+        return self.to_toml(), tuple((name, tuple(of.items()) if isinstance(of, Mapping) else of) for name, of in self._beside.items())
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (type(self), self._tables, self._beside)
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._tables.items())})"
+        return f"<{type(self).__name__}: {', '.join(f'{name}={value!r}' for name, value in self._tables.items())}>"
 
 
 def _restored(kind: type[_File], tables: dict[str, Any], beside: dict[str, Any]) -> _File:
     return object.__new__(kind)._hold(tables, beside)
 
 
-class Joint(_File):
-    """A joint with one or two muscles: what :func:`joint` takes. The muscles are objects; the others turn against the first.
+class Joint(_api.JointCommands, _File):
+    """A joint with one or two muscles. Its tables are those of a joint file (docs/joints.md) as dicts: a number carries its unit in the key
+    (``radius_mm``), a text stands under the same word without it (``"radius": "25 mm"``); a tuple of two is bounds.
 
     Parameters
     ----------
@@ -112,6 +106,8 @@ class Joint(_File):
         The muscle that turns the joint to +.
     muscle_2
         The one that turns it to -, where there is one.
+    joint
+        Keys of ``[joint]``: ``radius_mm``, ``range_deg``, ``inertia``, ``damping``.
     contraction_at_neutral : ratio
         Of both muscles, at the neutral angle.
     geometry_1, geometry_2
@@ -120,13 +116,19 @@ class Joint(_File):
         Keys of the weight of the moving parts and of a spring.
     name
         The joint's name.
-    keys
-        Those of ``[joint]``: ``radius_mm``, ``range_deg``, ``inertia``, ``damping``.
+
+    Raises
+    ------
+    InputError
+        A key is none, or its value has no unit.
 
     Examples
     --------
-    >>> biceps = Muscle(outer_diameter_mm=20, wall_mm=1.5, length_mm=220, angle_deg=24, stiffness=900)
-    >>> elbow = Joint(biceps, biceps, contraction_at_neutral=0.12, radius_mm=25, range_deg=(-60, 60))
+    >>> import mckibben as mk
+    >>> biceps = mk.Muscle(outer_diameter_mm=20, wall_mm=1.5, length_mm=220, angle_deg=24, stiffness=900)
+    >>> elbow = mk.Joint(biceps, biceps, joint={"radius_mm": 25, "range_deg": (-60, 60)}, contraction_at_neutral=0.12)
+    >>> round(elbow.solve(pressures_mpa=[["3 bar", "1 bar"]], angles_deg=0, model="universal").points[0].torque_nm, 2)
+    7.78
     """
 
     __slots__ = ()
@@ -137,22 +139,24 @@ class Joint(_File):
         muscle_1: Muscle,
         muscle_2: Muscle | None = None,
         *,
+        joint: Keys,
         contraction_at_neutral: Number | None = None,
         geometry_1: Keys | None = None,
         geometry_2: Keys | None = None,
         link: Keys | None = None,
         spring: Keys | None = None,
         name: str | None = None,
-        **keys: Key | None,
     ) -> None:
         tables: dict[str, Any] = {}
         files: dict[str, Muscle] = {}
         for i, (muscle, geometry) in {1: (muscle_1, geometry_1), 2: (muscle_2, geometry_2)}.items():
             if muscle is not None:
-                file = f"muscle_{i}.toml" if muscle != files.get("muscle_1.toml") else "muscle_1.toml"
-                files[file] = muscle
-                tables[f"muscle_{i}"] = {"file": file, **_table({"contraction_at_neutral": contraction_at_neutral, **(geometry or {})})}
-        self._hold({"name": name, "joint": _table(keys), "link": _table(link or {}), **tables, "spring": _table(spring or {})}, files)
+                place = f"muscle_{i}.toml" if muscle != files.get("muscle_1.toml") else "muscle_1.toml"
+                files[place] = muscle
+                tables[f"muscle_{i}"] = {"file": place, **_table({"contraction_at_neutral": contraction_at_neutral, **(geometry or {})})}
+        if bare_lengths := [key for key in ("radius", "range") if isinstance(joint.get(key), (int, float, tuple, list))]:
+            raise InputError(f"{bare_lengths[0]} has no unit", kind="quantity", field=bare_lengths[0], hint='radius_mm=25, or "radius": "25 mm"')
+        self._hold({"name": name, "joint": _table(joint), "link": _table(link), **tables, "spring": _table(spring)}, files)
         # It says what is wrong with it.
         _native.joint_files("the joint", self.to_toml())
 
@@ -161,26 +165,45 @@ class Joint(_File):
         """Its muscles by the names of their files."""
         return dict(self._beside)
 
+    def replace(self, **muscles: Muscle) -> Joint:
+        """The same with other muscles: ``muscle_1``, ``muscle_2``."""
+        files, tables = dict(self._beside), dict(self._tables)
+        for name, muscle in muscles.items():
+            if name not in tables:
+                raise TypeError(f"a joint has {', '.join(n for n in tables if n.startswith('muscle_'))}, not {name}")
+            tables[name], files[f"{name}.toml"] = {**tables[name], "file": f"{name}.toml"}, muscle
+        named = {tables[n]["file"] for n in tables if n.startswith("muscle_")}
+        return object.__new__(Joint)._hold(tables, {name: muscle for name, muscle in files.items() if name in named})
+
+    def _files(self, command: str) -> dict[str, Any]:
+        return {"joint": self, "muscles": [{**file(muscle), "name": name} for name, muscle in self._beside.items()]}
+
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Joint:
         """The joint of a joint file, with the muscles from beside it."""
-        file, folder = _files.text(path), os.path.dirname(os.fspath(path))
-        names = dict.fromkeys(_native.joint_files(file["name"], file["text"]))
-        return object.__new__(cls)._hold(_native.toml(file["name"], file["text"]), {name: Muscle(os.path.join(folder, name)) for name in names})
+        held = file(path)
+        names = list(dict.fromkeys(_native.joint_files(held["name"], held["text"])))
+        muscles = {name: _muscle(place) for name, place in beside(os.fspath(path), names).items()}
+        return object.__new__(cls)._hold(_native.toml(held["name"], held["text"]), muscles)
 
 
-class Drive(_File):
-    """A muscle with a load, or a joint, with its air, its valve and its commands: what :func:`motion` and :class:`Simulation` take.
+def _muscle(place: str) -> Muscle:
+    return object.__new__(Muscle)._hold(_native.Muscle({"muscle": file(place)}))
+
+
+class Drive(_api.DriveCommands, _File):
+    """A muscle with a load, or a joint, with its air, its valve and its commands. Its tables are those of a drive file (docs/motion.md) as dicts, with keys as
+    those of a :class:`Joint`; of a list of pairs the first are times in s.
 
     Parameters
     ----------
     of
         A muscle or a :class:`Joint`.
+    command
+        Keys of ``[command]``: ``pressure_mpa``, ``pressure_1_mpa``, ``valve``, ``volume_mm3``, ``position_deg``, …: a value, pairs of times and values, or a text
+        such as ``"ramp 0..3 bar in 2 s"``; and ``until_s``, ``output_step_s``.
     valve
         The name of a valve of the library such as ``festo-mh2``, or keys of ``[valve]``: ``sonic_conductance``, ``critical_ratio``, …
-    command
-        Keys of ``[command]``: ``pressure_mpa``, ``pressure_1_mpa``, ``valve``, ``volume_mm3``, ``position_deg``, …: a value, pairs of times in s and values, or a text
-        such as ``"ramp 0..3 bar in 2 s"``; and ``until_s``, ``output_step_s``.
     supply, air, load, friction, rubber, controller, regulator
         Keys of these tables.
     liquid, pump, syringe
@@ -190,8 +213,11 @@ class Drive(_File):
 
     Examples
     --------
-    >>> muscle = Muscle.prototype()
-    >>> lift = Drive(muscle, valve="festo-mh2", load={"mass_kg": 10, "damping": "200 N s/m"}, command={"pressure_mpa": [[0, 0], [0.1, 0.3]], "until_s": 2})
+    >>> import mckibben as mk
+    >>> load = {"mass_kg": 10, "damping": "200 N s/m"}
+    >>> lift = mk.Drive(mk.Muscle.prototype(), valve="festo-mh2", load=load, command={"pressure_mpa": [[0, 0], [0.1, 0.3]], "until_s": 2})
+    >>> lift.motion(model="universal").at_rest
+    True
     """
 
     __slots__ = ()
@@ -201,8 +227,8 @@ class Drive(_File):
         self,
         of: Muscle | Joint,
         *,
-        valve: Keys | str | None = None,
         command: Keys,
+        valve: Keys | str | None = None,
         supply: Keys | None = None,
         air: Keys | None = None,
         load: Keys | None = None,
@@ -216,29 +242,39 @@ class Drive(_File):
         tables: Mapping[str, TableLike] | None = None,
     ) -> None:
         subject = "joint" if isinstance(of, Joint) else "muscle"
-        valve = {"name": valve} if isinstance(valve, str) else valve
-        given = {"valve": valve, "supply": supply, "air": air, "liquid": liquid, "pump": pump, "syringe": syringe, "load": load, "friction": friction, "rubber": rubber}
-        given |= {"controller": controller, "regulator": regulator, "command": command}
-        held = {subject: f"{subject}.toml", **{name: _table(keys or {}) for name, keys in given.items()}}
-        self._hold(held, {f"{subject}.toml": of, **{name: {**_files.table(data), "name": name} for name, data in (tables or {}).items()}})
+        given = {"valve": {"name": valve} if isinstance(valve, str) else valve, "supply": supply, "air": air, "liquid": liquid, "pump": pump, "syringe": syringe}
+        given |= {"load": load, "friction": friction, "rubber": rubber, "controller": controller, "regulator": regulator, "command": command}
+        self._hold({subject: f"{subject}.toml", **{name: _table(keys) for name, keys in given.items()}}, {f"{subject}.toml": of, **_named(tables or {})})
 
     @property
     def of(self) -> Muscle | Joint:
         """The muscle or joint that it moves."""
-        held: Muscle | Joint = self._beside[str(self._tables.get("joint") or self._tables["muscle"])]
+        held: Muscle | Joint = self._beside[self._subject()]
         return held
+
+    def _subject(self) -> str:
+        return str(self._tables.get("joint") or self._tables["muscle"])
+
+    def replace(self, of: Muscle | Joint) -> Drive:
+        """The same drive of another muscle or joint."""
+        if type(of) is not type(self.of):
+            raise TypeError(f"the drive is that of a {type(self.of).__name__}")
+        return object.__new__(Drive)._hold(self._tables, {**self._beside, self._subject(): of})
+
+    def _files(self, command: str) -> dict[str, Any]:
+        own = [of for of in self._beside.values() if isinstance(of, Mapping)]
+        subject = self.of._files(command) if isinstance(self.of, Joint) else {"muscle": {**file(self.of), "name": self._subject()}}
+        return {"drive": self, **subject, **({"tables": own} if own else {})}
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Drive:
         """The drive of a drive file, with the files that it names from beside it."""
-        file, folder = _files.text(path), os.path.dirname(os.fspath(path))
-        subject, name, names = _native.drive_files(file["name"], file["text"])
-        place = os.path.join(folder, name)
-        beside = {name: Joint.load(place) if subject == "joint" else Muscle(place)}
-        texts = {table: {**_files.table(os.path.join(folder, table)), "name": table} for table in names}
-        return object.__new__(cls)._hold(_native.toml(file["name"], file["text"]), {**beside, **texts})
+        held = file(path)
+        subject, name, names = _native.drive_files(held["name"], held["text"])
+        place = beside(os.fspath(path), [name])[name]
+        of = Joint.load(place) if subject == "joint" else _muscle(place)
+        return object.__new__(cls)._hold(_native.toml(held["name"], held["text"]), {name: of, **_named(beside(os.fspath(path), names))})
 
-    def _files(self) -> dict[str, Any]:
-        """The arguments of a command that takes it."""
-        own = {name: of for name, of in self._beside.items() if isinstance(of, Mapping)}
-        return {"joint" if isinstance(self.of, Joint) else "muscle": self.of, **({"tables": own} if own else {})}
+
+def _named(tables: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: {**table(data), "name": name} for name, data in tables.items()}

@@ -15,6 +15,15 @@ def warned(text: str, kind: type[Warning]) -> None:
     warnings.warn(text, kind, stacklevel=level)
 
 
+def warned_of_unit(text: str) -> None:
+    """What the compiled half says of a number."""
+    warned(text, UnitWarning)
+
+
+class MuscleWarning(UserWarning):
+    """What should be known of an answer: a pressure above the allowed one, a stretch beyond the data of the rubber, …"""
+
+
 class UnitWarning(UserWarning):
     """A bare number that was likely meant in another unit."""
 
@@ -59,11 +68,6 @@ class MckibbenError(Exception):
         at = f"point {index}: " if index is not None else ""
         super().__init__(f"{at}{place}{message}" + (f" ({hint})" if hint else ""))
 
-    def at(self, index: int) -> MckibbenError:
-        """The same of another place in the flattened arrays."""
-        kind, message, values = self.__reduce__()[1]
-        return _restored(kind, message, {**values, "index": index})
-
     def __reduce__(self) -> tuple[Any, ...]:
         values = {"kind": self.kind, "hint": self.hint, "field": self.field, "nearest": self.nearest, "index": self.index}
         return _restored, (type(self), self.message, values)
@@ -106,7 +110,7 @@ class InternalError(MckibbenError, RuntimeError):
 
 
 # Words of JSON whose class is not InputError.
-KINDS = {
+KINDS: dict[str, type[MckibbenError]] = {
     "out_of_range": OutOfRangeError, "no_answer": NoAnswerError, "not_converged": NotConvergedError, "cancelled": NotConvergedError,
     "internal": InternalError, **dict.fromkeys(("file", "damaged", "locked", "output", "incomplete", "other_plan"), FileError),
 }

@@ -1,35 +1,80 @@
-"""Muscles, and the answers that hold some."""
+"""Muscles, and the numbers that they answer."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from functools import lru_cache
+import os
+from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from . import _answers, _native, _plain, _schema
-from ._ask import Progress, listening
-from ._commands import MuscleCommands, MuscleFields
-from ._errors import InputError, NoAnswerError
-from ._files import put
-from ._model import Asked, Model
-from ._points import Solution, solved
-from ._results import Fit
-from ._table import Fixed
+from . import _api, _native
+from ._errors import InputError, MuscleWarning, UnitWarning, warned
+from ._request import Saved, fields, listening, options as _options, put
+from ._values import Number, Progress
 
 if TYPE_CHECKING:
-    from os import PathLike
-
+    import numpy as np
     from numpy.typing import NDArray
 
-    from ._formula import Formula
-    from ._inputs import Floats, Number, Option
-    from ._results import Heard
+    from ._rubber import Rubber
+
+    Array = NDArray[np.float64]
+
+# A pressure in MPa above which a bare number was likely meant in bar, and one up to which nothing is said of a burst pressure that is not known.
+_LIKELY_MPA, _QUIET_MPA = 1.0, 0.6
 
 
-class Muscle(MuscleFields, MuscleCommands, Asked, Fixed):
+class Bound:
+    """A model that is bound to a muscle, and what was looked at of its warnings."""
+
+    __slots__ = ("muscle", "native", "quiet", "request", "said", "seen")
+
+    def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
+        self.muscle, self.request = muscle, _options(given)
+        self.native = muscle._held.model(self.request)
+        # Up to this pressure in MPa a single number needs no look; it is known after the first one.
+        self.quiet = float("-inf")
+        self.seen: tuple[float, float, float] | None = None
+        self.said: tuple[float, list[str]] | None = None
+
+    def one(self, pressure_mpa: float, contraction: float, is_text: bool = False) -> None:
+        """Looks at the warnings of a single number."""
+        if self.quiet == float("-inf"):
+            allowed = self.native.allowed_mpa()
+            self.quiet = min(_LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed)
+        if pressure_mpa > self.quiet:
+            if not is_text and (said := _native.unlikely("pressure_mpa", pressure_mpa)):
+                warned(said, UnitWarning)
+            if self.said is None or self.said[0] < pressure_mpa:
+                self.said = pressure_mpa, self._warnings(pressure_mpa, contraction)
+            for text in self.said[1]:
+                warned(text, MuscleWarning)
+
+    def _warnings(self, pressure_mpa: float, contraction: float) -> list[str]:
+        texts: list[str] = self.native.solve([pressure_mpa], [contraction], True)[0].get("warnings", [])
+        return texts
+
+    def look(self, pressures: Array, contractions: Array, is_text: bool) -> None:
+        """Looks at the warnings of a list, at both ends of its highest pressure."""
+        import numpy as np
+
+        if not pressures.size or not np.isfinite(highest := float(np.max(pressures))):
+            return
+        at = contractions[pressures == highest]
+        box = highest, float(at.min()), float(at.max())
+        seen = self.seen
+        if seen is not None and box[0] <= seen[0] and box[1] >= seen[1] and box[2] <= seen[2]:
+            return
+        if not is_text and (said := _native.unlikely("pressure_mpa", highest)):
+            warned(said, UnitWarning)
+        texts = dict.fromkeys(text for e in {box[1], box[2]} for text in self._warnings(highest, e))
+        if texts:
+            warned("; ".join(texts), MuscleWarning)
+        else:
+            self.seen = box
+
+
+class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     """A McKibben muscle: a rubber tube in a braid between two terminals. Diameter, wall and length are to be given; :meth:`prototype` is that
     of the paper. Angle 28°, rubber and braid ``paper`` where they are left out.
 
@@ -37,98 +82,129 @@ class Muscle(MuscleFields, MuscleCommands, Asked, Fixed):
 
     Examples
     --------
-    >>> Muscle(outer_diameter_mm="50 mm", wall_mm=1, length_mm=285).outer_diameter_mm
-    50.0
+    >>> import mckibben as mk
+    >>> mk.Muscle(outer_diameter_mm="50 mm", wall_mm=1, length_mm=285)
+    Muscle(outer_diameter_mm=50.0, wall_mm=1.0, length_mm=285.0, stiffness='paper', angle_deg=28.0, rubber='paper')
     """
 
-    __slots__ = ("_own", "_summary", "_text")
-    _text: str
-    _summary: dict[str, Any] | None
+    __slots__ = ("_default", "_held", "_models", "_own")
+    _held: _native.Muscle
+    _models: dict[Any, Bound]
+    _default: Bound | None
     _own: dict[str, Any] | None
 
-    def _hold(self, text: str) -> None:
-        object.__setattr__(self, "_text", text)
-        object.__setattr__(self, "_summary", None)
-        object.__setattr__(self, "_own", None)
+    def _hold(self, native: _native.Muscle) -> Muscle:
+        for name, value in (("_held", native), ("_models", {}), ("_default", None), ("_own", None)):
+            object.__setattr__(self, name, value)
+        return self
+
+    def _make(self, given: dict[str, Any], base: Muscle | None = None) -> Muscle:
+        rubber = given.get("rubber")
+        if rubber is not None and not isinstance(rubber, str):
+            if given.get("rubber_file") is not None:
+                raise InputError("`rubber_file` is given, and so is a whole `rubber`", kind="usage", field="rubber_file", hint="give one of them")
+            if not hasattr(rubber, "_text"):
+                raise TypeError(f"rubber: a Rubber or a name, not {type(rubber).__name__}")
+            rubber = rubber._text
+        request = fields({**given, "rubber": rubber if isinstance(given.get("rubber"), str) else None, "muscle": base})
+        return self._hold(_native.Muscle(request, None if "rubber" in request else rubber))
+
+    def _changed(self, given: dict[str, Any]) -> Muscle:
+        return object.__new__(Muscle)._make(given, self)
+
+    def _files(self, command: str) -> dict[str, Any]:
+        return {"muscle": self}
 
     def _field(self, name: str) -> Any:
         if self._own is None:
-            object.__setattr__(self, "_own", _native.muscle_fields(self._text))
+            object.__setattr__(self, "_own", self._held.fields())
         return (self._own or {}).get(name)
 
     @classmethod
-    def prototype(cls, **changes: Option) -> Muscle:
-        """The paper's prototype (D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid ``paper``), with changes by the names of :meth:`replace`."""
-        return cls({"name": "prototype", "text": _native.muscle_text({})}, **dict[str, Any](changes))
+    def prototype(cls) -> Muscle:
+        """The paper's prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid ``paper``."""
+        return object.__new__(cls)._make({})
 
     @classmethod
     def from_toml(cls, text: str) -> Muscle:
         """The muscle of a muscle file's text."""
-        return cls({"name": "muscle", "text": text})
+        return object.__new__(cls)._hold(_native.Muscle({"muscle": {"name": "muscle", "text": text}}))
 
     def to_toml(self) -> str:
         """The text of its muscle file; reading it gives the same muscle to the last bit."""
-        return self._text
+        return self._held.text
 
     def to_dict(self) -> dict[str, Any]:
-        """What is stated of it by the names of fields: ``Muscle(**muscle.to_dict())`` is the same muscle. A rubber that is none of the library is a dict of
-        its law and constants. Where fields do not state all of it (a muscle with an identification, an end factor that depends on the pressure, strands
-        that carry compression), it is the text of its muscle file.
+        """What is stated of it, as the arguments of ``Muscle(…)``; where these do not state all of it (a muscle with an identification, an end factor that
+        depends on the pressure, strands that carry compression), the text of its muscle file as ``{"toml": …}``.
         """
-        held = _native.toml("muscle", self._text)
+        held = _native.toml("muscle", self.to_toml())
         stated = {("terminals" if table == "model" else table, key) for table, value in held.items() for key in _keys(value)}
-        out = {name: self._field(name) for name, field in _schema.muscle().items() if tuple(field.get("x-key", "").split(".")) in stated}
-        own = held.get("tube", {}).get("material")
-        words = {"rubber": own or (("tube", "rubber") in stated and self._field("rubber")), "braid": ("braid", "name") in stated and self._field("braid")}
-        out.update({name: value for name, value in words.items() if value})
+        out = {name: self._field(name) for name, key in _api.KEYS.items() if tuple(key.split(".")) in stated}
+        if "material" in held.get("tube", {}) or ("tube", "rubber") in stated:
+            out["rubber"] = self.rubber
+        if ("braid", "name") in stated:
+            out["braid"] = self._field("braid")
         try:
             whole = Muscle(**out) == self
-        except InputError:
+        except (InputError, TypeError):
             whole = False
-        return out if whole else {"base": {"name": "muscle", "text": self._text}}
+        return {name: value.to_dict() if hasattr(value, "to_dict") else value for name, value in out.items()} if whole else {"toml": self.to_toml()}
 
-    def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
-        """Writes its muscle file. Another file that is there is replaced only with ``overwrite``."""
-        put({path: self._text}, overwrite)
-
-    def model(self, model: str | Formula | PathLike[str] | None = None, **options: Option) -> Model:
-        """A model of this muscle, to be asked for arrays; the arguments are those of :class:`Model`."""
-        return Model(self, model, **dict[str, Any](options))
-
-    def _bound(self, options: dict[str, Any]) -> Model:
+    def _bound(self, given: Mapping[str, Any]) -> Bound:
+        """The model that is asked, kept for the next question."""
+        if not given:
+            if self._default is None:
+                object.__setattr__(self, "_default", Bound(self, given))
+            assert self._default is not None
+            return self._default
+        key = tuple(given.items())
         try:
-            return _model(self, tuple(sorted(options.items())))
+            return self._models[key]
+        except KeyError:
+            self._models[key] = bound = Bound(self, given)
+            return bound
         except TypeError:
-            # Options that cannot be hashed, or are none: this says which.
-            return self.model(**options)
+            # Options that are maps or lists.
+            return Bound(self, given)
 
-    def solve(self, pressure_mpa: Floats, contraction: Floats = 0.0, **options: Option) -> Solution:
-        """All that is known of many points: pulls, their ±, volumes, stiffness, strand tension, … as arrays.
+    def _asked(self, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress, options: Mapping[str, Any]) -> Any:
+        bound, nan = self._bound(options), errors == "nan"
+        if not nan and errors != "raise":
+            raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
+        if jac is False and progress is None and type(a) in (float, int) and type(b) in (float, int):
+            found = bound.native.one(wanted, a, b, nan)
+            pressure = a if wanted == "force" else b if wanted == "contraction" else found
+            if pressure > bound.quiet:
+                bound.one(pressure, found if wanted == "contraction" else b, wanted == "pressure")
+            return found
+        from . import _arrays
 
-        Parameters
-        ----------
-        pressure_mpa : MPa
-            Gauge pressures P, as in :meth:`force`.
-        contraction : ratio
-            Contraction ratios ε, broadcast against them.
-        options
-            Those of :meth:`curve`: ``model``, ``extrapolate``, …
-        """
-        return solved(self, pressure_mpa, contraction, options)
+        return _arrays.asked(bound, wanted, a, b, jac, nan, progress)
+
+    def _solved(self, pressure_mpa: Any, contraction: Any, errors: str, progress: Progress, options: Mapping[str, Any]) -> _api.Solution:
+        if errors not in ("raise", "nan"):
+            raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
+        from . import _arrays
+
+        bound = self._bound(options)
+        columns, texts = _arrays.solved(bound, pressure_mpa, contraction, errors == "nan", progress)
+        if texts:
+            warned("; ".join(texts), MuscleWarning)
+        return _api.Solution._of(columns, bound.native.name, texts)
 
     @property
     def parameters(self) -> dict[str, float]:
         """Constants and measures by which models have derivatives, named as in the muscle file: moduli in MPa, k in N/mm, mm, degrees."""
-        return {name: value for name, value, _ in _native.parameters(self._text)}
+        return dict(self._held.parameters())
 
     def _follows(self, measure: str) -> dict[str, float]:
         """How the parameters change with a measure of :meth:`replace`: by central differences of smooth formulas."""
-        value = getattr(self, measure)
+        value = self._field(measure)
         if not isinstance(value, float):
             raise ValueError(f"{measure}: a muscle whose {measure} is {value!r} has no derivative by it; use jac=['braid.stiffness']")
         step = 1e-4 * abs(value)
-        changed: list[dict[str, Any]] = [{measure: value + sign * step} for sign in (1, -1)]
-        high, low = (self.replace(**change).parameters for change in changed)
+        high, low = (self._changed({measure: value + sign * step}).parameters for sign in (1, -1))
         rates = {name: (high[name] - low[name]) / (2 * step) for name in high}
         return {name: rate for name, rate in rates.items() if abs(rate) * abs(value) > 1e-10 * abs(high[name])}
 
@@ -136,129 +212,89 @@ class Muscle(MuscleFields, MuscleCommands, Asked, Fixed):
         """The same with other constants and measures, named as in :attr:`parameters`; all others are held, k of the strands in N/mm
         among them, also where the braid's k follows the diameter.
         """
-        muscle = object.__new__(Muscle)
-        muscle._hold(_native.muscle_with(self._text, {str(n): float(v) for n, v in values.items()}))
-        return muscle
+        return object.__new__(Muscle)._hold(self._held.changed({str(n): float(v) for n, v in values.items()}))
 
-    def report(self, path: str | PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa", overwrite: bool = False, progress: Progress = None) -> str:
+    @property
+    def rubber(self) -> str | Rubber:
+        """The rubber: its name in the library, or its law and constants."""
+        from ._rubber import Rubber
+
+        tube = _native.toml("muscle", self.to_toml()).get("tube", {})
+        return Rubber._of(tube["material"]) if "material" in tube else str(tube.get("rubber", "paper"))
+
+    @property
+    def braid(self) -> str:
+        """The braid: its name, its stiffness or its strands."""
+        return str(self._summary()["braid"])
+
+    def _summary(self) -> dict[str, Any]:
+        return _native.ask("check", {"muscle": {"name": "muscle", "text": self.to_toml()}, "only_data": True})
+
+    def report(self, path: str | os.PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa", overwrite: bool = False, progress: Progress = None) -> str:
         """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given. Another file that is there is replaced only
         with ``overwrite``.
         """
-        request = _plain.request("build", {"muscle": self, "report": True, "pressure_mpa": pressure_mpa, "contraction": contraction, "units": units})
+        request = fields({"muscle": self, "report": True, "pressure_mpa": pressure_mpa, "contraction": contraction, "units": units})
         with listening(progress, "build") as heard:
             page = _native.report_html(request, heard)
         if path is not None:
             put({path: page}, overwrite)
         return page
 
-    def _measures(self) -> dict[str, Any]:
-        if self._summary is None:
-            object.__setattr__(self, "_summary", _native.ask("check", {"muscle": {"name": "muscle", "text": self._text}, "only_data": True}))
-        return self._summary or {}
+    def cite(self, model: str | None = None) -> str:
+        """BibTeX of the package, of the model, and of the data behind rubber and braid of this muscle.
 
-    @property
-    def rubber(self) -> str:
-        """The rubber, by name or law."""
-        return str(self._measures()["rubber"])
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> print(mk.Muscle.prototype().cite("ideal").splitlines()[0])
+        @software{mckibben,
+        """
+        point = _native.ask("force", {"muscle": {"name": "muscle", "text": self.to_toml()}, "pressure_mpa": 0.0, "model": model or "fe"})
+        version = f"  title = {{mckibben: design of McKibben pneumatic muscles}},\n  version = {{{_native.VERSION}}}"
+        entries = [f"@software{{mckibben,\n{version}\n}}", _note("model", f"Model {point['model']}", point["about"]["source"])]
+        for kind, name in (("rubber", self.rubber), ("braid", self._field("braid"))):
+            if isinstance(name, str) and name != "paper":
+                found = _native.ask("parts-show", {"name": name.split(":")[0]})
+                source = next((text for text in _sources(found)), None)
+                entries += [_note(kind, f"{kind.capitalize()} {name}", source)] if source else []
+        return "\n\n".join(entries)
 
-    @property
-    def braid(self) -> str:
-        """The braid: its name, its stiffness or its strands."""
-        return str(self._measures()["braid"])
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Muscle) and self._text == other._text
-
-    def __hash__(self) -> int:
-        return hash(("Muscle", self._text))
+    _key = to_toml
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Muscle.from_toml, (self._text,)
+        return Muscle.from_toml, (self.to_toml(),)
 
     def __repr__(self) -> str:
-        m = self._measures()
-        measures = ", ".join(f"{name}={m[name]:.6g}" for name in ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg"))
-        return f"Muscle({measures}, rubber={m['rubber']!r}, braid={m['braid']!r})"
+        given = self.to_dict()
+        if "toml" in given:
+            return f"Muscle.from_toml({given['toml']!r})"
+        given |= {"rubber": self.rubber} if isinstance(given.get("rubber"), dict) else {}
+        return f"Muscle({', '.join(f'{name}={value!r}' for name, value in given.items())})"
 
     def _repr_html_(self) -> str:
-        m = self._measures()
+        held = self._summary()
         names = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "rubber", "braid")
-        rows = "".join(f"<tr><th style='text-align:left'>{n}</th><td>{escape(f'{m[n]:.6g}' if isinstance(m[n], float) else str(m[n]))}</td></tr>" for n in names)
+        rows = "".join(f"<tr><th style='text-align:left'>{n}</th><td>{escape(f'{held[n]:.6g}' if isinstance(held[n], float) else str(held[n]))}</td></tr>" for n in names)
         return f"<table><caption>Muscle</caption>{rows}</table>" + self.shape(0.0, 0.0)._frame()
 
 
-@lru_cache(64)
-def _model(muscle: Muscle, options: tuple[tuple[str, Any], ...]) -> Model:
-    """Kept for the next question."""
-    return muscle.model(**dict(options))
-
-
-def _keys(table: Mapping[str, Any]) -> Iterator[str]:
+def _keys(table: Any) -> Iterator[str]:
     """The keys in a table of a muscle file, and in those below it."""
-    for name, value in table.items():
+    for name, value in table.items() if isinstance(table, dict) else ():
         if isinstance(value, dict):
             yield from _keys(value)
         else:
             yield name
 
 
-class Design(_answers.DesignAnswer):
-    """Ranked muscles, and why others fail. Its table has one row for each candidate, best first."""
-
-    __slots__ = ()
-
-    @property
-    def muscles(self) -> list[Muscle]:
-        """The candidates as muscles, best first."""
-        return [Muscle.from_toml(file["text"]) for file in self._data.get("muscle_files", [])]
-
-    @property
-    def best(self) -> Muscle:
-        """The first of them."""
-        if not self.candidates:
-            raise NoAnswerError("no muscle fits", kind="no_answer", hint="`closest` and `rejected` say why")
-        return self.muscles[0]
-
-    def __repr__(self) -> str:
-        if not self.candidates:
-            return f"Design({self.model}: none of {self.looked_at} muscles fits)"
-        return "\n".join(self._data["decision"])
+def _sources(value: Any) -> Iterator[str]:
+    """What an answer says under the key `source`."""
+    for name, item in value.items() if isinstance(value, dict) else ():
+        if name == "source" and isinstance(item, str) and item:
+            yield item
+        yield from _sources(item)
 
 
-class Identification(Fit, _answers.IdentifyAnswer):
-    """Constants found in measured points, with their errors. Its table has one row for each constant.
-
-    Examples
-    --------
-    ``found.x``, ``found.names``, ``found.stderr``, ``found.cov`` and ``found.residuals`` are arrays; ``print(found.summary())`` is for reading.
-    """
-
-    __slots__ = ()
-
-    @property
-    def cov(self) -> NDArray[np.float64]:
-        """Their covariance, in the units of the values."""
-        correlation = np.array(self._data["correlation"], dtype=np.float64).reshape(len(self.x), len(self.x))
-        return correlation * np.outer(self.stderr, self.stderr)
-
-    @property
-    def residuals(self) -> NDArray[np.float64]:
-        """Model less measurement of each point, in N."""
-        return np.array([p["residual_n"] for p in self._data["points"]], dtype=np.float64)
-
-    def summary(self) -> str:
-        """What was found, in lines for reading."""
-        head = f"{self.model}: {len(self.residuals)} points, rms {self.rms_n:.3g} N (before {self.rms_before_n:.3g} N), largest {self.max_n:.3g} N"
-        errors = "± half width of 95 %, " + ("by the stated errors" if self.errors_stated else f"by the residuals, {self.degrees_of_freedom} degrees of freedom")
-        return "\n".join([head, *(f"  {word}" for word in self._words()), errors, *(f"note: {text}" for text in self.warnings)])
-
-    def __repr__(self) -> str:
-        return f"Identification({self.model}: {', '.join(self._words())}; rms {self.rms_n:.3g} N of {len(self.residuals)} points)"
-
-    @property
-    def identified(self) -> Muscle:
-        """The muscle with the values found."""
-        return Muscle.from_toml(str(self.muscle_file))
-
-
-_answers.OWN.update({kind.__name__: kind for kind in (Design, Identification)})
+def _note(key: str, title: str, source: str) -> str:
+    return f"@misc{{mckibben_{key},\n  title = {{{title}}},\n  note = {{{source}}}\n}}"

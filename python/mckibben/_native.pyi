@@ -11,7 +11,7 @@ from _typeshed import SupportsGetItem
 from os import PathLike
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Formula", "Model", "Simulation", "ask", "body_html", "choice", "drive_files", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "quantity", "read_formula", "read_table", "read_text", "report_html", "rubber_stress", "schema", "toml", "toml_text", "unit_of", "values", "write_file"]
+__all__ = ["VERSION", "Formula", "Model", "Muscle", "Simulation", "ask", "body_html", "drive_files", "joint_files", "quantities", "quantity", "read_file", "report_html", "rollout", "toml", "toml_text", "unit_of", "unlikely", "write_file"]
 
 VERSION: Final[str]
 """
@@ -20,9 +20,6 @@ The version of the crates, and of the package.
 
 @final
 class Formula:
-    """
-    A fitted formula.
-    """
     def __new__(cls, /, name: str, text: str) -> Formula:
         """
         The formula of a file's text.
@@ -43,9 +40,9 @@ class Model:
     """
     A model bound to its muscle.
     """
-    def __new__(cls, /, muscle: "str", request: "dict[str, typing.Any]") -> Model:
+    def allowed_mpa(self, /) -> float:
         """
-        The model that `request` names, of a muscle as the text of its file.
+        The pressure in MPa that the muscle is allowed; infinite where it is not known.
         """
     def fill(self, /, wanted: str, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes: bool, parameters: SupportsGetItem[int, str], nan: bool, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> int:
         """
@@ -54,7 +51,7 @@ class Model:
     @property
     def is_elements(self, /) -> bool:
         """
-        Whether a point takes finite elements: neighbours in a list share their equilibria.
+        Whether a point takes finite elements.
         """
     @property
     def name(self, /) -> str:
@@ -65,13 +62,52 @@ class Model:
         """
         The answer to one pair of numbers; NaN where it has none and `nan` is true.
         """
+    def solve(self, /, pressures: SupportsGetItem[int, SupportsFloat | SupportsIndex], contractions: SupportsGetItem[int, SupportsFloat | SupportsIndex], nan: bool, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "list[dict[str, typing.Any]]":
+        """
+        All that is known of each point, or why it has no answer.
+        """
+
+@final
+class Muscle:
+    """
+    A muscle.
+    """
+    def __new__(cls, /, request: "dict[str, typing.Any]", rubber: "str | None" = None) -> Muscle:
+        """
+        The muscle that a muscle file and fields describe; with a rubber, the table `tube.material` of one.
+        """
+    def changed(self, /, values: "dict[str, float]") -> Muscle:
+        """
+        The same with other values of constants and measures, all others held.
+        """
+    def fields(self, /) -> "dict[str, typing.Any]":
+        """
+        The fields by which a muscle is given, of this one; those that it does not have are left out.
+        """
+    def model(self, /, request: "dict[str, typing.Any]") -> Model:
+        """
+        The model that a request names, of this muscle.
+        """
+    def parameters(self, /) -> list[tuple[str, float]]:
+        """
+        Constants and measures by which a model has derivatives, with their values.
+        """
+    def stress(self, /, mode: str, stretches: SupportsGetItem[int, SupportsFloat | SupportsIndex]) -> list[float]:
+        """
+        Nominal stress in MPa of the rubber at stretches: `uniaxial`, `planar` or `equibiaxial`, with plane stress and constant volume.
+        """
+    @property
+    def text(self, /) -> str:
+        """
+        The text of its file.
+        """
 
 @final
 class Simulation:
     """
     A drive that is stepped.
     """
-    def __new__(cls, /, request: "dict[str, typing.Any]", step_s: SupportsFloat | SupportsIndex) -> Simulation:
+    def __new__(cls, /, request: "dict[str, typing.Any]", step_s: SupportsFloat | SupportsIndex, records: bool) -> Simulation:
         """
         The drive of a request of `motion`, with steps of a length in s.
         """
@@ -97,9 +133,17 @@ class Simulation:
         """
         The names of the numbers that are recorded.
         """
+    def numbers(self, /) -> "numpy.typing.NDArray[numpy.float64]":
+        """
+        Where it is, as numbers.
+        """
     def reset(self, /) -> list[float]:
         """
         Back to the start.
+        """
+    def restore(self, /, numbers: SupportsGetItem[int, SupportsFloat | SupportsIndex]) -> None:
+        """
+        Goes to where a simulation of the same drive was, by its numbers.
         """
     def rows(self, /) -> "numpy.typing.NDArray[numpy.float64]":
         """
@@ -110,9 +154,9 @@ class Simulation:
         One step on, with a command for each of the drive's and a force in N or torque in N m from outside; what was recorded at its end.
         """
 
-def ask(command: "str", request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "dict[str, typing.Any]":
+def ask(command: "str", request: "object", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "dict[str, typing.Any]":
     """
-    The answer to a request.
+    The answer to a request; texts with a unit are read, and numbers that were likely meant in another one are warned of.
 
     `progress(done, total)` is called now and then.
     """
@@ -120,11 +164,6 @@ def ask(command: "str", request: "dict[str, typing.Any]", progress: "collections
 def body_html(request: "dict[str, typing.Any]") -> str:
     """
     A page with the deformed muscle, which turns under the mouse.
-    """
-
-def choice(text: "str", kind: "str", field: "str | None" = None) -> "typing.Any":
-    """
-    A text such as `30..50 mm` as the values that a design searches through: one, several, or all between two.
     """
 
 def drive_files(name: str, text: str) -> tuple[str, str, list[str]]:
@@ -137,44 +176,19 @@ def joint_files(name: str, text: str) -> list[str]:
     The muscle files that a joint file names.
     """
 
-def muscle_fields(text: "str") -> "dict[str, typing.Any]":
+def quantities(name: str, text: str) -> list[float]:
     """
-    The fields by which a muscle is given, of this one; those that it does not have are left out.
-    """
-
-def muscle_text(request: "dict[str, typing.Any]", rubber: str | None = None) -> str:
-    """
-    The muscle that a muscle file and fields describe, as the text of a muscle file; with a rubber, the table `tube.material` of one.
+    A text such as `0..2.5:0.5 bar` or `1,2,3 bar` as numbers; an interval without a step is cut into 20 parts.
     """
 
-def muscle_with(text: "str", values: "dict[str, float]") -> str:
+def quantity(name: str, text: str) -> float:
     """
-    The muscle with other values of constants and measures, all others held.
-    """
-
-def parameters(text: str) -> list[tuple[str, float, str]]:
-    """
-    Constants and measures of a muscle by which a model has derivatives, with their values and units.
+    A text such as `2.5 bar` in the unit that a name carries.
     """
 
-def quantity(text: str, kind: str, field: str | None = None) -> float:
+def read_file(path: str | PathLike[str], kind: str) -> tuple[str, str]:
     """
-    A text such as `2.5 bar` as a number in mm, MPa, N, degrees, or the unit inside of its kind.
-    """
-
-def read_formula(path: str | PathLike[str]) -> str:
-    """
-    The file of a formula.
-    """
-
-def read_table(path: str | PathLike[str]) -> tuple[str, str]:
-    """
-    A table, whatever program wrote it. Such files may be long.
-    """
-
-def read_text(path: str | PathLike[str]) -> str:
-    """
-    A file written by hand: a muscle, a plan, a joint.
+    A file that a person wrote (a muscle, a plan, a joint), of a `table` (whatever program wrote it) or of a `formula`: its name and its text.
     """
 
 def report_html(request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> str:
@@ -182,14 +196,10 @@ def report_html(request: "dict[str, typing.Any]", progress: "collections.abc.Cal
     A page with all that is known of a muscle.
     """
 
-def rubber_stress(text: "str", mode: "str", stretches: "list[float]") -> list[float]:
+def rollout(simulation: Simulation, steps: SupportsIndex, commands: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", nan: bool, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> None:
     """
-    Nominal stress in MPa of the rubber of a muscle at stretches: `uniaxial`, `planar` or `equibiaxial`, with plane stress and constant volume.
-    """
-
-def schema() -> "dict[str, typing.Any]":
-    """
-    Request, answer and error of every command as JSON Schema, and in `$defs` what they refer to.
+    Copies of a simulation, each with its own commands: a row of `commands` for each step of each copy in turn, and into `out` what is recorded at
+    the start and the end of each step. Copies run side by side. Returns the first step that failed; from there on its copy is NaN.
     """
 
 def toml(name: str, text: str) -> "dict[str, typing.Any]":
@@ -202,14 +212,14 @@ def toml_text(tables: "dict[str, typing.Any]") -> str:
     Maps and lists as a text in TOML. Tables, and those in them, have a heading each; maps in these are inline.
     """
 
-def unit_of(name: "str") -> "tuple[str | None, str] | None":
+def unit_of(name: str) -> str | None:
     """
-    What a field of a name measures, where a text with a unit may stand in its place, and the unit of its numbers; none for plain numbers.
+    The unit of a name's numbers; none of plain ones.
     """
 
-def values(text: str, kind: str, field: str | None = None) -> list[float]:
+def unlikely(name: str, number: SupportsFloat | SupportsIndex) -> str | None:
     """
-    A text such as `0..2.5:0.5bar` or `1,2,3 bar` as numbers; an interval without a step is cut into 20 parts.
+    What is said of a bare number that was likely meant in another unit.
     """
 
 def write_file(path: str | PathLike[str], content: "bytes") -> None:

@@ -7,42 +7,29 @@ from typing import Any
 # Okabe and Ito without the yellow; dashes go with the number, so that lines stay apart in print.
 _COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"]
 _DASHES = ["-", "--", "-.", ":"]
-_STYLES = {"line": "-", "dashed": "--", "dotted": ":", "dash-dot": "-."}
-
-
-def _looks(panel: dict[str, Any], palette: str) -> list[tuple[str, str, str | None]]:
-    """Colour, line and marker of every series."""
-    ramp = palette == "sequential"
-    series = panel["series"]
-    numbers = [s.get("colour") if s.get("colour") is not None else i for i, s in enumerate(series)]
-    most = max(numbers, default=0)
-    out = []
-    for s, n in zip(series, numbers):
-        colour = "#808080" if s.get("neutral") else _ramp(n / most if most else 0.0) if ramp else _COLOURS[n % len(_COLOURS)]
-        style = s.get("style", "auto")
-        line = "" if style == "points" else _STYLES.get(style, "-" if ramp else _DASHES[n % len(_DASHES)])
-        out.append((colour, line, "o" if style == "points" else None))
-    return out
+_STYLES = {"line": "-", "dashed": "--", "dotted": ":", "dash-dot": "-.", "points": "none"}
+# From dark violet over blue and green to ochre.
+_RAMP = [(68, 1, 84), (59, 82, 139), (33, 145, 140), (94, 161, 70), (190, 140, 20)]
 
 
 def _ramp(share: float) -> str:
-    """From dark violet over blue and green to ochre."""
-    stops = [(68, 1, 84), (59, 82, 139), (33, 145, 140), (94, 161, 70), (190, 140, 20)]
-    place = share * (len(stops) - 1)
-    i = min(int(place), len(stops) - 2)
-    low, high = stops[i], stops[i + 1]
-    return "#" + "".join(f"{round(a + (b - a) * (place - i)):02x}" for a, b in zip(low, high))
+    i = min(int(share * (len(_RAMP) - 1)), len(_RAMP) - 2)
+    part = share * (len(_RAMP) - 1) - i
+    return "#" + "".join(f"{round(a + (b - a) * part):02x}" for a, b in zip(_RAMP[i], _RAMP[i + 1]))
 
 
-def _label(series: dict[str, Any]) -> str:
-    """What the legend calls it: a text that the program writes at the end of a line is in the legend here."""
-    return str(series.get("label") or series.get("end_label") or "")
-
-
-def _points(series: dict[str, Any]) -> tuple[list[float], list[float]]:
-    nan = float("nan")
-    points = series["points"]
-    return [nan if x is None else x for x, _ in points], [nan if y is None else y for _, y in points]
+def _series(axis: Any, series: dict[str, Any], number: int, most: int, ramp: bool) -> None:
+    """One line, row of points, or band."""
+    colour = "#808080" if series.get("neutral") else _ramp(number / most if most else 0.0) if ramp else _COLOURS[number % len(_COLOURS)]
+    # A text that the program writes at the end of a line is in the legend here.
+    label = str(series.get("label") or series.get("end_label") or "") or None
+    x, y = ([float("nan") if point[i] is None else point[i] for point in series["points"]] for i in (0, 1))
+    style = series.get("style", "auto")
+    if style == "band":
+        axis.fill(x, y, color=colour, alpha=0.2, linewidth=0, label=label)
+    else:
+        line = _STYLES.get(style, "-" if ramp else _DASHES[number % len(_DASHES)])
+        axis.plot(x, y, color=colour, linestyle=line, marker="o" if style == "points" else None, markersize=4, label=label)
 
 
 def drawn(figure: dict[str, Any], ax: Any) -> Any:
@@ -52,8 +39,7 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
         import matplotlib.pyplot as plt
 
         columns = max(1, min(figure.get("columns") or 1, len(panels)))
-        rows = -(-len(panels) // columns)
-        made, grid = plt.subplots(rows, columns, squeeze=False, figsize=(6.4 * columns, 4.4 * rows), layout="constrained")
+        made, grid = plt.subplots(-(-len(panels) // columns), columns, squeeze=False, figsize=(6.4 * columns, 4.4 * -(-len(panels) // columns)), layout="constrained")
         axes = list(grid.flat)
         for spare in axes[len(panels):]:
             spare.remove()
@@ -64,15 +50,13 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
         if len(axes) < len(panels):
             raise ValueError(f"{len(panels)} panels need as many axes, not {len(axes)}")
     for panel, axis in zip(panels, axes):
-        for series, (colour, line, marker) in zip(panel["series"], _looks(panel, figure.get("palette", "categorical"))):
-            x, y = _points(series)
-            axis.plot(x, y, color=colour, linestyle=line or "none", marker=marker, markersize=4, label=_label(series) or None)
+        numbers = [s.get("colour") if s.get("colour") is not None else i for i, s in enumerate(panel["series"])]
+        for series, number in zip(panel["series"], numbers):
+            _series(axis, series, number, max(numbers), figure.get("palette") == "sequential")
         for mark in panel.get("marks", []):
             axis.plot([mark["x"]], [mark["y"]], "o", color="black", markerfacecolor="white", zorder=5)
             axis.annotate(mark["label"], (mark["x"], mark["y"]), textcoords="offset points", xytext=(6, 6))
-        axis.set_xlabel(panel["x"]["label"])
-        axis.set_ylabel(panel["y"]["label"])
-        axis.set_title(panel["title"] or (figure["title"] if len(panels) == 1 else ""))
+        axis.set(xlabel=panel["x"]["label"], ylabel=panel["y"]["label"], title=panel["title"] or (figure["title"] if len(panels) == 1 else ""))
         for name, fit in (("x", axis.set_xlim), ("y", axis.set_ylim)):
             if panel[name].get("range"):
                 fit(*panel[name]["range"])
@@ -80,6 +64,6 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
                 low, high = getattr(axis, f"get_{name}lim")()
                 fit(min(0.0, low), max(0.0, high))
         axis.grid(visible=True, alpha=0.3)
-        if any(_label(series) for series in panel["series"]):
+        if axis.get_legend_handles_labels()[1]:
             axis.legend(fontsize="small")
     return axes[0] if len(panels) == 1 else axes[: len(panels)]

@@ -1,4 +1,4 @@
-"""Answers that can do more than hold their fields."""
+"""What answers can do besides holding their fields; the generated classes inherit from these."""
 
 from __future__ import annotations
 
@@ -7,234 +7,281 @@ import csv
 import io
 import json
 import os
-from collections.abc import Callable
+from collections.abc import Mapping
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from . import _answers, _native
+from . import _native
 from ._errors import NoAnswerError, of as problem
-from ._files import put
-from ._formula import Formula
-from ._record import Record
-from ._rubber import Rubber
-from ._table import Table
+from ._record import Asked, Record, html_of, of_rows
+from ._request import put
+from ._values import Fixed
 
 if TYPE_CHECKING:
+    import numpy as np
+    import pandas
+    import xarray
     from numpy.typing import NDArray
+    from typing_extensions import Self
 
-Heard = Callable[[int, int], object] | None
-
-
-class _Columned(Record):
-    """An answer whose points are columns of numbers; each is an attribute."""
-
-    __slots__ = ("_points",)
-    _points: Table
-
-    @classmethod
-    def _asked_for(cls, command: str, request: dict[str, Any], heard: Heard) -> Any:
-        data = _native.ask(command, request, heard)
-        return _columned(cls, data, (command, request), cls._read(data))
-
-    @staticmethod
-    def _read(data: dict[str, Any]) -> Table:
-        """The points, taken out of an answer."""
-        raise NotImplementedError
-
-    def to_table(self) -> Table:
-        """The points as a table."""
-        return self._points
-
-    def __getattr__(self, name: str) -> Any:
-        if not name.startswith("_") and name not in self._data and name in self._points:
-            return self._points[name]
-        return super().__getattr__(name)
-
-    def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *self._points.columns})
-
-    def _key(self) -> Any:
-        return super()._key(), self._points._key()
-
-    def _state(self) -> dict[str, Any]:
-        def plain(values: Any) -> list[Any]:
-            return [None if v != v else v for v in (values.tolist() if isinstance(values, np.ndarray) else values)]
-
-        return {**super()._state(), "points": {name: plain(self._points[name]) for name in self._points}}
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _columned, (type(self), self._data, self._asked, self._points)
-
-    def _repr_html_(self) -> str:
-        return f"<p>{escape(repr(self))}</p>{self._points._repr_html_()}"
+    from ._formula import Formula
+    from ._muscle import Muscle
+    from ._rubber import Rubber
 
 
-def _columned(kind: type[_Columned], data: dict[str, Any], asked: Any, points: Table) -> _Columned:
-    answer = kind(data, asked)
-    object.__setattr__(answer, "_points", points)
-    return answer
+class Points(Fixed):
+    """Points of a muscle as arrays of one shape, each an attribute; ``model`` is the model's name.
 
-
-class Curve(_Columned, _answers.CurveAnswer):
-    """A family of curves, its points as columns of numbers.
-
-    Every column of its points is an attribute, a NumPy array over all points, curve after curve: ``curve.pressure_mpa``, ``curve.force_n``, … A point without
-    an answer is NaN, and ``curve.status`` and ``curve.cause`` say why.
+    ``warned`` has at each point a bit for each of ``warnings``; where ``status`` is not ``ok``, ``cause`` says why.
     """
 
-    __slots__ = ()
+    model: str
+    warnings: list[str]
+    if TYPE_CHECKING:
+        force_n: NDArray[np.float64]
+        pressure_mpa: NDArray[np.float64]
+        contraction: NDArray[np.float64]
+        status: NDArray[Any]
 
-    @staticmethod
-    def _read(data: dict[str, Any]) -> Table:
-        rows, fixed = data.pop("points"), data["fixed"]
-        if all(row["status"] != "ok" for row in rows):
-            raise problem({"kind": rows[0]["status"], "message": rows[0]["cause"], "hint": ""})
-        rows = [{"fixed": fixed[i * len(fixed) // len(rows)], **row} for i, row in enumerate(rows)]
-        for row in rows:
-            row.pop("model", None)
-            row.setdefault("slack", False)
-        return Table.from_rows(rows)
+    @classmethod
+    def _of(cls, columns: Mapping[str, Any], model: str, warnings: list[str]) -> Self:
+        import numpy as np
+
+        made = object.__new__(cls)
+        shape = columns["pressure_mpa"].shape
+        # Numbers come first, in the order of the class.
+        names = [*dict.fromkeys([*(n for n in cls.__annotations__ if n in columns or n not in ("slack", "status", "cause", "warned")), *columns])]
+        for name in names:
+            values = columns.get(name)
+            made.__dict__[name] = values = np.full(shape, np.nan) if values is None else values
+            values.flags.writeable = False
+        made.__dict__.update(model=model, warnings=warnings, _names=tuple(names))
+        return made
 
     @property
-    def points(self) -> list[_answers.PointRow]:  # type: ignore[override]
-        """The points as records, which are made anew each time; the columns are faster."""
-        return [_answers.PointRow(row) for row in self._points.rows()]
+    def shape(self) -> tuple[int, ...]:
+        """That of each array."""
+        return self.pressure_mpa.shape
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        values: NDArray[Any] = self._arrays()[name]
+        return values
+
+    def _arrays(self) -> dict[str, Any]:
+        """The arrays that hold something."""
+        return {name: self.__dict__[name] for name in self.__dict__["_names"] if self.__dict__[name].dtype.kind != "f" or self.__dict__[name].size == 0 or (self.__dict__[name] == self.__dict__[name]).any()}
+
+    def to_columns(self) -> dict[str, Any]:
+        """A row for each point, in the order of the last index."""
+        return {name: values.ravel() if values.dtype.kind in "fib" else values.ravel().tolist() for name, values in self._arrays().items()}
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain lists by name."""
+        return {name: values.tolist() for name, values in self._arrays().items()}
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A row for each point as a ``pandas.DataFrame``."""
+        import pandas as pd
+
+        return pd.DataFrame({name: list(v) if isinstance(v, list) else v for name, v in self.to_columns().items()})
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A Dataset with the units as attributes. Where pressures and contractions span a grid, these are its dimensions."""
+        import xarray as xr
+
+        p, e = self.pressure_mpa, self.contraction
+        dims: list[str] = [f"dim_{axis}" for axis in range(p.ndim)]
+        coords: dict[str, Any] = {}
+        for name, own, other in (("pressure_mpa", p, e), ("contraction", e, p)):
+            axes = [axis for axis in range(p.ndim) if p.shape[axis] > 1 and not (own == own.take([0], axis)).all()]
+            if len(axes) == 1 and (other == other.take([0], axes[0])).all():
+                dims[axes[0]] = name
+                coords[name] = own[tuple(slice(None) if axis == axes[0] else 0 for axis in range(p.ndim))]
+        out = xr.Dataset({name: (dims, values) for name, values in self._arrays().items() if name not in coords}, coords, {"model": self.model})
+        for column in out.variables:
+            if unit := _native.unit_of(str(column)):
+                out[column].attrs["units"] = unit
+        return out
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Writes it as JSON, from which :func:`load` reads the same again. Another file that is there is replaced only with ``overwrite``."""
+        held = {"arrays": {n: [None if v != v else v for v in self.__dict__[n].ravel().tolist()] for n in self.__dict__["_names"]}, "shape": list(self.shape)}
+        put({path: json.dumps({"mckibben": "Solution", **held, "model": self.model, "warnings": self.warnings}, ensure_ascii=False)}, overwrite)
+
+    @classmethod
+    def _load(cls, held: Mapping[str, Any]) -> Self:
+        import numpy as np
+
+        kinds = {"slack": np.bool_, "warned": np.int64, "status": np.str_, "cause": object}
+        arrays = {n: np.array([np.nan if v is None else v for v in values], dtype=kinds.get(n, np.float64)).reshape(held["shape"]) for n, values in held["arrays"].items()}
+        return cls._of(arrays, held["model"], held["warnings"])
+
+    def _key(self) -> Any:
+        # Zeros without a sign.
+        held = {n: self.__dict__[n] for n in self.__dict__["_names"]}
+        return self.model, tuple(self.warnings), self.shape, tuple((n, (v + 0).tobytes() if v.dtype.kind in "fi" else tuple(v.ravel().tolist())) for n, v in held.items())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self)._of, ({n: self.__dict__[n].copy() for n in self.__dict__["_names"]}, self.model, self.warnings)
+
+    def __repr__(self) -> str:
+        some = self.force_n[self.force_n == self.force_n]
+        between = f", pull {some.min():.4g} to {some.max():.4g} N" if some.size else ""
+        return f"<Solution: {self.model}, {' x '.join(map(str, self.shape)) or 1} points{between}, {int((self.status != 'ok').sum())} without an answer>"
+
+    def _repr_html_(self) -> str:
+        return f"<p>{escape(repr(self))}</p>{html_of(self.to_columns())}"
+
+
+class Curves(Record):
+    """A family of curves, its points as columns."""
+
+    fixed: list[float]
+    warnings: list[str]
+
+    @classmethod
+    def _read(cls, data: Mapping[str, Any], asked: Asked | None = None) -> Self:
+        rows = data["points"]
+        if rows and all(row["status"] != "ok" for row in rows):
+            raise problem({"kind": rows[0]["status"], "message": rows[0]["cause"], "hint": ""})
+        return super()._read(data, asked)
+
+    def to_columns(self) -> dict[str, Any]:
+        """The points, curve after curve, with what is ``fixed`` on each; a point without an answer is NaN, and its ``status`` and ``cause`` say why."""
+        rows, fixed = self.to_dict()["points"], self.fixed
+        return of_rows([{"fixed": fixed[i * len(fixed) // len(rows)], **{n: v for n, v in row.items() if n != "model"}, "slack": row.get("slack", False)} for i, row in enumerate(rows)])
 
     def grid(self, column: str) -> NDArray[np.float64]:
         """A column with one row for each curve."""
-        values: NDArray[np.float64] = np.asarray(self._points[column])
-        return values.reshape(-1, len(self._points) // max(1, len(np.unique(self._points["fixed"])) if not self.fixed else len(self.fixed)))
+        import numpy as np
 
-    def to_dict(self) -> dict[str, Any]:
-        """Plain dicts and lists, the points as rows."""
-        return {**super().to_dict(), "points": self._points.rows()}
-
-    def __repr__(self) -> str:
-        return f"Curve({self.test}, model={self.model!r}, {len(self.fixed or [])} curves, {len(self._points)} points)"
+        return np.asarray(self.to_columns()[column], dtype=np.float64).reshape(len(self.fixed), -1)
 
 
-class Plan(_Columned, _answers.PlanAnswer):
-    """A plan that was computed, its points as columns: ``plan.pressure_mpa``, ``plan.force_n``, ``plan.status``, … ``fit(plan)`` makes a
-    formula of them.
-    """
+class Planned(Record):
+    """A plan that was computed."""
 
-    __slots__ = ()
+    if TYPE_CHECKING:
+        table: Any
 
-    @staticmethod
-    def _read(data: dict[str, Any]) -> Table:
-        rows = list(csv.DictReader(io.StringIO(data["table"]["text"])))
-        return Table({name: [row[name] if name == "status" else float(row[name] or "nan") for row in rows] for name in (rows or [{}])[0]})
-
-    def __repr__(self) -> str:
-        return f"Plan({self.muscles} muscles, {self._data['points']} points, {self.failed} failed)"
+    def to_columns(self) -> dict[str, Any]:
+        """The points."""
+        rows = list(csv.DictReader(io.StringIO(self.table.text)))
+        return of_rows([{n: v if n in ("status", "cause") else float(v or "nan") for n, v in row.items()} for row in rows])
 
 
-class Fitted(_answers.FitAnswer):
+class Fitting(Record):
     """A fitted formula with all that is known of it."""
 
-    __slots__ = ()
-
-    def __repr__(self) -> str:
-        errors = (self._data.get("errors") or {}).get("fit") or {}
-        share = f", rms {100 * errors['rms_of_blocked']:.2g} % of the blocked force" if errors.get("rms_of_blocked") is not None else ""
-        return f"Fitted({self._data['name']}: {self._data['kind']}, {(self._data.get('provenance') or {}).get('points', 0)} points{share})"
+    name: str
 
     @property
     def formula(self) -> Formula:
         """The formula, which is a model and a file."""
-        text = json.dumps({n: v for n, v in self._data.items() if n not in ("tables", "figures")}, ensure_ascii=False, indent=2)
-        return Formula(text + "\n", str(self._data["name"]))
+        from ._formula import Formula
 
-    def table(self, name: str) -> Table:
-        """One of the intermediate tables that ``fit(…, tables=True)`` asks for, by its name."""
-        held = {table["name"]: table for table in self._data.get("tables") or []}
+        held = {n: v for n, v in self.to_dict().items() if n not in ("tables", "figures")}
+        return Formula(json.dumps(held, ensure_ascii=False, indent=2) + "\n", self.name)
+
+    def table(self, name: str) -> dict[str, Any]:
+        """The columns of one of the intermediate tables that ``fit(…, tables=True)`` asks for, by its name."""
+        held = {table["name"]: table for table in self.to_dict().get("tables") or []}
         if name not in held:
             raise KeyError(f"{name}: there is {', '.join(held) or 'no table'}")
-        return Table(dict(zip(held[name]["header"], zip(*held[name]["rows"]))))
+        return of_rows([dict(zip(held[name]["header"], row)) for row in held[name]["rows"]])
 
 
-class Fit(Record):
+class Found(Record):
     """Values found by least squares, as other packages name them."""
 
-    __slots__ = ()
-
-    def _found(self) -> list[dict[str, Any]]:
-        found: list[dict[str, Any]] = self._data["parameters"]
-        return found
+    if TYPE_CHECKING:
+        parameters: list[Any]
 
     @property
     def names(self) -> list[str]:
         """The names of the values."""
-        return [str(p["name"]) for p in self._found()]
+        return [str(p.name) for p in self.parameters]
 
     @property
     def x(self) -> NDArray[np.float64]:
         """The values found."""
-        return np.array([p["value"] for p in self._found()], dtype=np.float64)
+        return self._numbers("value")
 
     @property
     def stderr(self) -> NDArray[np.float64]:
         """Their standard errors; NaN where the data does not determine one."""
-        return np.array([np.nan if p.get("standard_error") is None else p["standard_error"] for p in self._found()], dtype=np.float64)
+        return self._numbers("standard_error")
+
+    def _numbers(self, name: str) -> NDArray[np.float64]:
+        import numpy as np
+
+        return np.array([np.nan if (v := getattr(p, name)) is None else v for p in self.parameters], dtype=np.float64)
 
     def _words(self) -> list[str]:
-        def word(p: dict[str, Any], error: float) -> str:
-            unit = f" {p['unit']}" if p.get("unit") else ""
-            return f"{p['name']} {p['value']:.5g}{unit}" if np.isnan(error) else f"{p['name']} {p['value']:.5g} ± {error:.3g}{unit}"
+        def word(p: Any) -> str:
+            half, unit = getattr(p, "half_width_95", None), f" {p.unit}" if getattr(p, "unit", None) else ""
+            return f"{p.name} {p.value:.5g}{unit}" if half is None else f"{p.name} {p.value:.5g} ± {half:.3g}{unit}"
 
-        half = [p.get("half_width_95") for p in self._found()]
-        return [word(p, np.nan if h is None else h) for p, h in zip(self._found(), half)]
-
-
-class _Files(Record):
-    """An answer of files."""
-
-    __slots__ = ()
-
-    def save(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:  # type: ignore[override]
-        """Writes the files into a folder, and gives the one to begin with. Another file that is there is replaced only with ``overwrite``."""
-        place = Path(folder)
-        contents: dict[str | os.PathLike[str], str | bytes] = {place / file.name: base64.b64decode(file.base64) if file.base64 is not None else str(file.text) for file in self.files}
-        place.mkdir(parents=True, exist_ok=True)
-        put(contents, overwrite)
-        return Path(next(iter(contents)))
+        return [word(p) for p in self.parameters]
 
 
-class Build(_Files, _answers.BuildAnswer):
-    """What is needed to build a muscle. Its table has one row for each part."""
+class Identified(Found):
+    """Constants found in measured points, with their errors."""
 
-    __slots__ = ()
+    if TYPE_CHECKING:
+        correlation: list[list[float]]
+        points: list[Any]
+        muscle_file: str
+        model: str
+        rms_n: float
+        rms_before_n: float
+        max_n: float
+        errors_stated: bool
+        degrees_of_freedom: int
+        warnings: list[str]
 
+    @property
+    def cov(self) -> NDArray[np.float64]:
+        """Their covariance, in the units of the values."""
+        import numpy as np
 
-class Export(_Files, _answers.ExportAnswer):
-    """A muscle for a controller or a simulator. Its table has one row for each file."""
+        return np.array(self.correlation, dtype=np.float64).reshape(len(self.x), len(self.x)) * np.outer(self.stderr, self.stderr)
 
-    __slots__ = ()
+    @property
+    def residuals(self) -> NDArray[np.float64]:
+        """Model less measurement of each point, in N."""
+        import numpy as np
 
+        return np.array([p.residual_n for p in self.points], dtype=np.float64)
 
-class RubberFit(Fit, _answers.RubberFitAnswer):
-    """Laws fitted to tests of a rubber. Its table has one row for each law; ``x``, ``names`` and ``stderr`` are those of the recommended one."""
+    @property
+    def identified(self) -> Muscle:
+        """The muscle with the values found."""
+        from ._muscle import Muscle
 
-    __slots__ = ()
-
-    def _found(self) -> list[dict[str, Any]]:
-        return self._data.get("parameters") or []
+        return Muscle.from_toml(self.muscle_file)
 
     def summary(self) -> str:
         """What was found, in lines for reading."""
-        head = f"{self.points} points to a stretch of {self.fitted_to_stretch:.3g}; recommended: {self.recommended or 'none'}"
-        errors = [f"  {w}" + ("" if np.isnan(e) else f" (standard error {e:.2g})") for w, e in zip(self._words(), self.stderr)]
-        laws = [f"  {law.name}: rms {law.rms_mpa:.3g} MPa, {'stable' if law.stable else 'not stable'}" for law in self.laws]
-        return "\n".join([head, *errors, "laws:", *laws])
+        head = f"{self.model}: {len(self.points)} points, rms {self.rms_n:.3g} N (before {self.rms_before_n:.3g} N), largest {self.max_n:.3g} N"
+        errors = "± half width of 95 %, " + ("by the stated errors" if self.errors_stated else f"by the residuals, {self.degrees_of_freedom} degrees of freedom")
+        return "\n".join([head, *(f"  {word}" for word in self._words()), errors, *(f"note: {text}" for text in self.warnings)])
 
-    def __repr__(self) -> str:
-        return f"RubberFit({self.recommended or 'no stable law'}: {', '.join(self._words())}; {self.points} points)"
+
+class FittedLaws(Found):
+    """Laws fitted to tests of a rubber; ``x``, ``names`` and ``stderr`` are those of the recommended one."""
+
+    if TYPE_CHECKING:
+        laws: list[Any]
+        recommended: str | None
+        points: int
+        fitted_to_stretch: float
 
     def rubber(self, law: str | None = None) -> Rubber:
         """A law with its constants; the recommended one where none is named."""
+        from ._rubber import Rubber
+
         name = law or self.recommended
         if name is None:
             raise NoAnswerError("no law is stable in a muscle", kind="no_answer", hint="name one")
@@ -251,22 +298,71 @@ class RubberFit(Fit, _answers.RubberFitAnswer):
                 return Rubber(found.law, **constants)
         raise KeyError(name)
 
+    def summary(self) -> str:
+        """What was found, in lines for reading."""
+        head = f"{self.points} points to a stretch of {self.fitted_to_stretch:.3g}; recommended: {self.recommended or 'none'}"
+        laws = [f"  {law.name}: rms {law.rms_mpa:.3g} MPa, {'stable' if law.stable else 'not stable'}" for law in self.laws]
+        return "\n".join([head, *(f"  {word}" for word in self._words()), "laws:", *laws])
 
-class Shape(_answers.ShapeAnswer):
+
+class Designed(Record):
+    """Ranked muscles, and why others fail."""
+
+    if TYPE_CHECKING:
+        muscle_files: list[Any] | None
+        decision: list[str] | None
+
+    @property
+    def muscles(self) -> list[Muscle]:
+        """The candidates as muscles, best first."""
+        from ._muscle import Muscle
+
+        return [Muscle.from_toml(file.text) for file in self.muscle_files or []]
+
+    @property
+    def best(self) -> Muscle:
+        """The first of them."""
+        if not self.muscle_files:
+            raise NoAnswerError("no muscle fits", kind="no_answer", hint="`closest` and `rejected` say why")
+        return self.muscles[0]
+
+    def __str__(self) -> str:
+        return "\n".join(self.decision or []) or super().__str__()
+
+
+class Files(Record):
+    """An answer of files."""
+
+    if TYPE_CHECKING:
+        files: list[Any]
+
+    def write(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
+        """Writes the files into a folder, and gives the one to begin with. Another file that is there is replaced only with ``overwrite``."""
+        place = Path(folder)
+        contents: dict[str | os.PathLike[str], str | bytes] = {place / f.name: base64.b64decode(f.base64) if f.base64 is not None else str(f.text) for f in self.files}
+        place.mkdir(parents=True, exist_ok=True)
+        put(contents, overwrite)
+        return Path(next(iter(contents)))
+
+
+class Shaped(Record):
     """The deformed muscle. In a notebook it is shown in space."""
 
-    __slots__ = ()
+    if TYPE_CHECKING:
+        arrays: dict[str, list[float]]
+        stations: int
+        across: int
 
     def array(self, name: str) -> NDArray[np.float64]:
         """What there is at the nodes, as an array of stations and nodes through the wall; of the strands, one number for each station."""
-        values = np.asarray(self._data["arrays"][name], dtype=np.float64)
+        import numpy as np
+
+        values = np.asarray(self.arrays[name], dtype=np.float64)
         return values.reshape(self.stations, -1) if values.size == self.stations * self.across else values
 
     def to_html(self) -> str:
         """A page with the muscle in space, to rotate with the mouse, for use offline."""
-        if self._asked is None:
-            raise AttributeError("a shape that was not asked for has no page")
-        return _native.body_html(self._asked[1])
+        return _native.body_html(self.__dict__["_asked"][1])
 
     def _frame(self) -> str:
         page = escape(self.to_html(), quote=True)
@@ -274,6 +370,3 @@ class Shape(_answers.ShapeAnswer):
 
     def _repr_html_(self) -> str:
         return self._frame() + super()._repr_html_()
-
-
-_answers.OWN.update({kind.__name__: kind for kind in (Curve, Plan, Fitted, Build, Export, RubberFit, Shape)})

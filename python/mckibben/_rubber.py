@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
-import numpy as np
-
-from . import _native, _plain, _quantity
-from ._files import put, text as file_text
-from ._table import Fixed
+from . import _native
+from ._errors import InputError
+from ._request import Saved
+from ._values import Number, Plain, bare
 
 if TYPE_CHECKING:
-    import os
-
+    import numpy as np
     from numpy.typing import ArrayLike, NDArray
-    from typing_extensions import Self
-
-    from ._inputs import Number, Plain
 
 
-class Rubber(Fixed):
+class Rubber(Saved):
     """A rubber by its law and constants. A rubber of the library is named by its name alone, as in ``Muscle(rubber="dragon-skin-30")``.
 
     Parameters
@@ -27,93 +23,99 @@ class Rubber(Fixed):
     law
         ``neo-hookean`` (mu), ``mooney-rivlin`` (c10, c01), ``yeoh`` (c10, c20, c30), ``gent`` (mu, jm), ``ogden`` (mu = […], alpha = […]), …
     bulk_modulus_mpa : MPa
-        ``incompressible``, or the bulk modulus; only the finite elements use it.
+        The bulk modulus; ``incompressible`` where it is left out. Only the finite elements use it.
     constants
         Those of the law: moduli in MPa or with their unit (``"120 kPa"``), the others plain numbers.
 
+    Raises
+    ------
+    InputError
+        No law has this name, or these constants are not those of a rubber.
+
     Examples
     --------
-    >>> Rubber("mooney-rivlin", c10=0.12, c01=0)
-    Rubber(law='mooney-rivlin', c10=0.12, c01=0.0)
+    >>> import mckibben as mk
+    >>> mk.Rubber("mooney-rivlin", c10="120 kPa", c01=0)
+    Rubber('mooney-rivlin', c10=0.12, c01=0.0)
     """
 
-    __slots__ = ("_text", "_values")
-    _table = "tube.material"
+    __slots__ = ("_held", "_text", "constants", "law")
+    law: str
+    constants: dict[str, Any]
+    _held: _native.Muscle
     _text: str
-    _values: dict[str, Any]
 
-    def __init__(self, law: str, *, bulk_modulus_mpa: Number | None = None, **constants: Plain) -> None:
-        bulk = bulk_modulus_mpa
-        if bulk is not None and not (isinstance(bulk, str) and bulk.strip().lower() == "incompressible"):
-            bulk = f"{_quantity.number('bulk_modulus_mpa', bulk)!r} MPa"
-        values = {"law": law, **{name: _plain.constant(value) for name, value in constants.items()}}
-        self._set({**values, **({} if bulk is None else {"bulk_modulus": bulk})})
+    def __init__(self, law: str, *, bulk_modulus_mpa: Number | Literal["incompressible"] | None = None, **constants: Plain) -> None:
+        bulk = _constant("bulk_modulus_mpa", bulk_modulus_mpa)
+        self._hold({"law": law, **{n: _constant(n, v) for n, v in constants.items() if v is not None}, "bulk_modulus": bulk})
 
-    def _set(self, values: dict[str, Any]) -> Self:
-        values = {n: v for n, v in values.items() if v is not None}
-        object.__setattr__(self, "_values", values)
-        object.__setattr__(self, "_text", _plain.material(values))
+    def _hold(self, values: dict[str, Any]) -> Rubber:
+        values = {name: value for name, value in values.items() if value not in (None, "incompressible")}
+        held = {**values, **({"bulk_modulus": f"{values['bulk_modulus']!r} MPa"} if isinstance(values.get("bulk_modulus"), float) else {})}
+        text = _native.toml_text({"tube": {"material": held}})
         # A muscle of nothing else says what is wrong with it.
-        _native.muscle_text({}, self._text)
+        made = {"_held": _native.Muscle({}, text), "_text": text, "law": values["law"], "constants": {n: v for n, v in values.items() if n != "law"}}
+        for name, value in made.items():
+            object.__setattr__(self, name, value)
         return self
+
+    @classmethod
+    def _of(cls, table: Mapping[str, Any]) -> Rubber:
+        return object.__new__(cls)._hold({name: value if name == "law" else _constant(name, value) for name, value in table.items()})
+
+    @classmethod
+    def from_toml(cls, text: str) -> Rubber:
+        """The rubber of its table, or of a muscle file."""
+        held = _native.toml("rubber", text).get("tube", {})
+        if "material" not in held:
+            raise InputError(f"the rubber is {held.get('rubber', 'paper')!r} of the library", kind="rubber", field="text")
+        return cls._of(held["material"])
 
     def to_toml(self) -> str:
         """The table as in a muscle file."""
         return self._text
 
     def to_dict(self) -> dict[str, Any]:
-        """Its law and constants, of which the same rubber can be made."""
-        return dict(self._values)
-
-    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Writes its table (TOML). Another file that is there is replaced only with ``overwrite``."""
-        put({path: self._text}, overwrite)
-
-    @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> Self:
-        """The rubber that :meth:`save` wrote, or that a muscle file has."""
-        return cls.from_toml(file_text(path)["text"])
-
-    @classmethod
-    def from_toml(cls, text: str) -> Self:
-        """The rubber of its table, or of a muscle file."""
-        held = _native.toml("rubber", text).get("tube", {})
-        if "material" not in held:
-            # A muscle file names it, or leaves it to the default.
-            held = _native.toml("rubber", _native.muscle_text({"muscle": {"name": "rubber", "text": text}}))["tube"]
-            if "material" not in held:
-                raise KeyError(f"the rubber is {held['rubber']!r} of the library")
-        return object.__new__(cls)._set({name: _plain.constant(value) for name, value in held["material"].items()})
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or name not in self._values:
-            raise AttributeError(f"Rubber has no {name!r}")
-        return self._values[name]
+        """Its law and constants, as the arguments of ``Rubber(…)``."""
+        return {"law": self.law, **{"bulk_modulus_mpa" if n == "bulk_modulus" else n: v for n, v in self.constants.items()}}
 
     def replace(self, **constants: Plain) -> Rubber:
         """The same with other constants."""
-        return Rubber(**{**self._values, **constants})
+        given: dict[str, Any] = {**self.to_dict(), **constants}
+        return Rubber(**given)
 
-    def stress(self, mode: Literal["uniaxial", "planar", "equibiaxial"], stretch: ArrayLike) -> NDArray[Any]:
+    def stress(self, mode: Literal["uniaxial", "planar", "equibiaxial"], stretch: ArrayLike) -> NDArray[np.float64]:
         """Nominal stress (force over the area at rest) of the incompressible rubber in MPa, at stretches (length over that at rest)."""
+        import numpy as np
+
         if mode not in ("uniaxial", "planar", "equibiaxial"):
             raise ValueError(f'mode: "uniaxial", "planar" or "equibiaxial", not {mode!r}')
         stretches = np.asarray(stretch, dtype=np.float64)
-        text = _native.muscle_text({}, self._text)
-        return np.array(_native.rubber_stress(text, mode, stretches.ravel().tolist())).reshape(stretches.shape)
+        return np.array(self._held.stress(mode, stretches.ravel().tolist())).reshape(stretches.shape)
 
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Rubber) and self._text == other._text
-
-    def __hash__(self) -> int:
-        return hash(("Rubber", self._text))
+    _key = to_toml
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (self._values,)
+        return Rubber.from_toml, (self._text,)
 
     def __repr__(self) -> str:
-        return f"Rubber({', '.join(f'{n}={v!r}' for n, v in self._values.items())})"
+        return f"Rubber({self.law!r}, {', '.join(f'{n}={v!r}' for n, v in self.to_dict().items() if n != 'law')})"
 
 
-def _restored(values: dict[str, Any]) -> Rubber:
-    return object.__new__(Rubber)._set(values)
+def _constant(name: str, value: Any) -> Any:
+    """A constant of a law: a modulus in MPa, a plain number, a word, several of these, or a table of them."""
+    if hasattr(value, "magnitude"):
+        value = value.to("dimensionless" if value.dimensionless else "MPa").magnitude
+    if isinstance(value, str):
+        try:
+            return _native.quantity("pressure_mpa", value)
+        except InputError:
+            # A word, or the text of another quantity: a time, a share.
+            return value
+    if value is None or isinstance(value, bool):
+        return value
+    if isinstance(value, Mapping):
+        return {key: _constant(key, item) for key, item in value.items()}
+    if hasattr(value, "__iter__") and getattr(value, "shape", None) != ():
+        return [_constant(name, item) for item in value]
+    return float(bare(name, value))

@@ -2,97 +2,96 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
-from . import _native, _plain, _quantity
-from ._record import Record
-from ._table import Table, Tabled
+from . import _native
+from ._api import State
+from ._drives import Drive
+from ._request import fields, listening
+from ._values import Number, Progress, number
 
 if TYPE_CHECKING:
-    from ._drives import Drive, Joint
-    from ._formula import Formula
-    from ._inputs import FileLike, FormulaLike, MuscleLike, TableLike
+    import numpy as np
+    import pandas
+    from numpy.typing import ArrayLike, NDArray
 
-# Units in which commands may be texts, by what is commanded.
-_COMMANDS = {"pressure": "pressure_mpa", "opening": None, "volume": "volume_mm3", "position": "contraction"}
+    from ._values import FormulaLike, Plain
 
-
-class State(Record):
-    """Where a simulation is: ``time_s``; of a joint ``angle_deg``, ``velocity_deg_per_s``, ``pressure_1_mpa``, ``force_1_n``, …; of a muscle
-    ``velocity_mm_per_s``, ``pressure_mpa``, ``contraction``, ``force_n``, ``volume_mm3``, ``opening``, ``command``, …
-    """
-
-    __slots__ = ()
+# Units of commands, by what is commanded.
+_COMMANDS = {"pressure": "pressure_mpa", "opening": "opening", "volume": "volume_mm3", "position": "contraction"}
 
 
-class Simulation(Tabled):
-    """A drive in a control loop: each step holds its commands for ``dt`` seconds. Stops, slack, switching valves and reversals within a step
-    are found and passed exactly, as in :func:`motion`, whose numbers these are to the last bit where the commands are the same.
+class Simulation:
+    """A drive in a control loop: each step holds its commands for ``dt_s`` seconds. Stops, slack, switching valves and reversals within a step
+    are found and passed exactly, as in :meth:`Drive.motion`, whose numbers these are to the last bit where the commands are the same.
 
     Parameters
     ----------
     drive
-        A :class:`Drive`, or a drive file (TOML): a path, or ``{"name": …, "text": …}``. Its first commands say where it begins, at rest; its others are not used.
-    dt : s
+        A :class:`Drive`, or the path of a drive file (TOML). Its first commands say where it begins, at rest; its others are not used.
+    dt_s : s
         Length of a step.
-    muscle
-        Instead of the muscle file that the drive names.
-    joint
-        Instead of the joint file that it names.
-    muscles
-        Of a joint: muscles by the names of their files.
-    tables
-        Tables that the drive names.
-    model, mesh
-        As in :func:`motion`: ``universal`` is quick.
+    record
+        Whether all steps are recorded for :meth:`to_columns` and :attr:`events`; without, memory and a copy stay small however long it runs.
+    model, formulas, mesh, match, terminal
+        As in :meth:`Drive.motion`: ``universal`` is quick.
+
+    Raises
+    ------
+    MckibbenError
+        The drive is none, or has no beginning.
 
     Examples
     --------
-    >>> elbow = Simulation("examples/elbow-drive.toml", dt=0.01, model="universal")  # doctest: +SKIP
-    >>> elbow.step([0.2, 0.1]).angle_deg                                             # doctest: +SKIP
+    >>> import mckibben as mk
+    >>> load = {"mass_kg": 10, "damping": "200 N s/m"}
+    >>> lift = mk.Drive(mk.Muscle.prototype(), valve="festo-mh2", load=load, command={"pressure_mpa": 0.1, "until_s": 1})
+    >>> round(mk.Simulation(lift, 0.01, model="universal").step("2 bar").time_s, 3)
+    0.01
     """
 
-    __slots__ = ("_count", "_dt", "_joint", "_kind", "_names", "_native")
+    __slots__ = ("_commands", "_dt_s", "_joint", "_made", "_names", "_native", "record")
+    record: bool
 
     def __init__(
         self,
-        drive: FileLike | Drive,
-        dt: float = 1e-3,
+        drive: Drive | str | os.PathLike[str],
+        dt_s: float,
         *,
-        muscle: MuscleLike | None = None,
-        joint: FileLike | Joint | None = None,
-        muscles: Mapping[str, MuscleLike] | None = None,
-        tables: Mapping[str, TableLike] | None = None,
-        model: str | Formula | None = None,
+        record: bool = True,
+        model: FormulaLike | None = None,
         formulas: Sequence[FormulaLike] | None = None,
         mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
     ) -> None:
-        given = {"drive": drive, "muscle": muscle, "joint": joint, "muscles": muscles, "tables": tables, "model": model, "formulas": formulas, "mesh": mesh}
-        self._hold(_native.Simulation(_plain.request("motion", given), float(dt)), float(dt))
+        request = fields({"drive": drive, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal})
+        self._hold(_native.Simulation(request, float(dt_s), record), (request, float(dt_s), record))
 
-    def _hold(self, native: _native.Simulation, dt: float) -> None:
-        self._native, self._dt = native, dt
-        self._kind, self._count, self._joint = native.commands
-        self._names = native.names
+    def _hold(self, native: _native.Simulation, made: tuple[dict[str, Any], float, bool]) -> Simulation:
+        self._native, self._made, (_, self._dt_s, self.record) = native, made, made
+        self._commands, self._names, self._joint = native.commands[:2], native.names, native.commands[2]
+        return self
 
     @property
-    def dt(self) -> float:
+    def dt_s(self) -> float:
         """Length of a step, s."""
-        return self._dt
+        return self._dt_s
 
     @property
     def commanded(self) -> str:
         """What is commanded: ``pressure`` in MPa, ``opening`` from -1 to 1, ``volume`` of a syringe in mm³, or ``position`` (contraction ratio, or angle in degrees)."""
-        return self._kind
+        return self._commands[0]
 
-    def step(self, command: float | str | Sequence[float | str], *, force_n: float = 0.0, torque_nm: float = 0.0) -> State:
+    def step(self, command: Number | Sequence[Number] | NDArray[np.floating[Any]], *, force_n: Number = 0.0, torque_nm: Number = 0.0) -> State:
         """One step on. A step that fails leaves the simulation as it was.
 
         Parameters
         ----------
         command
-            A number for each muscle, or a single one for all: pressures in MPa (or texts with their unit), or what else is :attr:`commanded`.
+            A number for each muscle, or a single one for all: pressures in MPa (or texts with their unit, or quantities of pint), or what else is :attr:`commanded`.
         force_n : N
             Of a muscle: a force from outside besides the load, which stretches it.
         torque_nm : N m
@@ -102,20 +101,45 @@ class Simulation(Tabled):
         -------
         State
             Where it is at the end of the step.
+
+        Raises
+        ------
+        MckibbenError
+            The step has no end: a pressure above the supply, a model without an answer.
         """
-        if isinstance(command, (int, float, str)):
-            command = [command] * self._count
-        if torque_nm and not self._joint or force_n and self._joint:
+        kind, count = self._commands
+        several = isinstance(command, (list, tuple)) or getattr(command, "ndim", 0) == 1
+        given: Any = command if several else [command] * count
+        name, force, torque = _COMMANDS[kind], number("force_n", force_n), number("torque_nm", torque_nm)
+        if torque and not self._joint or force and self._joint:
             raise TypeError("torque_nm is for a joint, force_n for a muscle")
-        name = _COMMANDS[self._kind]
-        if name is not None and any(isinstance(value, str) for value in command):
-            command = [_quantity.number(name, value) for value in command]
-        return State(dict(zip(self._names, self._native.step([float(value) for value in command], float(torque_nm if self._joint else force_n)))))
+        values = [value if type(value) is float and value <= 1.0 else number(name, value) for value in given]
+        return self._state(self._native.step(values, torque if self._joint else force))
+
+    def _state(self, values: Sequence[float]) -> State:
+        return State._read(dict(zip(self._names, values)))
 
     @property
     def state(self) -> State:
         """Where it is."""
-        return State(dict(zip(self._names, self._native.last())))
+        return self._state(self._native.last())
+
+    def get_state(self) -> NDArray[np.float64]:
+        """Where it is as an array: of it :meth:`set_state` goes on, in any simulation of the same drive."""
+        return self._native.numbers()
+
+    def set_state(self, state: ArrayLike) -> State:
+        """Goes to where a simulation of the same drive was; what was recorded is forgotten. It goes on to the tolerance of the integration, while a :meth:`copy` does to the last bit.
+
+        Raises
+        ------
+        MckibbenError
+            The array is not a state of this drive.
+        """
+        import numpy as np
+
+        self._native.restore(np.asarray(state, dtype=np.float64).tolist())
+        return self.state
 
     @property
     def events(self) -> list[dict[str, Any]]:
@@ -124,24 +148,89 @@ class Simulation(Tabled):
 
     def reset(self) -> State:
         """Back to the start, with nothing recorded."""
-        return State(dict(zip(self._names, self._native.reset())))
+        return self._state(self._native.reset())
 
     def copy(self) -> Simulation:
-        """Another one in the same state, which goes its own way."""
-        other = object.__new__(Simulation)
-        other._hold(self._native.copy(), self._dt)
-        return other
+        """Another one in the same state, which goes its own way and records from here on; it takes as long after many steps as after one."""
+        return object.__new__(Simulation)._hold(self._native.copy(), self._made)
 
-    def __copy__(self) -> Simulation:
-        return self.copy()
+    __copy__ = copy
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Simulation:
         return self.copy()
 
-    def to_table(self) -> Table:
-        """What was recorded: the start, and the end of each step."""
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self._made, self.get_state())
+
+    def to_columns(self) -> dict[str, Any]:
+        """What was recorded as arrays: the start, and the end of each step."""
         rows = self._native.rows()
-        return Table({name: rows[:, i] for i, name in enumerate(self._names)})
+        return {name: rows[:, i] for i, name in enumerate(self._names)}
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The same as a ``pandas.DataFrame``."""
+        import pandas as pd
+
+        return pd.DataFrame(self.to_columns())
 
     def __repr__(self) -> str:
-        return f"Simulation({'joint' if self._joint else 'muscle'}, {self._count} {self._kind} commands, dt={self._dt:g} s, at {self.state.time_s:g} s)"
+        kind, count = self._commands
+        return f"<Simulation: {'joint' if self._joint else 'muscle'}, {count} {kind} commands, dt_s={self._dt_s:g}, at {self.state.time_s:g} s>"
+
+
+def _restored(made: tuple[dict[str, Any], float, bool], state: NDArray[np.float64]) -> Simulation:
+    simulation = object.__new__(Simulation)._hold(_native.Simulation(*made), made)
+    simulation.set_state(state)
+    return simulation
+
+
+def rollout(simulation: Simulation, commands: ArrayLike, *, errors: Literal["raise", "nan"] = "raise", progress: Progress = None) -> dict[str, NDArray[np.float64]]:
+    """Copies of a simulation side by side, each under its own commands, from where the simulation is; it stays there.
+
+    Parameters
+    ----------
+    simulation
+        Where all begin.
+    commands
+        An array of shape (copies, steps, commands), or (copies, steps) of a single command, in the unit of :attr:`Simulation.commanded`.
+    errors
+        ``raise`` for the first step that fails, or ``nan``: from there on that copy is NaN.
+    progress
+        True for a line on standard error, or a function that is called with (done, total), in copies.
+
+    Returns
+    -------
+    dict of numpy.ndarray
+        By the names of :class:`State`, of shape (copies, steps + 1): the start, and the end of each step.
+
+    Raises
+    ------
+    MckibbenError
+        A step fails; ``index`` is its place among all steps.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> load = {"mass_kg": 10, "damping": "200 N s/m"}
+    >>> lift = mk.Drive(mk.Muscle.prototype(), valve="festo-mh2", load=load, command={"pressure_mpa": 0.1, "until_s": 1})
+    >>> ends = mk.rollout(mk.Simulation(lift, 0.01, model="universal"), [[0.1] * 5, [0.2] * 5])
+    >>> ends["contraction"].shape
+    (2, 6)
+    """
+    import numpy as np
+
+    if errors not in ("raise", "nan"):
+        raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
+    kind, count = simulation._commands
+    given = np.asarray(commands, dtype=np.float64)
+    given = given[..., None] if given.ndim == 2 and count == 1 else given
+    if given.ndim != 3 or given.shape[2] != count:
+        raise ValueError(f"commands: an array of shape (copies, steps, {count}), not {given.shape}")
+    if kind == "pressure" and given.size:
+        number("pressure_mpa", float(given.max()))
+    out = np.empty((given.shape[0], given.shape[1] + 1, len(simulation._names)))
+    if given.size:
+        with listening(progress, "rollout") as heard:
+            rows = np.ascontiguousarray(given).reshape(-1, count)
+            _native.rollout(simulation._native, given.shape[1], rows, out.reshape(-1), errors == "nan", heard)
+    return {name: out[:, :, i] for i, name in enumerate(simulation._names)}

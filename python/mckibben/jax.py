@@ -9,15 +9,17 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from ._arrays import MEASURES
 from ._errors import MckibbenError
-from ._model import MEASURES
 
 if TYPE_CHECKING:
     from typing import TypeAlias
 
     from numpy.typing import NDArray
+    from typing_extensions import Unpack
 
-    from ._model import Model
+    from ._muscle import Muscle
+    from ._values import Options
 
     Array: TypeAlias = NDArray[np.float64]
 
@@ -32,31 +34,28 @@ _USUAL = {"force": (0.1, 0.2), "pressure": (100.0, 0.2), "contraction": (100.0, 
 
 
 class _Asked:
-    """One of ``force``, ``pressure``, ``contraction`` of a model, as a function of two arrays and of θ."""
+    """One of ``force``, ``pressure``, ``contraction`` of a muscle by a model, as a function of two arrays and of θ."""
 
-    def __init__(self, model: Model, wanted: str, names: Sequence[str], errors: str) -> None:
+    def __init__(self, muscle: Muscle, wanted: str, names: Sequence[str], errors: str, options: dict[str, Any]) -> None:
         if errors not in ("raise", "nan"):
             raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
-        self.model, self.wanted, self.names, self.errors = model, wanted, tuple(names), errors
-        if unknown := [name for name in names if name not in MEASURES and name not in model.muscle.parameters]:
-            raise ValueError(f"{unknown[0]}: there is {', '.join([*MEASURES, *model.muscle.parameters])}")
+        self.muscle, self.wanted, self.names, self.errors, self.options = muscle, wanted, tuple(names), errors, options
+        if unknown := [name for name in names if name not in MEASURES and name not in muscle.parameters]:
+            raise ValueError(f"{unknown[0]}: there is {', '.join([*MEASURES, *muscle.parameters])}")
+        # Which model it is, and whether there is one.
+        self.has_second = not muscle._bound(options).native.is_elements
 
-    def at(self, theta: Array) -> tuple[Model, list[dict[str, float]]]:
-        """The model of the muscle with these values, and how its parameters change with each."""
+    def at(self, theta: Array) -> tuple[Muscle, list[dict[str, float]]]:
+        """The muscle with these values, and how its parameters change with each."""
         if not self.names:
-            return self.model, []
+            return self.muscle, []
         values = dict(zip(self.names, map(float, theta)))
-        measures: dict[str, Any] = {name: value for name, value in values.items() if name in MEASURES}
-        muscle = self.model.muscle.replace(**measures) if measures else self.model.muscle
+        measures = {name: value for name, value in values.items() if name in MEASURES}
+        muscle = self.muscle._changed(dict(measures)) if measures else self.muscle
         own = {name: value for name, value in values.items() if name not in MEASURES}
         # A parameter that is a value itself follows no measure.
         rows = [{n: v for n, v in muscle._follows(name).items() if n not in own} if name in measures else {name: 1.0} for name in self.names]
-        return self.model.of(muscle.with_parameters(own) if own else muscle), rows
-
-    @property
-    def has_second(self) -> bool:
-        """Whether there are second derivatives."""
-        return not self.model._native.is_elements
+        return muscle.with_parameters(own) if own else muscle, rows
 
     def widths(self, order: int) -> tuple[int, ...]:
         """The axis that the derivatives of an order need: none, values and slopes, or second derivatives row by row."""
@@ -66,7 +65,7 @@ class _Asked:
     def second(self, a: Array, b: Array, theta: Array) -> Array:
         """Second derivatives at one θ: differences of slopes, which closed forms have to their last digits. Slack muscles have none."""
         a, b = np.broadcast_arrays(a, b)
-        smooth = _Asked(self.model._with({"extrapolate": True, "two_sided": True}), self.wanted, self.names, self.errors)
+        smooth = _Asked(self.muscle, self.wanted, self.names, self.errors, {**self.options, "extrapolate": True, "two_sided": True})
         rows: list[Array] = []
         for i, (value, usual) in enumerate(zip((a, b), _USUAL[self.wanted])):
             h = _STEP * np.maximum(abs(value), usual)
@@ -82,7 +81,7 @@ class _Asked:
         out = np.stack(rows, axis=-1)
         # What is equal differs by rounding alone.
         out = 0.5 * (out + out.swapaxes(-1, -2))
-        if self.wanted == "force" and not self.model._request.get("two_sided"):
+        if self.wanted == "force" and not self.options.get("two_sided"):
             value = self.one(a, b, theta, 0)
             out = np.where((value == 0)[..., None, None], 0.0, out)
         return out.reshape(*a.shape, -1)
@@ -93,9 +92,9 @@ class _Asked:
         try:
             if order == 2:
                 return self.second(a, b, theta)
-            model, rows = self.at(theta)
+            muscle, rows = self.at(theta)
             own = list(dict.fromkeys(parameter for row in rows for parameter in row))
-            found = getattr(model, self.wanted)(a, b, jac=(own or True) if slopes else False, errors=self.errors)
+            found = getattr(muscle, self.wanted)(a, b, jac=(own or True) if slopes else False, errors=self.errors, **self.options)
         except MckibbenError:
             # A muscle that cannot be.
             if self.errors == "raise":
@@ -119,8 +118,8 @@ class _Asked:
         return np.stack(parts).reshape(axes + parts[0].shape)
 
 
-def force(model: Model, parameters: Sequence[str] = (), *, wrt: Sequence[str] = (), errors: str = "raise") -> Callable[..., jax.Array]:
-    """F(P, ε; θ) of a model as a function of JAX with its first and second derivatives (``jax.custom_jvp``). Finite elements have first ones only,
+def force(muscle: Muscle, wrt: Sequence[str] = (), *, errors: str = "raise", **options: Unpack[Options]) -> Callable[..., jax.Array]:
+    """F(P, ε; θ) of a muscle as a function of JAX with its first and second derivatives (``jax.custom_jvp``). Finite elements have first ones only,
     and say so.
 
     ``jax.vmap`` of it asks the model once for all points, unless θ differs from point to point. A value alone costs no derivatives. JAX computes
@@ -128,33 +127,39 @@ def force(model: Model, parameters: Sequence[str] = (), *, wrt: Sequence[str] = 
 
     Parameters
     ----------
-    model
-        The model.
-    parameters
-        Names of constants and measures of the muscle (see :attr:`Muscle.parameters`) that the function takes as well, all others held.
+    muscle
+        The muscle.
     wrt
-        More of them, or measures as :meth:`Muscle.replace` has them: ``outer_diameter_mm``, ``wall_mm``, ``length_mm``, ``angle_deg``,
+        Names of constants and measures of the muscle (see :attr:`Muscle.parameters`) that the function takes as well, all others held;
+        or measures as :meth:`Muscle.replace` has them: ``outer_diameter_mm``, ``wall_mm``, ``length_mm``, ``angle_deg``,
         ``stiffness``; k of a named braid follows the diameter.
     errors
         ``raise``, or ``nan``: NaN at points without an answer and for muscles that cannot be, so that a sampler goes on.
+    options
+        Which model, and how it is asked, as in :meth:`Muscle.force`.
 
     Returns
     -------
     function
         ``f(pressure_mpa, contraction)``, or ``f(pressure_mpa, contraction, theta)`` with the values of the names in their order, in
         MPa, N/mm, mm, degrees. The result has the broadcast shape of pressures and contractions.
+
+    Raises
+    ------
+    ValueError
+        A muscle has no constant or measure of that name.
     """
-    return _function(_Asked(model, "force", [*parameters, *wrt], errors))
+    return _function(_Asked(muscle, "force", wrt, errors, dict(options)))
 
 
-def pressure(model: Model, parameters: Sequence[str] = (), *, wrt: Sequence[str] = (), errors: str = "raise") -> Callable[..., jax.Array]:
-    """P(F, ε; θ) of a model: ``f(force_n, contraction)`` or ``f(force_n, contraction, theta)`` in MPa; arguments as in :func:`force`."""
-    return _function(_Asked(model, "pressure", [*parameters, *wrt], errors))
+def pressure(muscle: Muscle, wrt: Sequence[str] = (), *, errors: str = "raise", **options: Unpack[Options]) -> Callable[..., jax.Array]:
+    """P(F, ε; θ) of a muscle: ``f(force_n, contraction)`` or ``f(force_n, contraction, theta)`` in MPa; arguments as in :func:`force`."""
+    return _function(_Asked(muscle, "pressure", wrt, errors, dict(options)))
 
 
-def contraction(model: Model, parameters: Sequence[str] = (), *, wrt: Sequence[str] = (), errors: str = "raise") -> Callable[..., jax.Array]:
-    """ε(F, P; θ) of a model: ``f(force_n, pressure_mpa)`` or ``f(force_n, pressure_mpa, theta)``; arguments as in :func:`force`."""
-    return _function(_Asked(model, "contraction", [*parameters, *wrt], errors))
+def contraction(muscle: Muscle, wrt: Sequence[str] = (), *, errors: str = "raise", **options: Unpack[Options]) -> Callable[..., jax.Array]:
+    """ε(F, P; θ) of a muscle: ``f(force_n, pressure_mpa)`` or ``f(force_n, pressure_mpa, theta)``; arguments as in :func:`force`."""
+    return _function(_Asked(muscle, "contraction", wrt, errors, dict(options)))
 
 
 def _function(asked: _Asked) -> Callable[..., jax.Array]:

@@ -27,8 +27,9 @@ def test_code_of_pages_runs(page: str, root: Path, monkeypatch: pytest.MonkeyPat
         assert out.getvalue().splitlines() == expected, block
 
 
-@pytest.mark.parametrize("module", ["mckibben", "mckibben._model", "mckibben._muscle", "mckibben._rubber", "mckibben._drives"])
-def test_examples_of_docstrings(module: str) -> None:
-    found = importlib.import_module(module)
-    result = doctest.testmod(found, extraglobs={"Muscle": importlib.import_module("mckibben").Muscle})
+@pytest.mark.parametrize("module", ["", "._api", "._muscle", "._rubber", "._drives", "._simulation", "._campaign", "._load", "._request", ".units"])
+def test_examples_of_docstrings(module: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    if module == ".units":
+        pytest.importorskip("pint")
+    result = doctest.testmod(importlib.import_module(f"mckibben{module}"), optionflags=doctest.NORMALIZE_WHITESPACE)
     assert result.failed == 0 and result.attempted > 0

@@ -69,7 +69,10 @@ def once_begun(tmp_path: Path, part: str, then: Callable[[], object]) -> Callabl
 def test_a_killed_pool_is_joined_again(tmp_path: Path, expected: bytes) -> None:
     out = tmp_path / "parts"
     with ProcessPoolExecutor(2) as pool:
-        kill = lambda: [process.kill() for process in list(pool._processes.values())]
+        def kill() -> None:
+            for process in list(pool._processes.values()):
+                process.kill()
+
         with pytest.raises(BrokenProcessPool):
             mk.campaign(PLAN, out, executor=pool, shards=10, progress=once_begun(tmp_path, "parts/part-*", kill))
     before = mk.Campaign(out).status()

@@ -11,6 +11,9 @@ import pytest
 
 import mckibben as mk
 
+pytest.importorskip("jax")
+from mckibben.jax import contraction, force, pressure
+
 
 @pytest.mark.parametrize("name, needs, rel", [("identify_scipy", "scipy", 1e-6), ("identify_jax", "jax", 1e-4)])
 def test_an_example_identifies_a_muscle(name: str, needs: str, rel: float, root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -21,9 +24,9 @@ def test_an_example_identifies_a_muscle(name: str, needs: str, rel: float, root:
 
 def test_jax_derivatives(jax: Any) -> None:
     """∂F/∂θ by jax.grad against differences, along a direction, and over several points at once."""
-    muscle = mk.Muscle.prototype(outer_diameter_mm=50, wall_mm=3)
+    muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=3, length_mm=285)
     names = ["tube.material.c10", "braid.stiffness"]
-    pull, theta = mk.jax.force(muscle.model(), names), np.array([0.112, 590.0])
+    pull, theta = force(muscle, names), np.array([0.112, 590.0])
     contractions = np.array([0.0, 0.05, 0.1])
 
     def loss(t: Any) -> Any:
@@ -33,11 +36,11 @@ def test_jax_derivatives(jax: Any) -> None:
     for i in range(2):
         h = np.eye(2)[i] * 1e-5 * theta
         assert slope[i] == pytest.approx(float((loss(theta + h) - loss(theta - h)) / (2 * h[i])), rel=1e-5)
-    model = mk.jax.force(muscle.model())
-    value, change = jax.jvp(lambda p: model(p, 0.1), (0.2,), (1.0,))
-    expected, by = muscle.model().force(0.2, 0.1, jac=True)
+    plain = force(muscle)
+    value, change = jax.jvp(lambda p: plain(p, 0.1), (0.2,), (1.0,))
+    expected, by = muscle.force(0.2, 0.1, jac=True)
     assert float(value) == pytest.approx(expected) and float(change) == pytest.approx(by[0])
-    assert jax.vmap(lambda e: model(0.2, e))(contractions).shape == (3,)
+    assert jax.vmap(lambda e: plain(0.2, e))(contractions).shape == (3,)
     with pytest.raises(ValueError):
         pull(0.2, 0.1)
 
@@ -45,69 +48,56 @@ def test_jax_derivatives(jax: Any) -> None:
 @pytest.fixture
 def jax() -> Any:
     """JAX with 64 bits."""
-    jax = pytest.importorskip("jax")
-    jax.config.update("jax_enable_x64", True)
-    return jax
-
-
-def counted(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
-    """Of each question to a model, whether it asks for derivatives."""
-    from mckibben._model import Model
-
-    asked: list[bool] = []
-    fill = Model._fill
-
-    def filled(self: Model, *args: Any) -> Any:
-        asked.append(args[5] is not False)
-        return fill(self, *args)
-
-    monkeypatch.setattr(Model, "_fill", filled)
-    return asked
+    found = pytest.importorskip("jax")
+    found.config.update("jax_enable_x64", True)
+    return found
 
 
 def test_jax_asks_once_for_a_batch(jax: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """vmap of a function of points asks the model once, a value asks for no derivatives; over θ it is a loop with the same numbers."""
-    asked = counted(monkeypatch)
-    model = mk.Muscle.prototype().model("universal")
-    pull, p, e = mk.jax.force(model), np.linspace(0.05, 0.2, 40), np.linspace(0.0, 0.15, 40)
-    assert np.array_equal(jax.vmap(pull)(p, e), model.force(p, e)) and asked == [False, False]
+    asked: list[bool] = []
+    usual = mk.Muscle.force
+
+    def counting(self: mk.Muscle, *args: Any, **given: Any) -> Any:
+        asked.append(given["jac"] is not False)
+        return usual(self, *args, **given)
+
+    monkeypatch.setattr(mk.Muscle, "force", counting)
+    muscle = mk.Muscle.prototype()
+    pull, p, e = force(muscle, model="universal"), np.linspace(0.05, 0.2, 40), np.linspace(0.0, 0.15, 40)
+    assert np.array_equal(jax.vmap(pull)(p, e), usual(muscle, p, e, model="universal")) and asked == [False]
     asked.clear()
-    assert np.allclose(jax.vmap(jax.grad(pull))(p, e), model.force(p, e, jac=True)[1][:, 0], rtol=1e-12) and len(asked) == 2
+    assert np.allclose(jax.vmap(jax.grad(pull))(p, e), usual(muscle, p, e, jac=True, model="universal")[1][:, 0], rtol=1e-12) and asked == [True]
     asked.clear()
     # A batch of batches, and one that is spread over points.
     grid = jax.vmap(lambda a: jax.vmap(lambda b: pull(a, b))(e))(p)
-    assert np.array_equal(grid, model.force(p[:, None], e)) and len(asked) == 2
-    assert np.array_equal(jax.vmap(lambda a: pull(a, e))(p), model.force(p[:, None], e))
-    by = mk.jax.force(model, ["tube.material.c10"])
+    assert np.array_equal(grid, usual(muscle, p[:, None], e, model="universal")) and len(asked) == 1
+    by = force(muscle, ["tube.material.c10"], model="universal")
     thetas = np.array([[0.1], [0.112], [0.13]])
-    many = jax.vmap(lambda t: by(0.2, e, t))(thetas)
-    for row, theta in zip(many, thetas):
-        assert np.array_equal(row, model.of(model.muscle.with_parameters({"tube.material.c10": theta[0]})).force(0.2, e))
+    for row, theta in zip(jax.vmap(lambda t: by(0.2, e, t))(thetas), thetas):
+        assert np.array_equal(row, usual(muscle.with_parameters({"tube.material.c10": theta[0]}), 0.2, e, model="universal"))
 
 
 def test_inverses_measures_and_samplers(jax: Any) -> None:
     """Identities: P(F(P, ε), ε) = P, and the slope of an inverse is one over that of the function; measures by differences of replace()."""
-    model = mk.Muscle(outer_diameter_mm=50, wall_mm=2, length_mm=285).model("universal")
-    pull, back, along = mk.jax.force(model), mk.jax.pressure(model), mk.jax.contraction(model)
+    muscle, model = mk.Muscle(outer_diameter_mm=50, wall_mm=2, length_mm=285), "universal"
+    pull, back, along = force(muscle, model=model), pressure(muscle, model=model), contraction(muscle, model=model)
     f = float(pull(0.2, 0.1))
     assert float(back(f, 0.1)) == pytest.approx(0.2, rel=1e-9) and float(along(f, 0.2)) == pytest.approx(0.1, rel=1e-7)
     assert jax.grad(back)(f, 0.1) * jax.grad(pull)(0.2, 0.1) == pytest.approx(1, rel=1e-6)
-    of_d = mk.jax.force(model, wrt=["outer_diameter_mm", "tube.material.c10"])
-    theta = np.array([50.0, 0.112])
+    of_d, theta = force(muscle, ["outer_diameter_mm", "tube.material.c10"], model=model), np.array([50.0, 0.112])
     slope = jax.grad(lambda t: of_d(0.2, 0.1, t))(theta)
     for i in range(2):
         h = np.eye(2)[i] * 1e-4 * theta
         assert slope[i] == pytest.approx(float((of_d(0.2, 0.1, theta + h) - of_d(0.2, 0.1, theta - h)) / (2 * h[i])), rel=1e-5)
-    assert slope[0] == pytest.approx(model.force(0.2, 0.1, jac=["outer_diameter_mm"])[1][2])
     with pytest.raises(ValueError, match="wall_mm"):
-        mk.jax.force(model, wrt=["wal_mm"])
+        force(muscle, ["wal_mm"])
     with pytest.raises(ValueError, match="theta"):
         of_d(0.2, 0.1)
-    safe = mk.jax.force(model, wrt=["wall_mm"], errors="nan")
-    assert np.isnan(jax.grad(lambda t: safe(0.2, 0.1, t))(np.array([30.0]))).all() and np.isnan(jax.hessian(lambda t: safe(0.2, 0.1, t))(np.array([30.0]))).all()
-    assert np.isnan(float(mk.jax.force(model, errors="nan")(90.0, 0.1)))
+    safe = force(muscle, ["wall_mm"], errors="nan", model=model)
+    assert np.isnan(jax.grad(lambda t: safe(0.2, 0.1, t))(np.array([30.0]))).all() and np.isnan(float(force(muscle, errors="nan", model=model)(90.0, 0.1)))
     with pytest.raises(Exception, match="wall"):
-        float(mk.jax.force(model, wrt=["wall_mm"])(0.2, 0.1, np.array([30.0])))
+        float(force(muscle, ["wall_mm"], model=model)(0.2, 0.1, np.array([30.0])))
 
 
 def ideal_second(muscle: mk.Muscle, p: float, e: float) -> Any:
@@ -118,7 +108,7 @@ def ideal_second(muscle: mk.Muscle, p: float, e: float) -> Any:
 
 def test_second_derivatives_of_the_ideal_muscle(jax: Any) -> None:
     muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
-    ideal = mk.jax.force(muscle.model("ideal"))
+    ideal = force(muscle, model="ideal")
     for p, e in ((0.2, 0.1), (1e-3, 0.0), (1e-4, 0.05)):
         assert np.allclose(jax.hessian(lambda x: ideal(x[0], x[1]))(np.array([p, e])), ideal_second(muscle, p, e), rtol=1e-6, atol=0.02), (p, e)
     assert not np.any(jax.hessian(lambda x: ideal(x[0], x[1]))(np.array([0.2, 0.9]))), "a slack muscle"
@@ -126,7 +116,7 @@ def test_second_derivatives_of_the_ideal_muscle(jax: Any) -> None:
 
 def test_jax_second_derivatives_of_a_batch(jax: Any) -> None:
     muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
-    ideal = mk.jax.force(muscle.model("ideal"))
+    ideal = force(muscle, model="ideal")
     points = np.array([[0.1, 0.0], [0.2, 0.1], [0.3, 0.2]])
     both = jax.jit(jax.vmap(jax.hessian(lambda x: ideal(x[0], x[1]))))
     assert np.allclose(both(points), [ideal_second(muscle, *x) for x in points], rtol=1e-6, atol=0.02)
@@ -135,8 +125,7 @@ def test_jax_second_derivatives_of_a_batch(jax: Any) -> None:
 def test_second_derivatives_of_models_measures_and_inverses(jax: Any) -> None:
     """Against differences of first derivatives, and an identity: P(F(P, ε), ε) = P twice differentiated, p' = 1/f', p'' = −f''/f'³."""
     muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=2, length_mm=285)
-    model = muscle.model("universal")
-    pull = mk.jax.force(model, wrt=["outer_diameter_mm", "tube.material.c10"])
+    pull = force(muscle, ["outer_diameter_mm", "tube.material.c10"], model="universal")
 
     def at_once(x: Any) -> Any:
         return pull(x[0], x[1], x[2:])
@@ -147,30 +136,30 @@ def test_second_derivatives_of_models_measures_and_inverses(jax: Any) -> None:
     for i in range(4):
         h = np.eye(4)[i] * 1e-3 * at
         assert np.allclose(found[i], (slope(at + h) - slope(at - h)) / (2 * h[i]), rtol=1e-3, atol=1e-3 * abs(found[i]).max()), i
-    f, p = mk.jax.force(model), mk.jax.pressure(model)
+    f, p = force(muscle, model="universal"), pressure(muscle, model="universal")
     first, curvature = (found(lambda x: f(x[0], 0.1))(np.array([0.2])).item() for found in (jax.grad, jax.hessian))
     assert jax.hessian(lambda x: p(x[0], 0.1))(np.array([float(f(0.2, 0.1))])).item() == pytest.approx(-curvature / first**3, rel=1e-4)
-    elements = mk.jax.force(muscle.model())
+    elements = force(muscle)
     with pytest.raises(NotImplementedError, match="finite elements have first derivatives only"):
         jax.hessian(lambda x: elements(x[0], 0.1))(np.array([0.2]))
 
 
 def test_jax_has_no_third_derivatives(jax: Any) -> None:
     with pytest.raises(NotImplementedError, match="first and second"):
-        jax.grad(jax.grad(jax.grad(mk.jax.force(mk.Muscle.prototype().model("universal")))))(0.2, 0.1)
+        jax.grad(jax.grad(jax.grad(force(mk.Muscle.prototype(), model="universal"))))(0.2, 0.1)
 
 
 def posterior(made: Any, found: Any, points: list[Any]) -> tuple[Any, Any]:
     """Mean and standard deviation of the posterior with a flat prior, in standard errors about what identify found: by quadrature on a grid of
     half a standard error, which for a density as smooth as this has converged."""
     p, e, f = points
-    model, names = found.identified.model("universal"), found.names
+    names = found.names
     nodes = np.linspace(-5, 5, 21)
     grid = np.array([[a, b] for a in nodes for b in nodes])
     log = np.empty(len(grid))
     for i, z in enumerate(grid):
         theta = dict(zip(names, found.x + found.stderr * z))
-        pulls = model.of(found.identified.with_parameters(theta)).force(p, e, errors="nan")
+        pulls = found.identified.with_parameters(theta).force(p, e, errors="nan", model="universal")
         log[i] = -0.5 * (((pulls - f) / found.deviation) ** 2).sum()
     weight = np.where(np.isfinite(log), np.exp(log - np.nanmax(log)), 0)
     weight /= weight.sum()

@@ -1,9 +1,7 @@
-//! The universal formulas: one muscle built, one pull, one response; pulls over a grid of pressures and contractions,
-//! as single questions and as a list.
+//! The universal formulas: one muscle built, one pull, one response; pulls over a grid of pressures and contractions.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use mckibben::formula::UniversalFormula;
-use mckibben::model::{ForceModel, ModelKind, Universal, Workspace};
+use mckibben::model::{ModelKind, Workspace};
 use mckibben::muscle::Muscle;
 use std::hint::black_box;
 
@@ -26,30 +24,5 @@ fn points(c: &mut Criterion) {
     }
 }
 
-fn lists(c: &mut Criterion) {
-    let Some(formula) = UniversalFormula::large() else { return };
-    let model = Universal::new(formula, &Muscle::prototype());
-    let (pressures, contractions): (Vec<f64>, Vec<f64>) = (0..100)
-        .flat_map(|i| (0..100).map(move |j| (0.02 + 0.0048 * f64::from(i), 0.002 * f64::from(j))))
-        .unzip();
-    let w = &mut Workspace::new();
-    let mut out = vec![0.0; pressures.len()];
-    let mut group = c.benchmark_group("universal-list");
-    group.throughput(Throughput::Elements(pressures.len() as u64));
-    group.bench_function("single", |b| {
-        b.iter(|| {
-            pressures
-                .iter()
-                .zip(&contractions)
-                .filter_map(|(&p, &e)| model.force_n(w, p, e).ok())
-                .sum::<f64>()
-        });
-    });
-    group.bench_function("forces", |b| {
-        b.iter(|| model.forces([&pressures, &contractions], black_box(&mut out)))
-    });
-    group.finish();
-}
-
-criterion_group!(benches, points, lists);
+criterion_group!(benches, points);
 criterion_main!(benches);

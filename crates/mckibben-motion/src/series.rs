@@ -116,6 +116,25 @@ impl MotionSeries {
         Some(row)
     }
 
+    /// Its last point alone.
+    #[must_use]
+    pub fn last(&self) -> Self {
+        let last = |list: &Vec<f64>| Vec::from_iter(list.last().copied());
+        let muscles = self.muscles.iter().map(|muscle| {
+            let mut end = MuscleSeries::default();
+            end.lists_mut().into_iter().zip(muscle.lists()).for_each(|(to, from)| *to = last(from));
+            end
+        });
+        Self {
+            kind: self.kind,
+            liquid: self.liquid,
+            time_s: last(&self.time_s),
+            coordinate: last(&self.coordinate),
+            velocity: last(&self.velocity),
+            muscles: muscles.collect(),
+        }
+    }
+
     /// Leaves so many points.
     pub fn truncate(&mut self, points: usize) {
         let load = [&mut self.time_s, &mut self.coordinate, &mut self.velocity];

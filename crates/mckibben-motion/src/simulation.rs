@@ -3,8 +3,8 @@
 use crate::member::Memory;
 use crate::run::Integration;
 use crate::state::State;
-use crate::system::{Modes, System};
-use crate::{Command, Drive, Motion, Result, Target};
+use crate::system::{Modes, Switch, System};
+use crate::{Command, Drive, Motion, MotionError, Result, Target};
 use mckibben::progress::Progress;
 
 /// A drive that is stepped: its state at a time, and what was recorded at the end of each step.
@@ -77,7 +77,16 @@ impl Simulation {
         &self.motion
     }
 
-    /// Another one in the same state, independent from here on.
+    /// Forgets what was recorded, but for its last point.
+    pub fn forget(&mut self) {
+        self.motion = self.last();
+    }
+
+    fn last(&self) -> Motion {
+        Motion { series: self.motion.series.last(), ..Motion::default() }
+    }
+
+    /// Another one in the same state, independent from here on; what was recorded stays behind.
     #[must_use]
     pub fn duplicate(&self) -> Self {
         Self {
@@ -85,8 +94,62 @@ impl Simulation {
             state: self.state.clone(),
             modes: self.modes.clone(),
             memories: self.memories.iter().map(Memory::duplicate).collect(),
-            motion: self.motion.clone(),
+            motion: self.last(),
         }
+    }
+
+    /// Where it is, as numbers: its steps, its state, and on which side of each kink it is.
+    pub fn numbers(&self) -> Vec<f64> {
+        let mut out = vec![self.done as f64, self.modes.stop.unwrap_or(0.0)];
+        out.extend(self.state.to_vec());
+        for mode in &self.modes.muscles {
+            let turns: Vec<f64> = mode.presliding.iter().flat_map(|p| p.numbers()).collect();
+            let switch = f64::from(mode.switch as u8);
+            out.extend([f64::from(u8::from(mode.slack)), mode.sign, switch, turns.len() as f64]);
+            out.extend(turns);
+        }
+        out
+    }
+
+    /// Goes to where another simulation of the same drive was, by its [numbers](Self::numbers); nothing is recorded but that.
+    ///
+    /// # Errors
+    /// [`MotionError::Refused`] for numbers of another drive.
+    pub fn restore(&mut self, drive: &Drive<'_>, numbers: &[f64], progress: &dyn Progress) -> Result<()> {
+        let system = System::new(drive)?;
+        let (len, mut rest) = (system.layout.len, numbers);
+        let mut take = |count: usize| {
+            let (taken, others) = rest.split_at_checked(count)?;
+            rest = others;
+            taken.iter().all(|v| v.is_finite()).then_some(taken)
+        };
+        let mut modes = self.modes.clone();
+        let mut read = || {
+            let (head, state) = (take(2)?, system.layout.state(take(len)?));
+            modes.stop = head.last().copied().filter(|side| *side != 0.0);
+            for mode in &mut modes.muscles {
+                let &[slack, sign, switch, turns] = take(4)? else { return None };
+                (mode.slack, mode.sign) = (slack != 0.0, sign);
+                let all = [Switch::Fill, Switch::Hold, Switch::Vent];
+                mode.switch = all.into_iter().find(|s| f64::from(*s as u8) == switch)?;
+                let turns = take(turns as usize)?;
+                mode.presliding = mode.presliding.as_ref().map(|p| p.remembering(turns));
+            }
+            Some((*head.first()? as usize, state))
+        };
+        let found = read();
+        let refused = || MotionError::Refused("the numbers are not a state of this drive".to_owned());
+        let (done, state) = found.filter(|_| rest.is_empty()).ok_or_else(refused)?;
+        *system.modes.borrow_mut() = modes.clone();
+        let motion = Motion { series: self.motion.series.last(), ..Motion::default() };
+        let t = drive.output_step_s * done as f64;
+        let mut at = Integration::at((&system, progress), t, state, motion);
+        at.record(t, at.state.clone())?;
+        let (state, motion) = (at.state, at.motion);
+        *self = Self { done, state, modes, memories: vec![], motion };
+        self.memories.resize_with(system.members.len(), Memory::default);
+        self.forget();
+        Ok(())
     }
 }
 

@@ -11,6 +11,7 @@ use std::cell::{Cell, RefCell};
 
 /// What an on–off valve does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
 pub(crate) enum Switch {
     Fill,
     Hold,

@@ -4,26 +4,21 @@ use crate::{error::Wrong, value};
 use mckibben::{formula, muscle};
 use mckibben_app::{JointFields, MotionRequest, Problem, ProblemKind, Subject, TextFile};
 use pyo3::prelude::*;
-use serde_json::{Map, Value};
-use std::path::PathBuf;
-use toml_edit::{DocumentMut, Item, Table};
+use std::path::{Path, PathBuf};
 
-/// A file written by hand: a muscle, a plan, a joint.
+/// A file that a person wrote (a muscle, a plan, a joint), of a `table` (whatever program wrote it) or of a `formula`: its name and its text.
 #[pyfunction]
-pub fn read_text(path: PathBuf) -> PyResult<String> {
-    Ok(muscle::file::read_text(&path).map_err(|e| Wrong::from(Problem::from(e.in_file(&path))))?)
+pub fn read_file(path: PathBuf, kind: &str) -> PyResult<(String, String)> {
+    let file = match kind {
+        "table" => TextFile::table(&path),
+        "formula" => read(&path, |path| Ok(formula::read_text(path).map_err(|e| e.in_file(path))?)),
+        _ => read(&path, |path| Ok(muscle::file::read_text(path).map_err(|e| e.in_file(path))?)),
+    };
+    Ok(file.map(|file| (file.name, file.text)).map_err(Wrong::from)?)
 }
 
-/// The name and the text of a table, whatever program wrote it. Such files may be long.
-#[pyfunction]
-pub fn read_table(path: PathBuf) -> PyResult<(String, String)> {
-    let file = TextFile::table(&path).map_err(Wrong::from)?;
-    Ok((file.name, file.text))
-}
-
-#[pyfunction]
-pub fn read_formula(path: PathBuf) -> PyResult<String> {
-    Ok(formula::read_text(&path).map_err(|e| Wrong::from(Problem::from(e.in_file(&path))))?)
+fn read(path: &Path, text: impl FnOnce(&Path) -> Result<String, Problem>) -> Result<TextFile, Problem> {
+    Ok(TextFile { name: path.display().to_string(), text: text(path)? })
 }
 
 /// Puts a file at its place, whole or not at all.
@@ -61,44 +56,10 @@ pub fn toml<'py>(py: Python<'py>, name: &str, text: &str) -> PyResult<Bound<'py,
     value::answer(py, &toml_edit::de::from_str(text).map_err(|e| Wrong::from(wrong(e)))?)
 }
 
-/// Maps and lists as a text in TOML. Tables, and those in them, have a heading each; maps in these are inline.
+/// Maps and lists as a text in TOML.
 #[pyfunction]
 #[pyo3(signature = (tables: "dict[str, typing.Any]"))]
 pub fn toml_text(tables: &Bound<'_, PyAny>) -> PyResult<String> {
-    let mut document = DocumentMut::new();
-    if let Value::Object(map) = value::request(tables)? {
-        *document.as_table_mut() = table_of(&map, 2);
-    }
-    Ok(document.to_string())
-}
-
-fn table_of(map: &Map<String, Value>, deeper: u8) -> Table {
-    let mut out = Table::new();
-    // What holds nothing but tables needs no heading.
-    out.set_implicit(!map.is_empty() && map.values().all(Value::is_object));
-    for (key, value) in map {
-        match (value, deeper.checked_sub(1)) {
-            (Value::Object(map), Some(deeper)) => drop(out.insert(key, Item::Table(table_of(map, deeper)))),
-            _ => drop(inline(value).map(|value| out.insert(key, Item::Value(value)))),
-        }
-    }
-    out
-}
-
-/// A value; none of null, which TOML does not have.
-fn inline(value: &Value) -> Option<toml_edit::Value> {
-    Some(match value {
-        Value::Null => return None,
-        Value::Bool(yes) => (*yes).into(),
-        Value::Number(number) => match number.as_i64() {
-            Some(whole) => whole.into(),
-            None => number.as_f64()?.into(),
-        },
-        Value::String(text) => text.as_str().into(),
-        Value::Array(list) => toml_edit::Value::Array(list.iter().filter_map(inline).collect()),
-        Value::Object(map) => {
-            let pairs = map.iter().filter_map(|(key, value)| Some((key, inline(value)?)));
-            toml_edit::Value::InlineTable(pairs.collect())
-        }
-    })
+    let wrong = |e: toml_edit::ser::Error| Problem::new(ProblemKind::File, e.to_string(), "");
+    Ok(toml_edit::ser::to_string_pretty(&value::request(tables)?).map_err(|e| Wrong::from(wrong(e)))?)
 }

@@ -11,6 +11,7 @@ mod files;
 mod formula;
 mod model;
 mod muscle;
+mod request;
 mod run;
 mod simulation;
 mod value;
@@ -23,12 +24,13 @@ use pyo3::pymodule;
 mod _native {
     #[pymodule_export]
     use crate::{
-        ask::{ask, choice, quantity, schema, unit_of, values},
-        files::{drive_files, joint_files, read_formula, read_table, read_text, toml, toml_text, write_file},
+        ask::{ask, quantities, quantity, unit_of},
+        files::{drive_files, joint_files, read_file, toml, toml_text, write_file},
         formula::Formula,
         model::Model,
-        muscle::{muscle_fields, muscle_text, muscle_with, parameters, rubber_stress},
-        simulation::Simulation,
+        muscle::Muscle,
+        request::unlikely,
+        simulation::{Simulation, rollout},
         view::{body_html, report_html},
     };
 

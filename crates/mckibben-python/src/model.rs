@@ -2,12 +2,11 @@
 
 use crate::{error::Wrong, run, value};
 use mckibben::progress::Progress;
-use mckibben_app::{
-    AskFields, BoundModel, Many, ModelFields, PointQuantity, TextFile, muscle_of, understood,
-};
+use mckibben_app::{BoundModel, Many, PointQuantity};
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use serde_json::json;
 
 /// A model bound to its muscle.
 #[pyclass(frozen, module = "mckibben._native")]
@@ -15,30 +14,55 @@ pub struct Model {
     bound: BoundModel,
 }
 
+impl From<BoundModel> for Model {
+    fn from(bound: BoundModel) -> Self {
+        Self { bound }
+    }
+}
+
 #[pymethods]
 impl Model {
-    /// The model that `request` names, of a muscle as the text of its file.
-    #[new]
-    #[pyo3(signature = (muscle: "str", request: "dict[str, typing.Any]"))]
-    fn new(py: Python<'_>, muscle: String, request: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let request = value::request(request)?;
-        Ok(run::quick(py, |_| {
-            let muscle = muscle_of(&TextFile { name: "muscle".into(), text: muscle })?;
-            let (model, asking): (ModelFields, AskFields) = (understood(&request)?, understood(&request)?);
-            Ok(Self { bound: BoundModel::new(&muscle, &model, asking)? })
-        })?)
-    }
-
     /// The model's name.
     #[getter]
     fn name(&self) -> &str {
         self.bound.name()
     }
 
-    /// Whether a point takes finite elements: neighbours in a list share their equilibria.
+    /// Whether a point takes finite elements.
     #[getter]
     fn is_elements(&self) -> bool {
         self.bound.is_elements()
+    }
+
+    /// The pressure in MPa that the muscle is allowed; infinite where it is not known.
+    fn allowed_mpa(&self, py: Python<'_>) -> PyResult<f64> {
+        let limits = run::quick(py, |_| Ok(self.bound.limits()?))?;
+        Ok(limits.allowed_pressure_mpa.unwrap_or(f64::INFINITY))
+    }
+
+    /// All that is known of each point, or why it has no answer.
+    #[pyo3(signature = (pressures, contractions, nan, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "list[dict[str, typing.Any]]")]
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        pressures: Vec<f64>,
+        contractions: Vec<f64>,
+        nan: bool,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let points: Vec<(f64, f64)> = pressures.into_iter().zip(contractions).collect();
+        let work = |progress: &dyn Progress| {
+            let mut rows = vec![];
+            for (index, answer) in self.bound.answers(&points, progress)?.into_iter().enumerate() {
+                rows.push(match answer {
+                    Ok(answer) => json!(answer),
+                    Err(problem) if nan => json!({ "status": problem.kind, "cause": problem.message }),
+                    Err(problem) => return Err(Wrong::Problem(problem, Some(index))),
+                });
+            }
+            Ok(json!(rows))
+        };
+        value::answer(py, &run::long(py, progress, work)?)
     }
 
     /// Answers every pair of two lists into `out`, with slopes all numbers of a point one after the other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).

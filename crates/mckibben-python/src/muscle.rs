@@ -1,81 +1,135 @@
-//! Muscles as the text of their file: what a muscle of Python holds, and by which it is compared, hashed and pickled.
+//! A muscle: its file, its measures, and its models.
 
-use crate::{error::Wrong, run, value};
-use mckibben::{muscle::Muscle, muscle::file::to_toml, rubber::RubberLaw};
-use mckibben_app::{MuscleFields, Problem, ProblemKind, TextFile, muscle_of, understood, with_parameters};
+use crate::{error::Wrong, model::Model, request, run, value};
+use mckibben::muscle::Muscle as Held;
+use mckibben::muscle::measures::{STIFFNESS, fields};
+use mckibben::{muscle::file::to_toml, rubber::RubberLaw};
+use mckibben_app::{
+    AskFields, BoundModel, ModelFields, MuscleFields, Problem, ProblemKind, Result, TextFile, find,
+    muscle_of, understood, with_parameters,
+};
 use mckibben_fit::identify::Target;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use serde_json::Value;
 
-/// The muscle that a muscle file and fields describe, as the text of a muscle file; with a rubber, the table `tube.material` of one.
-#[pyfunction]
-#[pyo3(signature = (request: "dict[str, typing.Any]", rubber = None))]
-pub fn muscle_text(py: Python<'_>, request: &Bound<'_, PyAny>, rubber: Option<String>) -> PyResult<String> {
-    let request = value::request(request)?;
-    Ok(run::quick(py, |_| {
-        let request: MuscleFields = understood(&request)?;
-        let base = match &request.named.muscle {
-            Some(file) => muscle_of(file)?,
-            None => Muscle::prototype(),
-        };
-        let Some(text) = rubber else { return Ok(to_toml(&request.over(&base)?)) };
-        let mut made = base.parts().clone();
-        made.tube.rubber =
-            muscle_of(&TextFile { name: "tube.material".into(), text })?.parts().tube.rubber.clone();
-        let base = Muscle::from_parts(made).map_err(Problem::from)?.with_bench_of(&base);
-        Ok(to_toml(&request.over(&base)?))
-    })?)
+/// A muscle.
+#[pyclass(frozen, module = "mckibben._native")]
+pub struct Muscle {
+    held: Held,
+    /// The text of its file.
+    #[pyo3(get)]
+    text: String,
 }
 
-/// Constants and measures of a muscle by which a model has derivatives, with their values and units.
-#[pyfunction]
-pub fn parameters(text: String) -> PyResult<Vec<(String, f64, &'static str)>> {
-    let muscle = muscle_of(&TextFile { name: "muscle".into(), text }).map_err(Wrong::from)?;
-    let known = |target: &Target| {
-        !matches!(
-            target,
-            Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent | Target::Modulus
-        )
-    };
-    let all = Target::all(&muscle).into_iter().filter(known);
-    let row = |t: Target| Some((t.name(&muscle), t.value(&muscle)?, t.unit(&muscle)));
-    Ok(all.filter_map(row).collect())
-}
-
-/// The fields by which a muscle is given, of this one; those that it does not have are left out.
-#[pyfunction]
-#[pyo3(signature = (text: "str") -> "dict[str, typing.Any]")]
-pub fn muscle_fields(py: Python<'_>, text: String) -> PyResult<Bound<'_, PyAny>> {
-    let muscle = muscle_of(&TextFile { name: "muscle".into(), text }).map_err(Wrong::from)?;
-    let wrong = |e: serde_json::Error| Wrong::from(Problem::new(ProblemKind::Internal, e.to_string(), ""));
-    value::answer(py, &serde_json::to_value(MuscleFields::from_muscle(&muscle)).map_err(wrong)?)
-}
-
-/// Nominal stress in MPa of the rubber of a muscle at stretches: `uniaxial`, `planar` or `equibiaxial`, with plane stress and constant volume.
-#[pyfunction]
-#[pyo3(signature = (text: "str", mode: "str", stretches: "list[float]"))]
-pub fn rubber_stress(text: String, mode: &str, stretches: Vec<f64>) -> PyResult<Vec<f64>> {
-    let muscle = muscle_of(&TextFile { name: "muscle".into(), text }).map_err(Wrong::from)?;
-    let law = muscle.tube().rubber.law.clone();
-    if let Some(wrong) = stretches.iter().find(|s| !(**s > 0.0 && s.is_finite())) {
-        let message = format!("a stretch of {wrong}: it is the length over that at rest, above 0");
-        let problem = Problem::new(ProblemKind::Quantity, message, "").in_field("stretch");
-        return Err(Wrong::from(problem).into());
+impl From<Held> for Muscle {
+    fn from(held: Held) -> Self {
+        Self { text: to_toml(&held), held }
     }
-    let stress = |stretch: &f64| match mode {
-        "planar" => law.planar_stress_mpa(*stretch),
-        "equibiaxial" => law.equibiaxial_stress_mpa(*stretch),
-        _ => law.uniaxial_stress_mpa(*stretch),
-    };
-    Ok(stretches.iter().map(stress).collect())
 }
 
-/// The muscle with other values of constants and measures, all others held.
-#[pyfunction]
-#[pyo3(signature = (text: "str", values: "dict[str, float]"))]
-pub fn muscle_with(text: String, values: &Bound<'_, PyDict>) -> PyResult<String> {
-    let muscle = muscle_of(&TextFile { name: "muscle".into(), text }).map_err(Wrong::from)?;
-    let values = values.iter().map(|(name, value)| Ok((name.extract()?, value.extract()?)));
-    let values: Vec<(String, f64)> = values.collect::<PyResult<_>>()?;
-    Ok(to_toml(&with_parameters(&muscle, &values).map_err(Wrong::from)?))
+/// The muscle of fields, with the rubber of a table `tube.material`.
+fn described(request: &Value, rubber: Option<&str>) -> Result<Held> {
+    let fields: MuscleFields = understood(request)?;
+    let base = match &fields.named.muscle {
+        Some(file) => muscle_of(file)?,
+        None => Held::prototype(),
+    };
+    let Some(text) = rubber else { return fields.over(&base) };
+    let mut made = base.parts().clone();
+    let own = TextFile { name: String::new(), text: text.to_owned() };
+    let wrong = |e: Problem| {
+        let message = e.message.trim_start_matches([':', '0', '1', '2', '3', '4', '5', '6', '7', '8', '9']);
+        Problem::new(ProblemKind::Rubber, message.trim_start(), e.hint.clone()).in_field("rubber")
+    };
+    made.tube.rubber = muscle_of(&own).map_err(wrong)?.parts().tube.rubber.clone();
+    fields.over(&Held::from_parts(made)?.with_bench_of(&base))
+}
+
+/// With the field to blame: the first one of the request that the message names by itself or by its key in a muscle file.
+fn blamed(problem: Problem, request: &Value) -> Problem {
+    let named = match problem.kind {
+        ProblemKind::Rubber => Some("rubber"),
+        ProblemKind::Braid => Some("braid"),
+        _ => {
+            let keys = fields().map(|(field, measure)| (field, measure.key));
+            let place = |(field, key): (&'static str, &str)| {
+                let place = problem.message.find(key).or_else(|| problem.message.find(&format!("`{field}`")));
+                place.filter(|_| request.get(field).is_some()).map(|place| (place, field))
+            };
+            keys.chain([("stiffness", STIFFNESS.key)]).filter_map(place).min().map(|(_, field)| field)
+        }
+    };
+    match (&problem.field, named) {
+        (None, Some(field)) => problem.in_field(field),
+        _ => problem,
+    }
+}
+
+#[pymethods]
+impl Muscle {
+    /// The muscle that a muscle file and fields describe; with a rubber, the table `tube.material` of one.
+    #[new]
+    #[pyo3(signature = (request: "dict[str, typing.Any]", rubber: "str | None" = None))]
+    fn new(py: Python<'_>, request: &Bound<'_, PyAny>, rubber: Option<String>) -> PyResult<Self> {
+        let mut request = value::request(request)?;
+        let read = find("check").and_then(|entry| request::read(entry, &mut request));
+        value::warn(py, &read.map_err(Wrong::from)?)?;
+        Ok(run::quick(py, |_| {
+            described(&request, rubber.as_deref())
+                .map(Self::from)
+                .map_err(|problem| Wrong::from(blamed(problem, &request)))
+        })?)
+    }
+
+    /// The fields by which a muscle is given, of this one; those that it does not have are left out.
+    #[pyo3(signature = () -> "dict[str, typing.Any]")]
+    fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let wrong = |e: serde_json::Error| Problem::new(ProblemKind::Internal, e.to_string(), "");
+        let fields = serde_json::to_value(MuscleFields::from_muscle(&self.held)).map_err(wrong);
+        value::answer(py, &fields.map_err(Wrong::from)?)
+    }
+
+    /// Constants and measures by which a model has derivatives, with their values.
+    fn parameters(&self) -> Vec<(String, f64)> {
+        let unknown =
+            [Target::ContractionOffset, Target::DeadVolume, Target::StiffnessExponent, Target::Modulus];
+        let all = Target::all(&self.held).into_iter().filter(|target| !unknown.contains(target));
+        all.filter_map(|t| Some((t.name(&self.held), t.value(&self.held)?))).collect()
+    }
+
+    /// The same with other values of constants and measures, all others held.
+    #[pyo3(signature = (values: "dict[str, float]"))]
+    fn changed(&self, values: &Bound<'_, PyDict>) -> PyResult<Self> {
+        let values = values.iter().map(|(name, value)| Ok((name.extract()?, value.extract()?)));
+        let values: Vec<(String, f64)> = values.collect::<PyResult<_>>()?;
+        Ok(with_parameters(&self.held, &values).map(Self::from).map_err(Wrong::from)?)
+    }
+
+    /// Nominal stress in MPa of the rubber at stretches: `uniaxial`, `planar` or `equibiaxial`, with plane stress and constant volume.
+    fn stress(&self, mode: &str, stretches: Vec<f64>) -> PyResult<Vec<f64>> {
+        let law = &self.held.tube().rubber.law;
+        if let Some(wrong) = stretches.iter().find(|s| !(**s > 0.0 && s.is_finite())) {
+            let message = format!("a stretch of {wrong}: it is the length over that at rest, above 0");
+            let problem = Problem::new(ProblemKind::Quantity, message, "").in_field("stretch");
+            return Err(Wrong::from(problem).into());
+        }
+        let stress = |stretch: &f64| match mode {
+            "planar" => law.planar_stress_mpa(*stretch),
+            "equibiaxial" => law.equibiaxial_stress_mpa(*stretch),
+            _ => law.uniaxial_stress_mpa(*stretch),
+        };
+        Ok(stretches.iter().map(stress).collect())
+    }
+
+    /// The model that a request names, of this muscle.
+    #[pyo3(signature = (request: "dict[str, typing.Any]"))]
+    fn model(&self, py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<Model> {
+        let mut request = value::request(request)?;
+        find("force").and_then(|entry| request::read(entry, &mut request)).map_err(Wrong::from)?;
+        Ok(run::quick(py, |_| {
+            let (model, asking): (ModelFields, AskFields) = (understood(&request)?, understood(&request)?);
+            Ok(Model::from(BoundModel::new(&self.held, &model, asking)?))
+        })?)
+    }
 }

@@ -1,10 +1,13 @@
 //! A drive in a control loop.
 
 use crate::{error::Wrong, run, value};
-use mckibben_app::{MotionRequest, SimulatedDrive, understood};
-use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
+use mckibben::threads::Threads;
+use mckibben_app::{MotionRequest, Problem, SimulatedDrive, understood};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde_json::json;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// A drive that is stepped.
@@ -12,6 +15,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 pub struct Simulation {
     /// One step at a time: other threads wait.
     drive: Mutex<SimulatedDrive>,
+    /// Whether every step is recorded, not the last one alone.
+    records: bool,
 }
 
 impl Simulation {
@@ -24,12 +29,12 @@ impl Simulation {
 impl Simulation {
     /// The drive of a request of `motion`, with steps of a length in s.
     #[new]
-    #[pyo3(signature = (request: "dict[str, typing.Any]", step_s))]
-    fn new(py: Python<'_>, request: &Bound<'_, PyAny>, step_s: f64) -> PyResult<Self> {
+    #[pyo3(signature = (request: "dict[str, typing.Any]", step_s, records))]
+    fn new(py: Python<'_>, request: &Bound<'_, PyAny>, step_s: f64, records: bool) -> PyResult<Self> {
         let request = value::request(request)?;
         Ok(run::long(py, None, |progress| {
             let request: MotionRequest = understood(&request)?;
-            Ok(Self { drive: Mutex::new(SimulatedDrive::new(&request, step_s, progress)?) })
+            Ok(Self { drive: Mutex::new(SimulatedDrive::new(&request, step_s, progress)?), records })
         })?)
     }
 
@@ -38,6 +43,9 @@ impl Simulation {
         Ok(run::quick(py, |progress| {
             let mut drive = self.drive();
             drive.step(&commands, outside, progress)?;
+            if !self.records {
+                drive.forget();
+            }
             Ok::<_, Wrong>(last(&drive))
         })?)
     }
@@ -53,7 +61,18 @@ impl Simulation {
 
     /// Another one in the same state.
     fn copy(&self, py: Python<'_>) -> Self {
-        py.detach(|| Self { drive: Mutex::new(self.drive().duplicate()) })
+        py.detach(|| Self { drive: Mutex::new(self.drive().duplicate()), records: self.records })
+    }
+
+    /// Where it is, as numbers.
+    #[pyo3(signature = () -> "numpy.typing.NDArray[numpy.float64]")]
+    fn numbers<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        py.detach(|| self.drive().numbers()).into_pyarray(py)
+    }
+
+    /// Goes to where a simulation of the same drive was, by its numbers.
+    fn restore(&self, py: Python<'_>, numbers: Vec<f64>) -> PyResult<()> {
+        Ok(run::quick(py, |progress| Ok(self.drive().restore(&numbers, progress)?))?)
     }
 
     /// What was recorded last, in the order of the names.
@@ -96,6 +115,63 @@ impl Simulation {
             (kind, count, drive.is_joint())
         })
     }
+}
+
+/// Copies of a simulation, each with its own commands: a row of `commands` for each step of each copy in turn, and into `out` what is recorded at
+/// the start and the end of each step. Copies run side by side. Returns the first step that failed; from there on its copy is NaN.
+#[pyfunction]
+#[pyo3(signature = (simulation, steps, commands: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", nan, progress: "collections.abc.Callable[[int, int], object] | None" = None))]
+pub fn rollout(
+    py: Python<'_>,
+    simulation: &Simulation,
+    steps: usize,
+    commands: PyReadonlyArray2<'_, f64>,
+    mut out: PyReadwriteArray1<'_, f64>,
+    nan: bool,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<()> {
+    let wrong = |e: numpy::AsSliceError| PyValueError::new_err(e.to_string());
+    let count = commands.as_array().ncols();
+    let (rows, places) = (commands.as_slice().map_err(wrong)?, out.as_slice_mut().map_err(wrong)?);
+    let width = py.detach(|| last(&simulation.drive()).len());
+    let whole = (steps + 1) * width;
+    if steps * count == 0 || rows.len() / (steps * count) * whole != places.len() {
+        return Err(PyValueError::new_err("places for as many steps as there are commands"));
+    }
+    let start = py.detach(|| simulation.drive().duplicate());
+    let start = Mutex::new(start);
+    run::long(py, progress, |progress| {
+        let (done, total) = (AtomicUsize::new(0), places.len() / whole);
+        let failed: Mutex<Option<(usize, Problem)>> = Mutex::new(None);
+        Threads::shared().fill(places, whole, |place, part| {
+            let copy = place / whole;
+            let mut drive = start.lock().unwrap_or_else(PoisonError::into_inner).duplicate();
+            let own = rows.chunks_exact(count).skip(copy * steps);
+            let mut ends = part.chunks_exact_mut(width);
+            ends.next().into_iter().for_each(|end| end.copy_from_slice(&last(&drive)));
+            for (step, (commands, end)) in own.zip(&mut ends).enumerate() {
+                if let Err(problem) = drive.step(commands, 0.0, progress) {
+                    end.fill(f64::NAN);
+                    ends.for_each(|end| end.fill(f64::NAN));
+                    let mut failed = failed.lock().unwrap_or_else(PoisonError::into_inner);
+                    let index = copy * steps + step;
+                    if failed.as_ref().is_none_or(|(first, _)| *first > index) {
+                        *failed = Some((index, problem));
+                    }
+                    break;
+                }
+                drive.forget();
+                end.copy_from_slice(&last(&drive));
+            }
+            progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, total);
+        });
+        progress.check().map_err(Problem::from)?;
+        match failed.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            Some((index, problem)) if !nan => Err(Wrong::Problem(problem, Some(index))),
+            _ => Ok(()),
+        }
+    })?;
+    Ok(())
 }
 
 fn last(drive: &SimulatedDrive) -> Vec<f64> {

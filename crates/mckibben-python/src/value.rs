@@ -1,4 +1,4 @@
-//! Maps, lists and numbers of Python and of requests, from the one to the other by way of JSON's text.
+//! Maps, lists and numbers of Python and of requests, from the one to the other by way of JSON's text; and what is said to the caller.
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -16,4 +16,10 @@ pub fn request(object: &Bound<'_, PyAny>) -> PyResult<Value> {
 
 pub fn answer<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
     py.import("json")?.call_method1("loads", (value.to_string(),))
+}
+
+/// Warns the caller of units, at the line that called the package.
+pub fn warn(py: Python<'_>, said: &[String]) -> PyResult<()> {
+    said.iter()
+        .try_for_each(|text| py.import("mckibben._errors")?.call_method1("warned_of_unit", (text,)).map(drop))
 }

@@ -8,9 +8,14 @@
 mod point;
 pub use point::with_parameters;
 
-use crate::{AskFields, Model, ModelFields, Problem, ProblemKind, Result, check_branch};
-use mckibben::model::{ForceModel, ModelKind, Reference, Workspace};
-use mckibben::{answer::Options, muscle::Muscle, progress::Progress, threads::Threads};
+use crate::{
+    AskFields, Model, ModelFields, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, burst_of,
+    check_branch, finite, put_first, ratio, said_of,
+};
+use mckibben::analysis::Evaluation;
+use mckibben::model::{ForceModel, Reference, Workspace};
+use mckibben::threads::{self, Threads};
+use mckibben::{answer::Answer, answer::Options, muscle::Muscle, progress::Progress};
 use mckibben_fit::identify::Target;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -61,9 +66,7 @@ impl From<Problem> for ArrayError {
 
 /// Points of a closed form that are worked on together: their lists lie in the first cache.
 const BLOCK: usize = 1024;
-/// Points of a polynomial that one thread takes: a thread is woken in the time of some thousand.
-const SHARE_OF_POLYNOMIALS: usize = 64 * BLOCK;
-/// Points of finite elements that are worked on together: neighbours share their equilibria.
+/// Points of finite elements that one thread takes.
 const BLOCK_OF_ELEMENTS: usize = 32;
 
 /// A model bound to its muscle.
@@ -101,13 +104,26 @@ impl BoundModel {
         &self.model.info().name
     }
 
-    /// How it is evaluated.
-    pub fn options(&self) -> Options {
-        self.options
+    /// The pressures that the muscle bears.
+    pub fn limits(&self) -> Result<PressureLimits> {
+        Ok((&burst_of(&self.choice, &*self.model)?).into())
     }
 
-    pub fn model(&self) -> &dyn ForceModel {
-        &*self.model
+    /// All that is known of points of P in MPa and ε but P′, each as [`force`](crate::force) answers it, on the threads of the process.
+    pub fn answers(&self, points: &[(f64, f64)], progress: &dyn Progress) -> Result<Vec<Result<Answer>>> {
+        let burst = burst_of(&self.choice, &*self.model)?;
+        let done = AtomicUsize::new(0);
+        let answer = |&(p, e): &(f64, f64)| {
+            let (p, e) = (finite("pressure_mpa", p)?, ratio(e)?);
+            let workspace = &mut Workspace::new();
+            let mut answer = Evaluation::new(&*self.model, workspace, self.options).point(p, e)?;
+            put_first(&mut answer.warnings, said_of(&burst, p, QUIET_MPA));
+            progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, points.len());
+            Ok(answer)
+        };
+        let answers = threads::map(points, answer);
+        progress.check().map_err(Problem::from)?;
+        Ok(answers)
     }
 
     /// Whether a point takes finite elements, and so about a million times as long as a formula.
@@ -115,19 +131,9 @@ impl BoundModel {
         matches!(self.choice, Model::Elements(_))
     }
 
-    /// Whether its pull is a polynomial of pressure and contraction.
-    fn is_polynomial(&self) -> bool {
-        matches!(self.choice, Model::Formula(_) | Model::ClosedForm(ModelKind::Paper))
-    }
-
     /// Whether so many numbers take some hundredths of a second at most: no progress is reported.
     pub fn is_moment(&self, numbers: usize) -> bool {
-        let most = match self.choice {
-            Model::Elements(_) => 0,
-            _ if self.is_polynomial() => 5_000_000,
-            _ => 20_000,
-        };
-        numbers <= most
+        !self.is_elements() && numbers <= 20_000
     }
 
     /// The constant or measure of a name, as the muscle file has it.
@@ -154,11 +160,7 @@ impl BoundModel {
             let message = format!("{} places for {count} points of {width} numbers", out.len());
             return Err(Problem::new(ProblemKind::Usage, message, "").into());
         }
-        let share = match self.choice {
-            Model::Elements(_) => BLOCK_OF_ELEMENTS,
-            _ if self.is_polynomial() => SHARE_OF_POLYNOMIALS,
-            _ => BLOCK,
-        };
+        let share = if self.is_elements() { BLOCK_OF_ELEMENTS } else { BLOCK };
         let (done, failed, first) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicUsize::new(usize::MAX));
         let reason: Mutex<Option<ArrayError>> = Mutex::new(None);
         let refuse = |index: usize, problem: Problem| {
@@ -170,7 +172,6 @@ impl BoundModel {
             }
         };
         let work = |place: usize, part: &mut [f64]| {
-            let mut workspace = Workspace::new();
             for (i, places) in part.chunks_mut(BLOCK * width).enumerate() {
                 let (from, length) = (place / width + i * BLOCK, places.len() / width);
                 // Points behind one without an answer are left out.
@@ -178,7 +179,7 @@ impl BoundModel {
                     return;
                 }
                 let pairs = pairs.map(|list| list.get(from..from + length).unwrap_or_default());
-                match self.block(pairs, many, &mut workspace, places) {
+                match self.block(pairs, many, places) {
                     Ok(count) => drop(failed.fetch_add(count, Ordering::Relaxed)),
                     Err((index, problem)) => return refuse(from + index, problem),
                 }

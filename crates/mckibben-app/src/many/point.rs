@@ -12,7 +12,7 @@
 use super::{BoundModel, Many, PointQuantity};
 use crate::{Problem, ProblemKind, Result, finite, ratio};
 use mckibben::analysis::Evaluation;
-use mckibben::model::{Bounds, ModelError, Workspace, pulls_within};
+use mckibben::model::{ModelError, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle};
 use mckibben::{cancel, differences::slope, rubber::RubberLaw, warning::strand_strength_n};
 use mckibben_fit::identify::{Candidate, Target};
@@ -29,19 +29,16 @@ impl BoundModel {
         &self,
         [first, second]: [&[f64]; 2],
         many: &Many,
-        workspace: &mut Workspace,
         out: &mut [f64],
     ) -> Result<usize, (usize, Problem)> {
-        if many.wanted == PointQuantity::Force
-            && many.width() == 1
-            && self.at_once(first, second, workspace, out)
-        {
+        if many.wanted == PointQuantity::Force && many.width() == 1 && self.at_once(first, second, out) {
             return Ok(0);
         }
         let (mut failed, mut free) = (0, None);
         let points = first.iter().zip(second).zip(out.chunks_mut(many.width()));
         for (index, ((&a, &b), places)) in points.enumerate() {
-            match self.one((a, b), many, workspace, &mut free, places) {
+            // A point has the same digits alone and among others: nothing is kept of the one before.
+            match self.one((a, b), many, &mut Workspace::new(), &mut free, places) {
                 Ok(()) => {}
                 // Work that is to end says so of every point.
                 Err(problem) if !many.nan || cancel::check().is_err() => {
@@ -56,8 +53,8 @@ impl BoundModel {
         Ok(failed)
     }
 
-    /// All pulls of a block by the model's way for lists; false where a point needs to be looked at by itself.
-    fn at_once(&self, p: &[f64], e: &[f64], workspace: &mut Workspace, out: &mut [f64]) -> bool {
+    /// All pulls of a block by the model alone; false where a point needs to be looked at by itself.
+    fn at_once(&self, p: &[f64], e: &[f64], out: &mut [f64]) -> bool {
         let may_break = strand_strength_n(self.muscle()).is_some();
         if may_break || self.is_elements() || !self.options.direction.is_mean() {
             return false;
@@ -70,14 +67,19 @@ impl BoundModel {
             (range.pressure_mpa, (range.contraction.0, range.contraction.1.min(1.0 - 1e-9)))
         };
         let is_checked = self.options.extrapolate || range.muscle.is_empty() && range.make.is_empty();
-        let wider = |(low, high): (f64, f64)| (low - 1e-12, high + 1e-12);
-        let bounds = Bounds {
-            pressure_mpa: wider(pressures),
-            contraction: wider(contractions),
-            push_n: if self.options.two_sided { f64::NEG_INFINITY } else { 0.0 },
-            rounding_mm2: ROUNDING * self.outer_area_mm2(),
-        };
-        is_checked && pulls_within(&*self.model, workspace, [p, e], &bounds, out)
+        let holds = |(low, high): (f64, f64), v: f64| (low - 1e-12..=high + 1e-12).contains(&v);
+        let (rounding_mm2, pushes) = (ROUNDING * self.outer_area_mm2(), self.options.two_sided);
+        let mut points = p.iter().zip(e).zip(out);
+        is_checked
+            && points.all(|((&p, &e), place)| {
+                let is_inside = holds(pressures, p) && holds(contractions, e) && p.is_finite();
+                let pull =
+                    if is_inside { self.model.force_n(&mut Workspace::new(), p, e).ok() } else { None };
+                let Some(pull) = pull.filter(|pull| pull.is_finite()) else { return false };
+                let hangs = pull.abs() <= rounding_mm2 * p || pull < 0.0 && !pushes;
+                *place = if hangs { 0.0 } else { pull };
+                true
+            })
     }
 
     fn evaluation<'a>(&'a self, workspace: &'a mut Workspace) -> Evaluation<'a> {

@@ -10,6 +10,8 @@ use std::sync::Arc;
 pub struct SimulatedDrive {
     setup: Arc<Setup>,
     simulation: Simulation,
+    /// Those of the last step.
+    commands: Option<Vec<f64>>,
 }
 
 /// What all steps have in common.
@@ -63,12 +65,13 @@ impl SimulatedDrive {
         file.target = moved.target(&file);
         let setup = Arc::new(Setup { moved, file });
         let simulation = setup.with(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
-        Ok(Self { setup, simulation })
+        Ok(Self { setup, simulation, commands: None })
     }
 
     /// Back to the start.
     pub fn reset(&mut self, progress: &dyn Progress) -> Result<()> {
         self.simulation = self.setup.with(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
+        self.commands = None;
         Ok(())
     }
 
@@ -77,7 +80,33 @@ impl SimulatedDrive {
     /// it was.
     pub fn step(&mut self, commands: &[f64], outside: f64, progress: &dyn Progress) -> Result<()> {
         let simulation = &mut self.simulation;
-        self.setup.with(Some(commands), outside, |drive| Ok(simulation.step(drive, progress)?))
+        self.setup.with(Some(commands), outside, |drive| Ok(simulation.step(drive, progress)?))?;
+        self.commands = Some(commands.to_vec());
+        Ok(())
+    }
+
+    /// Forgets what was recorded, but for its last point.
+    pub fn forget(&mut self) {
+        self.simulation.forget();
+    }
+
+    /// Where it is, as numbers.
+    pub fn numbers(&self) -> Vec<f64> {
+        let mut numbers = self.commands.clone().unwrap_or_default();
+        numbers.insert(0, numbers.len() as f64);
+        numbers.extend(self.simulation.numbers());
+        numbers
+    }
+
+    /// Goes to where a simulation of the same drive was, by its numbers: to the tolerance of the integration, a copy is there to the last bit.
+    pub fn restore(&mut self, numbers: &[f64], progress: &dyn Progress) -> Result<()> {
+        let (count, rest) = numbers.split_first().map_or((0, numbers), |(n, rest)| (*n as usize, rest));
+        let (commands, rest) = rest.split_at_checked(count).unwrap_or_default();
+        let commands = Some(commands).filter(|commands| !commands.is_empty());
+        let simulation = &mut self.simulation;
+        self.setup.with(commands, 0.0, |drive| Ok(simulation.restore(drive, rest, progress)?))?;
+        self.commands = commands.map(<[f64]>::to_vec);
+        Ok(())
     }
 
     /// What was recorded at the start and the end of each step.
@@ -103,6 +132,7 @@ impl SimulatedDrive {
     /// Another one in the same state.
     #[must_use]
     pub fn duplicate(&self) -> Self {
-        Self { setup: Arc::clone(&self.setup), simulation: self.simulation.duplicate() }
+        let (setup, simulation) = (Arc::clone(&self.setup), self.simulation.duplicate());
+        Self { setup, simulation, commands: self.commands.clone() }
     }
 }

@@ -98,10 +98,6 @@ impl ForceModel for FormulaModel {
     fn contraction_at_pull(&self, _: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
         self.section()?.contraction(force_n, pressure_mpa)
     }
-
-    fn lists(&self) -> Option<&Section> {
-        self.section()
-    }
 }
 
 /// The box of a formula for a muscle.

@@ -6,7 +6,6 @@
 
 mod accuracy;
 mod belforte;
-mod bounds;
 mod chou_hannaford;
 mod conical_ends;
 mod error;
@@ -22,7 +21,6 @@ mod klute_hannaford;
 mod notes;
 mod pantograph;
 mod paper;
-mod paper_batch;
 mod proportional;
 mod quadrature;
 mod range;
@@ -39,7 +37,6 @@ mod wall_mooney;
 mod workspace;
 
 pub use accuracy::{Accuracy, BlockedAt, Reference};
-pub use bounds::{Bounds, pulls_within};
 pub use error::{ModelError, Result};
 pub use festo_hunt::FestoHunt;
 pub use festo_sarosi::FestoSarosi;
@@ -59,7 +56,6 @@ pub use wall::Wall;
 pub use wall_energy::WallEnergy;
 pub use workspace::{ModelId, Workspace};
 
-use crate::formula::Section;
 use crate::muscle::Muscle;
 
 /// Gauss–Legendre points and weights on [−1, 1].
@@ -88,18 +84,6 @@ pub trait ForceModel: Send + Sync {
     /// The pull alone, in N; tension positive.
     fn force_n(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         Ok(self.response(workspace, pressure_mpa, contraction)?.force_n)
-    }
-
-    /// Pulls in N at pressures in MPa and contraction ratios, each into its place of `out`: faster than one by one where the
-    /// model has a way for lists. A pull is what [`ForceModel::force_n`] answers, but for rounding or 1e-9 of the blocked force.
-    /// False where the lists differ in length or a point has no answer, and then the places hold nothing.
-    fn forces_n(&self, workspace: &mut Workspace, lists: [&[f64]; 2], out: &mut [f64]) -> bool {
-        let [pressures_mpa, contractions] = lists;
-        let mut points = pressures_mpa.iter().zip(contractions).zip(out.iter_mut());
-        let mut one = |((&p, &e), place): ((&f64, &f64), &mut f64)| {
-            self.force_n(workspace, p, e).map(|pull| *place = pull).is_ok()
-        };
-        pressures_mpa.len() == contractions.len() && points.all(&mut one) && pressures_mpa.len() == out.len()
     }
 
     /// The pressure in MPa at which the pull is `force_n`, where its equation can be solved for it, in closed form or with the load held in place of
@@ -143,11 +127,6 @@ pub trait ForceModel: Send + Sync {
 
     /// As [`pivoting_n_per_mm`], where the model computes how the strands press on each other.
     fn contact_n_per_mm(&self, _: &mut Workspace, _p: f64, _e: f64) -> Option<Result<f64>> {
-        None
-    }
-
-    /// A way for lists of points that all lie within bounds.
-    fn lists(&self) -> Option<&Section> {
         None
     }
 

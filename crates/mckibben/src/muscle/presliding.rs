@@ -29,6 +29,18 @@ impl Presliding {
         presliding
     }
 
+    /// What it remembers, as numbers.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+        self.turns.iter().flat_map(|&(x, z)| [x, z])
+    }
+
+    /// The same with other things to remember, an even count of [numbers](Self::numbers).
+    #[must_use]
+    pub fn remembering(&self, numbers: &[f64]) -> Self {
+        let turns = numbers.chunks_exact(2).filter_map(|turn| Some((*turn.first()?, *turn.last()?)));
+        Self { length_mm: self.length_mm, turns: turns.collect() }
+    }
+
     /// z at a position that is reached without a reversal.
     pub fn share(&self, at_mm: f64) -> f64 {
         self.branch(at_mm).1

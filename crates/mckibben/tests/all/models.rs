@@ -124,23 +124,14 @@ fn answers_are_finite_over_the_range_and_typed_errors_beyond() {
     }
 }
 
-/// A list is its points, to rounding or 1e-9 of the blocked force; lists of different length and what is no number are refused.
+/// A pull alone, and one with all else that the model knows, have the same digits, whatever was computed before.
 #[test]
-fn lists_of_pulls_are_their_points() {
+fn a_pull_alone_is_that_of_the_response() {
     for model in every_model() {
-        let (p, e): (Vec<f64>, Vec<f64>) = grid(&*model).into_iter().unzip();
-        let (name, workspace) = (&model.info().name, &mut Workspace::new());
-        let mut out = vec![f64::NAN; p.len()];
-        assert!(model.forces_n(workspace, [&p, &e], &mut out));
-        let blocked = model.force_n(workspace, p[p.len() - 1], 0.0).unwrap();
-        for ((&p, &e), list) in p.iter().zip(&e).zip(&out) {
-            let one = model.force_n(&mut Workspace::new(), p, e).unwrap();
-            assert!((list - one).abs() <= 2e-9 * blocked.max(1.0), "{name} {p} {e}: {list} {one}");
-        }
-        assert!(!model.forces_n(workspace, [&p[1..], &e], &mut out));
-        if name != "thick-wall" {
-            let wrong = model.forces_n(workspace, [&[0.1, f64::NAN], &[0.1, 0.1]], &mut [0.0; 2]);
-            assert!(!wrong, "{name}");
+        for (p, e) in grid(&*model) {
+            let pull = model.force_n(&mut Workspace::new(), p, e).unwrap();
+            let response = model.response(&mut Workspace::new(), p, e).unwrap();
+            assert_eq!(pull, response.force_n, "{} {p} {e}", model.info().name);
         }
     }
 }

@@ -28,13 +28,12 @@ const LARGEST_STEP: f64 = 0.1;
 const START: f64 = 0.8;
 
 /// A point to start from.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Start {
-    pub l: f64,
+struct Start {
+    l: f64,
     /// λf² of the middle
-    pub q: f64,
+    q: f64,
     /// λs at both sections
-    pub stretches: [f64; 2],
+    stretches: [f64; 2],
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -43,11 +42,8 @@ pub(super) struct Root {
     /// λ and r
     pub l: f64,
     pub r: f64,
-    /// −∂ε/∂λ
-    pub slope: f64,
-    /// The unknowns and their changes with λ.
-    pub end: Start,
-    pub by: Start,
+    /// λs at both sections
+    pub stretches: [f64; 2],
 }
 
 impl Universal {
@@ -90,14 +86,14 @@ impl Universal {
     }
 
     /// The root at a pressure and contraction.
-    pub(super) fn coupled(&self, p: f64, contraction: f64, from: Option<Start>) -> Option<Root> {
+    pub(super) fn coupled(&self, p: f64, contraction: f64) -> Option<Root> {
         if !self.is_coupled() {
             return None;
         }
         let wall = &self.zone.wall;
         let (sin2, cos2) = wall.squares();
         let (b, section) = (sin2 / (self.zone.ro * self.zone.ro), wall.section());
-        let Start { mut l, mut q, mut stretches } = from.unwrap_or_else(|| self.start(p, contraction));
+        let Start { mut l, mut q, mut stretches } = self.start(p, contraction);
         for _ in 0..ITERATIONS {
             let x = wall.square_at(q, l);
             if !(l > 0.0 && x * l > section) {
@@ -136,11 +132,7 @@ impl Universal {
             if !(slope > LEAST_SLOPE && step.is_finite()) {
                 return None;
             }
-            let by = Start {
-                l: 1.0,
-                q: 2.0 * cos2 * l + b * x_l,
-                stretches: [first.stretch.by[0], second.stretch.by[0]],
-            };
+            let q_l = 2.0 * cos2 * l + b * x_l;
             let step = step.clamp(-LARGEST_STEP, LARGEST_STEP);
             let force_l = tension.by[0] - p * PI * x_l;
             // How much the slope of a flat end makes of an error in T.
@@ -151,13 +143,12 @@ impl Universal {
                 && at_start.settled(step, flat)
                 && on_way.settled(step, flat);
             l += step;
-            q += b * dx + by.q * step;
-            stretches = [first.stretch.v + by.stretches[0] * step, second.stretch.v + by.stretches[1] * step];
+            q += b * dx + q_l * step;
+            stretches = [&first, &second].map(|section| section.stretch.v + section.stretch.by[0] * step);
             if settled {
                 let force = tension.v - p * PI * x1 + force_l * step;
-                let end = Start { l, q, stretches };
                 let r = r + radius.by[0] * step;
-                return (force >= 0.0).then_some(Root { force, l, r, slope, end, by });
+                return (force >= 0.0).then_some(Root { force, l, r, stretches });
             }
         }
         None

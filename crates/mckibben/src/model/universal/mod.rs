@@ -14,7 +14,6 @@ mod coupled;
 mod dual;
 mod end;
 mod end_point;
-mod forces;
 mod form;
 mod pushing;
 mod range;
@@ -159,7 +158,7 @@ impl ForceModel for Universal {
         let response = Response {
             pressure_mpa,
             contraction,
-            force_n: s.force,
+            force_n: self.force_n(workspace, p, contraction)?,
             volume_mm3: volume.map(|v| v.v),
             volume_per_pressure_mm3_per_mpa: volume.map(|v| v.by[1]),
             volume_per_contraction_mm3: volume.map(|v| v.by[0]),
@@ -173,12 +172,8 @@ impl ForceModel for Universal {
         response.with_braid_tension(s.tension, self.muscle()).finite(&self.info.name)
     }
 
-    fn forces_n(&self, _: &mut Workspace, lists: [&[f64]; 2], out: &mut [f64]) -> bool {
-        self.forces(lists, out)
-    }
-
     fn force_n(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
-        match self.coupled(pressure_mpa, contraction, None) {
+        match self.coupled(pressure_mpa, contraction) {
             Some(root) => Ok(root.force),
             None => self.searched_force(workspace, pressure_mpa, contraction),
         }

@@ -161,8 +161,8 @@ impl Universal {
 
     /// The middle at a question, with its derivatives.
     pub(super) fn place(&self, workspace: &mut Workspace, p: f64, contraction: f64) -> Result<SearchPoint> {
-        let (l, near, sections) = match self.coupled(p, contraction, None) {
-            Some(root) => (root.l, Some(root.r), Some(root.end.stretches)),
+        let (l, near, sections) = match self.coupled(p, contraction) {
+            Some(root) => (root.l, Some(root.r), Some(root.stretches)),
             None => match self.pulling(workspace, p, contraction)? {
                 Ok((m, step)) => (m.l + step, Some(m.state.r + m.state.r_by[0] * step), None),
                 Err(l) => return self.pushed(workspace, p, contraction, l),

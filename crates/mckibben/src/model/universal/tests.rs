@@ -202,33 +202,13 @@ fn the_coupled_root_is_that_of_the_nested_search() {
         let blocked = model.force_n(&mut Workspace::new(), p, 0.0).unwrap();
         for i in 0..=60 {
             let e = m.max_ideal_contraction() * f64::from(i) / 60.0;
-            let Some(root) = model.coupled(p, e, None) else { continue };
+            let Some(root) = model.coupled(p, e) else { continue };
             let searched = model.searched_force(&mut Workspace::new(), p, e).unwrap();
             assert!((root.force - searched).abs() < 1e-9 * blocked, "{e}: {} {searched}", root.force);
             coupled += 1;
         }
     }
     assert!(coupled > 200, "{coupled}");
-}
-
-/// A list is answered as single questions are, and lists of different length are refused.
-#[test]
-fn a_list_of_points_is_answered_as_single_ones() {
-    for (m, p) in muscles() {
-        let (model, other) = (large(&m), large(&m));
-        let es: Vec<f64> = (0..100).map(|i| 0.0105 * f64::from(i) * m.max_ideal_contraction()).collect();
-        let ps: Vec<f64> = (0..100).map(|i| p * (0.5 + 0.005 * f64::from(i))).collect();
-        let mut out = vec![f64::NAN; 100];
-        assert!(model.forces([&ps, &es], &mut out));
-        for ((&p, &e), f) in ps.iter().zip(&es).zip(&out) {
-            let blocked = other.force_n(&mut Workspace::new(), p, 0.0).unwrap();
-            assert!(
-                (f - other.force_n(&mut Workspace::new(), p, e).unwrap()).abs() < 1e-9 * blocked,
-                "{p} {e}"
-            );
-        }
-        assert!(!model.forces([&ps, &es[1..]], &mut out));
-    }
 }
 
 /// An answer has the same bits whatever was computed before.

@@ -1,0 +1,7691 @@
+"""Commands and answers of the program. Written by python/write.py from the schema; do not edit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, overload
+
+from . import _results
+from ._record import Record
+from ._request import answered
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+    from typing_extensions import Unpack
+
+    from ._muscle import Muscle
+    from ._values import Choice, FileLike, Floats, FormulaLike, MuscleLike, Number, Numbers, Options, Plain, Progress, RubberLike, TableLike
+
+    Errors = Literal["raise", "nan"]
+    Array = NDArray[np.float64]
+
+
+
+__all__ = ["Axis", "BoughtAnswer", "BraidDetails", "BraidPoint", "BraidSummary", "BranchAnswer", "Build", "BuildPart", "BuildSheet", "BuiltFile", "BundleAnswer", "BundlePoint", "CampaignOutcome", "CampaignStatus", "CampaignSummary", "CandidateAnswer", "CandidateJoint", "Case", "Characteristics", "CheckAnswer", "ClosestAnswer", "CompareAnswer", "ComparedModel", "Constants", "Curve", "Cut", "Cycle", "DemandAnswer", "Derived", "Design", "DesignPoint", "EndPowers", "EndTerm", "Equilibrium", "ErrorSummary", "Export", "ExportForm", "ExportListAnswer", "ExportTarget", "Extent", "Failed", "FailedPoint", "Figure", "FillAnswer", "Finding", "FindingAnswer", "Fit", "FitReport", "FormulaCheck", "FormulaErrors", "FormulaRange", "GlobalTerm", "HeldOut", "HeldOutError", "HeldOutRow", "Identification", "Identified", "IdentifiedPoint", "JointMap", "JointRow", "JointSolution", "LawAnswer", "LawRow", "LibraryAgreement", "LibraryDetails", "LibraryFit", "LibraryMuscle", "Liquid", "LoadAnswer", "LoadedAt", "Made", "MadeBraid", "MadeRubber", "MapGap", "MapPoint", "Mark", "MeasureEntry", "MeasuredAnswer", "MeasuredBin", "MeasuredBranch", "MeasuredCase", "MeasuredFit", "MeasuredResult", "MeasuredRubber", "MeasuredRubberFit", "MeasuredStress", "MeasuresAnswer", "ModeError", "ModelAbout", "ModelDetails", "ModelEntry", "Motion", "MotionRun", "MotionSeries", "MuscleFinding", "MuscleSummary", "NamedFigure", "OperatingPoint", "Panel", "PaperTerm", "Parameter", "PartShowAnswer", "PartsListAnswer", "Plan", "PointRow", "Powers", "ProfileRow", "PronyAnswer", "Provenance", "Recomputed", "RegionErrors", "RejectedAnswer", "Relaxation", "RelaxationAnswer", "RestPlace", "RubberDetails", "RubberFit", "RubberSummary", "Scales", "SearchedAnswer", "SectionFile", "SectionFile2", "SensitivityRow", "Series", "Shape", "ShardStatus", "SimulateAnswer", "SimulatedPoint", "SimulatedRow", "SleeveCut", "SofteningAnswer", "Spread", "SpreadAnswer", "StrandRow", "StudyAnswer", "StudyRow", "SweepAnswer", "Table", "TestPoint", "TextFile", "TorqueWanted", "TubeSummary", "UncertaintyParts", "UncertaintyWords", "UnderstoodColumn", "UnderstoodTable", "UniversalErrors", "UniversalFile", "UniversalRange", "UniversalSummary", "ValidateAnswer", "Verified", "VerifiedPoint", "Solution", "State"]
+# Keys of the muscle file, by field.
+KEYS = {"outer_diameter_mm": "tube.outer_diameter", "wall_mm": "tube.wall_thickness", "length_mm": "tube.length", "stiffness": "braid.stiffness", "density_kg_per_m3": "tube.density", "prestretch": "tube.prestretch", "temperature_degc": "tube.temperature", "angle_deg": "braid.angle", "insertion_mm": "terminals.insertion", "seating_mm": "terminals.seating", "slip_mm_per_n": "terminals.slip", "grip_mm": "terminals.grip", "plug_diameter_mm": "terminals.plug_diameter", "pull_off_n": "terminals.pull_off", "rated_pressure_mpa": "terminals.rated_pressure", "end_factor": "terminals.end_factor", "cone_factor": "terminals.cone_factor", "stiffness_factor": "braid.stiffness_factor", "strands": "braid.strands", "strand_area_mm2": "braid.strand_area", "strand_modulus_mpa": "braid.strand_modulus", "strand_strength_n": "braid.strand_strength", "strands_per_carrier": "braid.strands_per_carrier", "strand_length_mm": "braid.strand_length", "turns": "braid.turns", "braid_thickness_mm": "braid.thickness", "braid_diameter_mm": "braid.diameter", "crimp": "braid.crimp", "crimp_stiffness": "braid.crimp_stiffness", "friction_coefficient": "friction.coefficient", "friction_exponent": "friction.exponent", "friction_lever_mm": "friction.lever", "friction_presliding_mm": "friction.presliding"}
+
+
+class Axis(Record):
+    """An axis.
+
+    Attributes
+    ----------
+    label
+        Quantity and unit, such as `pull F [N]`.
+    range
+        Lower and upper end in the unit of the axis; `None` follows from the data.
+    from_zero
+        Whether a range that follows from the data must contain zero.
+    """
+    label: str
+    range: tuple[float, float] | None
+    from_zero: bool
+
+
+class BoughtAnswer(Record):
+    """A muscle of the library, as sold, that would do.
+
+    Attributes
+    ----------
+    name
+        Its name, which may stand where a muscle file may: `lib:dmsp-20-300`.
+    product
+        The product.
+    outer_diameter_mm : mm
+        Outer diameter D0 at rest, mm.
+    length_mm : mm
+        Length L0, mm: that of the specification, or of its bench.
+    pressure_mpa : MPa
+        The pressure at which it does: that of the supply, or the highest of its bench, MPa.
+    wanted
+        The operating point at which it has least to spare.
+    force_n : N
+        Its pull there, N.
+    uncertainty_n : N
+        95 % half-width of that pull, N.
+    """
+    name: str
+    product: str
+    outer_diameter_mm: float
+    length_mm: float
+    pressure_mpa: float
+    wanted: OperatingPoint
+    force_n: float
+    uncertainty_n: float
+
+
+class BraidDetails(Record):
+    """A sleeve, its source and terms, and what it is on tubes.
+
+    Attributes
+    ----------
+    filaments
+        Filaments f of a strand, side by side.
+    strand_diameter_mm : mm
+        Diameter d of one filament, mm.
+    strand_modulus_mpa : MPa
+        Young's modulus E of a filament, MPa.
+    strand_strength_n : N
+        Force at which a strand breaks, N.
+    estimated
+        What is an estimate, because its source does not state it: keys of a muscle file.
+    title
+        What it is, for people.
+    material
+        What its strands are, in a word.
+    nominal_diameter_mm : mm
+        Nominal diameter, mm.
+    source
+        Where the data come from.
+    terms
+        Terms under which they may be used.
+    price
+        Its price, where one was seen.
+    note
+        What else one should know.
+    name
+        Its name.
+    least_diameter_mm : mm
+        Least diameter it closes to, mm.
+    largest_diameter_mm : mm
+        Largest diameter it opens to, mm.
+    neutral_diameter_mm : mm
+        The diameter at 54.7°, beyond which a muscle does not contract, mm.
+    strand_length_per_turn_mm : mm
+        Length of strand per turn, mm, which stays on any tube.
+    helix_from
+        From what that was found.
+    strands
+        Strands of both families; those that fit, where only range and diameter are known.
+    strands_stated
+        Whether that number is stated; otherwise it and the stiffness are upper bounds.
+    modulus_source
+        Where that comes from, where not from the source of the sleeve.
+    missing
+        What its source does not state and its stiffness needs: keys of a muscle file.
+    stiffness_factor
+        Factor within which its stiffness is known; 1 where all of its strands are stated.
+    estimate
+        What the estimates are from.
+    points
+        What it is on tubes.
+    """
+    filaments: int
+    strand_diameter_mm: float | None
+    strand_modulus_mpa: float | None
+    strand_strength_n: float | None
+    estimated: list[str]
+    title: str
+    material: str
+    nominal_diameter_mm: float | None
+    source: str
+    terms: str
+    price: str | None
+    note: str | None
+    name: str
+    least_diameter_mm: float
+    largest_diameter_mm: float
+    neutral_diameter_mm: float
+    strand_length_per_turn_mm: float
+    helix_from: str
+    strands: int | None
+    strands_stated: bool
+    modulus_source: str | None
+    missing: list[str]
+    stiffness_factor: float
+    estimate: str | None
+    points: list[BraidPoint]
+
+
+class BraidPoint(Record):
+    """A sleeve on a tube.
+
+    Attributes
+    ----------
+    outer_diameter_mm : mm
+        Outer diameter D0 of the tube, mm.
+    angle_deg : deg
+        Angle θ0 on it, degrees.
+    stiffness_n_per_mm : N/mm
+        Stiffness k of one strand family, N/mm, where the strands are known.
+    largest_contraction
+        Remaining contraction: to 54.7°, or to where the strands jam before.
+    """
+    outer_diameter_mm: float
+    angle_deg: float
+    largest_contraction: float
+    stiffness_n_per_mm: float | None = None
+
+
+class BraidSummary(Record):
+    """A sleeve in a line.
+
+    Attributes
+    ----------
+    name
+        The word for `braid`.
+    title
+        What it is.
+    material
+        What its strands are.
+    least_diameter_mm : mm
+        Least outer diameter of a tube in it, mm.
+    largest_diameter_mm : mm
+        Largest outer diameter of a tube in it, mm.
+    least_angle_deg : deg
+        Angle on the least diameter, degrees.
+    strands
+        Strands of both families, where they are known.
+    missing
+        What its source does not state and its stiffness needs, with spaces between; estimates replace it.
+    stiffness_factor
+        Factor within which its stiffness is known; 1 where all of its strands are stated.
+    source
+        Where the data come from.
+    """
+    name: str
+    title: str
+    material: str
+    least_diameter_mm: float
+    largest_diameter_mm: float
+    least_angle_deg: float
+    strands: int | None
+    missing: str
+    stiffness_factor: float
+    source: str
+
+
+class BranchAnswer(Record):
+    """A branch of a Prony series.
+
+    Attributes
+    ----------
+    share
+        gᵢ: share of the instantaneous stress that relaxes.
+    time_constant_s : s
+        τᵢ, s.
+    overstress
+        gᵢ over 1 − Σ g: its share of the long-time stress.
+    overstress_standard_error
+        Standard error of `overstress`; null where the data do not determine it.
+    """
+    share: float
+    time_constant_s: float
+    overstress: float
+    overstress_standard_error: float | None
+
+
+class Build(_results.Files):
+    """All that is needed to build a muscle.
+
+    Attributes
+    ----------
+    muscle
+        The muscle.
+    model
+        The model that all numbers come from.
+    blocked_force_n : N
+        Blocked force at the working pressure, N.
+    free_contraction
+        Free contraction at the working pressure.
+    bulged_diameter_mm : mm
+        Largest outer diameter at the working pressure without load, mm.
+    end_load_n : N
+        Load of an end, N: the blocked force, and the pressure on the bore.
+    clamped_diameter_mm : mm
+        Diameter over tube and sleeve on a plug, mm: what a clamp closes on.
+    crimp_diameter_mm : mm
+        Inner diameter of a crimped ferrule, mm.
+    plug_diameter_mm : mm
+        Diameter of the plugs' stem, mm.
+    bolt_mm : mm
+        Bolt of the eye, mm.
+    pressure_mpa : MPa
+        Working pressure, MPa.
+    proof_pressure_mpa : MPa
+        Pressure of the proof test with water, MPa: twice the working pressure, at most three quarters of the burst pressure.
+    leak_pressure_mpa : MPa
+        Pressure of the leak test, MPa.
+    air_energy_j : J
+        Energy of the air at the working pressure, J, at most: p V ln(p/p₀).
+    air_energy_at_proof_j : J
+        Energy that air would have at the proof pressure, J.
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+    burst_by
+        How it fails there.
+    allowed_pressure_mpa : MPa
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
+        fittings are rated.
+    allowed_by
+        The failure that it keeps its distance from; none where the fittings are rated for it.
+    cut
+        What is cut.
+    parts
+        The bill of materials.
+    mass_g : g
+        Mass of the parts whose mass is known, g.
+    test
+        The points of the first test.
+    files
+        The files: the steps first, which link to the others.
+    warnings
+        Warnings, in sentences.
+    """
+    _rows: ClassVar[str | None] = "parts"
+    muscle: MuscleSummary
+    model: str
+    blocked_force_n: float
+    free_contraction: float
+    bulged_diameter_mm: float
+    end_load_n: float
+    clamped_diameter_mm: float
+    crimp_diameter_mm: float
+    plug_diameter_mm: float
+    bolt_mm: float
+    pressure_mpa: float
+    proof_pressure_mpa: float
+    leak_pressure_mpa: float
+    air_energy_j: float
+    air_energy_at_proof_j: float
+    burst_pressure_mpa: float | None
+    cut: Cut
+    parts: list[BuildPart]
+    mass_g: float
+    test: list[TestPoint]
+    files: list[BuiltFile]
+    warnings: list[str]
+    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_pressure_mpa: float | None = None
+    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+
+
+class BuildPart(Record):
+    """A line of the bill.
+
+    Attributes
+    ----------
+    number
+        Number in the drawing.
+    part
+        What it is.
+    amount
+        How much of it.
+    sold_as
+        Name as sold, where it is of the catalogue.
+    mass_g : g
+        Mass in g, where it is known.
+    price
+        Price as its source states it.
+    source
+        Where name and price come from.
+    """
+    number: int
+    part: str
+    amount: str
+    sold_as: str | None = None
+    mass_g: float | None = None
+    price: str | None = None
+    source: str | None = None
+
+
+class BuildSheet(Record):
+    """What a workshop needs to build the muscle.
+
+    Attributes
+    ----------
+    tube_cut_mm : mm
+        Length of tube to cut, before it is stretched: L0/λp and what is clamped on both plugs, in mm.
+    braid_cut_mm : mm
+        Length of sleeve to cut, at the angle θ0, in mm (the same: it lies on the tube).
+    plug_diameter_mm : mm
+        Diameter of the plugs: the tube's bore, in mm.
+    strand_cut_mm : mm
+        Length of one strand over the whole cut, in mm.
+    strands
+        Number of strands, where it is known.
+    rubber_volume_mm3 : mm3
+        Volume of rubber in the cut tube, in mm³.
+    """
+    tube_cut_mm: float
+    braid_cut_mm: float
+    plug_diameter_mm: float
+    strand_cut_mm: float
+    strands: int | None
+    rubber_volume_mm3: float
+
+
+class BuiltFile(Record):
+    """A file that a command makes.
+
+    Attributes
+    ----------
+    name
+        Its name.
+    about
+        What it is.
+    text
+        What is in it, if it is text.
+    base64
+        What is in it, if it is not text: its bytes in base64.
+    """
+    name: str
+    about: str
+    text: str | None = None
+    base64: str | None = None
+
+
+class BundleAnswer(Record):
+    """What the muscles of a bundle do together.
+
+    Attributes
+    ----------
+    muscles
+        How many muscles.
+    rest_envelope_mm : mm
+        Diameter of the circle around them at rest, mm.
+    envelope_mm : mm
+        The same at the largest bulged diameter, mm.
+    row_mm : mm
+        Width of all in one flat row at the largest bulged diameter, mm.
+    pitch_mm : mm
+        Distance between the axes of neighbours, mm: as given, that of the largest envelope, or the bulged diameter.
+    touch_contraction
+        Contraction at which neighbours touch at that distance and the pressure of the supply; none where they do not.
+    points
+        The operating points of all together.
+    mass_g : g
+        Mass of tubes and sleeves between the terminals, g, where both are known.
+    """
+    muscles: int
+    rest_envelope_mm: float
+    envelope_mm: float | None
+    row_mm: float | None
+    pitch_mm: float | None
+    touch_contraction: float | None
+    points: list[BundlePoint]
+    mass_g: float | None = None
+
+
+class BundlePoint(Record):
+    """An operating point of all muscles of a bundle together.
+
+    Attributes
+    ----------
+    force_n : N
+        Pull, N.
+    contraction
+        Contraction ratio.
+    force_at_max_pressure_n : N
+        Pull at the pressure of the supply, N.
+    uncertainty_n : N
+        95 % half-width of that pull, N. What is not known of one muscle is not known of all: so many times that of one.
+    air_normal_litres : normal L
+        Air from rest to the point, normal litres; none with a liquid.
+    liquid_volume_mm3 : mm3
+        Liquid pushed in from rest to the point, measured at atmospheric pressure, mm³.
+    """
+    force_n: float
+    contraction: float
+    force_at_max_pressure_n: float
+    uncertainty_n: float | None
+    air_normal_litres: float | None
+    liquid_volume_mm3: float | None = None
+
+
+class CampaignOutcome(Record):
+    """How a run ended.
+
+    Attributes
+    ----------
+    output
+        The file or folder.
+    shard
+        The share of the plan, i/n; nothing where it was all of it.
+    complete
+        Whether all of the plan, or of the share of it, is there.
+    muscles
+        Muscles that are done, those of earlier runs among them.
+    muscles_wanted
+        Muscles of the plan, or of the share of it.
+    muscles_resumed
+        Muscles of earlier runs.
+    points_computed
+        Points of this run.
+    points_failed
+        Points of this run without an answer.
+    points
+        Points that are there.
+    plan_sha256
+        SHA-256 of the plan's text.
+    recomputed
+        Damaged files that were computed again.
+    """
+    output: str
+    shard: str | None
+    complete: bool
+    muscles: int
+    muscles_wanted: int
+    muscles_resumed: int
+    points_computed: int
+    points_failed: int
+    points: int
+    plan_sha256: str
+    recomputed: list[Recomputed]
+
+
+class CampaignStatus(Record):
+    """A campaign in a folder.
+
+    Attributes
+    ----------
+    output
+        The folder.
+    complete
+        Whether all parts are there.
+    parts
+        Parts that are there.
+    parts_wanted
+        Parts of the plan.
+    shards_wanted
+        Number of shards.
+    shards_done
+        Shards that are done.
+    shards_running
+        Shards that a process computes.
+    shards_missing
+        Shards that nothing computes.
+    shards
+        Every shard.
+    damaged
+        Parts that are damaged; they count as missing.
+    plan_sha256
+        SHA-256 of the plan's text.
+    version
+        Version of the program.
+    """
+    output: str
+    complete: bool
+    parts: int
+    parts_wanted: int
+    shards_wanted: int
+    shards_done: int
+    shards_running: int
+    shards_missing: int
+    shards: list[ShardStatus]
+    damaged: list[str]
+    plan_sha256: str
+    version: str
+
+
+class CampaignSummary(Record):
+    """Contents of a campaign.
+
+    Attributes
+    ----------
+    muscles
+        Muscles that are there.
+    points
+        Rows that are there.
+    points_wanted
+        Rows that there will be.
+    complete
+        Whether all of them are there.
+    answered
+        Rows with an answer.
+    failed
+        Rows without an answer by their status.
+    ranges
+        Smallest and largest value of inputs and answers, in the order of the columns.
+    bytes
+        Bytes on the disk.
+    missing_parts
+        Parts that are missing, of a folder.
+    damaged
+        Damaged files, with their damage.
+    version
+        Version of the program.
+    plan_sha256
+        SHA-256 of the plan's text.
+    plan
+        The plan's text.
+    model
+        Name of the model.
+    sampling
+        How the plan is sampled.
+    seed
+        Seed of the sampling, where it has one.
+    muscles_wanted
+        Number of muscles of the whole plan.
+    points_per_muscle
+        Points of each muscle.
+    muscles_per_part
+        Muscles of one part.
+    """
+    muscles: int
+    points: int
+    points_wanted: int
+    complete: bool
+    answered: int
+    failed: dict[str, Failed]
+    ranges: list[Extent]
+    bytes: int
+    missing_parts: int
+    damaged: list[str]
+    version: str
+    plan_sha256: str
+    plan: str
+    model: str
+    sampling: str
+    seed: int | None
+    muscles_wanted: int
+    points_per_muscle: int
+    muscles_per_part: int
+
+
+class CandidateAnswer(Record):
+    """A muscle that fits.
+
+    Attributes
+    ----------
+    count
+        So many of it side by side.
+    outer_diameter_mm : mm
+        Outer diameter D0 at rest, mm.
+    wall_mm : mm
+        Wall thickness s at rest, mm.
+    length_mm : mm
+        Length L0 between the terminals at rest, mm.
+    angle_deg : deg
+        Braid angle θ0 at rest, degrees.
+    rubber
+        The rubber, by name or law.
+    braid
+        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+    sleeve
+        Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
+    stiffness_factor
+        Factor within which the stiffness of the braid is known, where that and the strength of its strands are estimates.
+    rubber_mass_g : g
+        Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
+    mass_g : g
+        Mass of tube and sleeve between the terminals, g, where both are known; the terminals are not in it.
+    tube
+        Name of the tube as sold or cast that it has, where tubes were searched.
+    model
+        Name of the model that all its numbers come from.
+    points
+        The operating points in the order of the specification.
+    pressure_mpa : MPa
+        Pressure to set, in MPa: the largest that any point needs.
+    sure_pressure_mpa : MPa
+        Pressure in MPa at which the lower end of the ± (95 %) meets every point, where supply and muscle allow it.
+    highest_pressure_mpa : MPa
+        Highest pressure in MPa that supply and muscle allow: all that is said of the maximum pressure is of this one.
+    margin
+        Least margin over the points.
+    blocked_force_n : N
+        Blocked force at the maximum pressure, in N.
+    free_contraction
+        Free contraction at the maximum pressure.
+    work_j : J
+        Work in J from ε = 0 to the largest contraction wanted, at the maximum pressure.
+    from_thick_wall
+        Quantities that the design's model does not give and the thick-wall model gave instead.
+    bulged_diameter_mm : mm
+        Largest outer diameter over the points, mm.
+    family_stiffness_n_per_mm : N/mm
+        Stiffness k of one strand family, N/mm; none of strands that keep their length.
+    stiffness_n_per_mm : N/mm
+        Stiffness ∂F/∂L at the first point, N/mm.
+    air_normal_litres : normal L
+        Largest air per stroke over the points, normal litres; none with a liquid.
+    liquid_volume_mm3 : mm3
+        Largest liquid volume over the points that is pushed in from rest, measured at atmospheric pressure, mm³.
+    liquid_mass_g : g
+        Mass of the liquid in muscle and dead volume at that point, g.
+    strand_tension_n : N
+        Largest tension of one strand, N.
+    braid_tension_n : N
+        Largest tension of all strands together, N.
+    max_stretch
+        Largest stretch of the rubber.
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+    burst_by
+        How it fails there.
+    allowed_pressure_mpa : MPa
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
+        fittings are rated.
+    allowed_by
+        The failure that it keeps its distance from; none where the fittings are rated for it.
+    uncertainty_n : N
+        Largest 95 % half-width of the pull, N.
+    joint
+        Of a joint: its pulley, and how the muscle is put on it.
+    """
+    count: int
+    outer_diameter_mm: float
+    wall_mm: float
+    length_mm: float
+    angle_deg: float
+    rubber: str
+    braid: str
+    model: str
+    points: list[DesignPoint]
+    pressure_mpa: float
+    sure_pressure_mpa: float | None
+    highest_pressure_mpa: float
+    margin: float
+    blocked_force_n: float
+    free_contraction: float | None
+    work_j: float | None
+    from_thick_wall: list[str]
+    bulged_diameter_mm: float | None
+    family_stiffness_n_per_mm: float | None
+    stiffness_n_per_mm: float | None
+    air_normal_litres: float | None
+    strand_tension_n: float | None
+    braid_tension_n: float | None
+    max_stretch: float | None
+    burst_pressure_mpa: float | None
+    uncertainty_n: float | None
+    sleeve: str | None = None
+    stiffness_factor: float | None = None
+    rubber_mass_g: float | None = None
+    mass_g: float | None = None
+    tube: str | None = None
+    liquid_volume_mm3: float | None = None
+    liquid_mass_g: float | None = None
+    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_pressure_mpa: float | None = None
+    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    joint: CandidateJoint | None = None
+
+
+class CandidateJoint(Record):
+    """The joint around a candidate.
+
+    Attributes
+    ----------
+    radius_mm : mm
+        Radius of the pulley, mm.
+    contraction_at_neutral
+        Contraction of both muscles at the neutral angle.
+    largest_angle_deg : deg
+        Largest angle to either side, degrees.
+    """
+    radius_mm: float
+    contraction_at_neutral: float
+    largest_angle_deg: float
+
+
+class Case(Record):
+    """A case.
+
+    Attributes
+    ----------
+    name
+        What is computed.
+    kind
+        Verification or validation.
+    measure
+        What its numbers are.
+    source
+        Where the reference comes from.
+    reference
+        The reference.
+    ours
+        Our value, where there was an answer.
+    error
+        |ours − reference|, relative where the reference is not zero.
+    tolerance
+        Largest error that passes.
+    ok
+        Whether it passes.
+    """
+    name: str
+    kind: Literal["verification", "validation"]
+    measure: Literal["value", "rms", "share"]
+    source: str
+    reference: float
+    ours: float | None
+    error: float | None
+    tolerance: float
+    ok: bool
+
+
+class Characteristics(Record):
+    """Values of a muscle at one pressure.
+
+    Attributes
+    ----------
+    model
+        The model that says so.
+    pressure_mpa : MPa
+        The pressure, MPa.
+    blocked_force_n : N
+        Blocked force, N.
+    blocked_force_uncertainty_n : N
+        Half-width of the 95 % interval of the blocked force, N.
+    uncertainty_words
+        The same in words.
+    free_contraction
+        Contraction without pull.
+    work_j : J
+        Work from rest to there, J.
+    volume_mm3 : mm3
+        Cavity there, mm³.
+    air_normal_litres : normal L
+        Air from rest to there, normal litres.
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+    burst_by
+        How it fails there.
+    allowed_pressure_mpa : MPa
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
+        fittings are rated.
+    allowed_by
+        The failure that it keeps its distance from; none where the fittings are rated for it.
+    """
+    model: str
+    pressure_mpa: float
+    blocked_force_n: float
+    uncertainty_words: UncertaintyWords
+    free_contraction: float | None
+    work_j: float | None
+    volume_mm3: float | None
+    air_normal_litres: float | None
+    burst_pressure_mpa: float | None
+    blocked_force_uncertainty_n: float | None = None
+    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_pressure_mpa: float | None = None
+    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+
+
+class CheckAnswer(Record):
+    """What is known of a muscle, and what is not.
+
+    Attributes
+    ----------
+    outer_diameter_mm : mm
+        Outer diameter D0 at rest, mm.
+    wall_mm : mm
+        Wall thickness s at rest, mm.
+    length_mm : mm
+        Length L0 between the terminals at rest, mm.
+    angle_deg : deg
+        Braid angle θ0 at rest, degrees.
+    rubber
+        The rubber, by name or law.
+    braid
+        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+    sleeve
+        Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
+    stiffness_factor
+        Factor within which the stiffness of the strands is known, where it is stated.
+    rubber_mass_g : g
+        Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
+    mass_g : g
+        Mass of tube and sleeve between the terminals, g, where both are known; the terminals are not in it.
+    law
+        Name of the rubber's law.
+    constants_mpa : MPa
+        Its constants by name; moduli in MPa.
+    shear_modulus_mpa : MPa
+        Shear modulus μ at rest, MPa.
+    fitted_to_stretch
+        Largest stretch of the data behind the constants, where it is known.
+    bulk_modulus_mpa : MPa
+        Bulk modulus, MPa; none for an incompressible rubber.
+    stiffness_n_per_mm : N/mm
+        Stiffness k of one strand family, N/mm; none for inextensible strands.
+    density_kg_per_m3 : kg/m3
+        Density ρ of the rubber, kg/m3, where it is stated.
+    prestretch
+        Axial stretch of the mounted tube: L0 over its free length; all dimensions are those of the mounted muscle, where it is stated.
+    temperature_degc : degC
+        Temperature T of the rubber; its moduli change like the absolute temperature, from 23 °C on, degC, where it is stated.
+    insertion_mm : mm
+        Length of tube and braid clamped on each plug, mm, where it is stated.
+    seating_mm : mm
+        Seating: total displacement of both ends under load, mm, where it is stated.
+    slip_mm_per_n : mm/N
+        Slip of both ends together per newton of clamp load, mm/N, where it is stated.
+    grip_mm : mm
+        Length at each end, within L0, in which tube and braid are clamped, mm, where it is stated.
+    plug_diameter_mm : mm
+        Outer diameter of the plugs on which tube and braid are clamped; the bore of the tube where none is stated, mm, for the models fe and fe3d and
+        universal, where it is stated.
+    pull_off_n : N
+        Axial load at which a clamp lets go of tube and braid, N, where it is stated.
+    rated_pressure_mpa : MPa
+        Pressure for which plugs and fittings are rated, MPa, where it is stated.
+    end_factor
+        Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall, where it is stated.
+    cone_factor
+        Cone factor kc, for the model conical-ends, where it is stated.
+    strands
+        Number N of strands, both families together, where it is stated.
+    strand_area_mm2 : mm2
+        Cross-section A of one strand, mm2, where it is stated.
+    strand_modulus_mpa : MPa
+        Young's modulus E of the strands, MPa, where it is stated.
+    strand_strength_n : N
+        Force at which one strand breaks, N, where it is stated.
+    strands_per_carrier
+        Strands that lie side by side on a carrier of the braiding machine, where it is stated.
+    strand_length_mm : mm
+        Length of one strand measured on the muscle, mm, for the model belforte, where it is stated.
+    turns
+        Turns of that strand, for the model belforte, where it is stated.
+    braid_thickness_mm : mm
+        Thickness t of the braid, both layers of strands, mm, where it is stated.
+    braid_diameter_mm : mm
+        Inner diameter Ds of a sleeve wider than the tube, at its angle, mm, where it is stated.
+    crimp
+        Strain c1 at which the strands are straight, where it is stated.
+    crimp_stiffness
+        Share κ of their stiffness that the strands have before they are straight, where it is stated.
+    friction_coefficient
+        Coefficient C of the friction C·P^β, P in MPa, where it is stated.
+    friction_exponent
+        Exponent β of the friction C·P^β, where it is stated.
+    friction_lever_mm : mm
+        Coefficient of friction times lever of the strands' crossings, μw, mm, where it is stated.
+    friction_presliding_mm : mm
+        Presliding length xs, over which the friction builds up after a reversal, mm, where it is stated.
+    derived
+        Derived quantities.
+    build_sheet
+        Build sheet.
+    warnings
+        Warnings, in sentences.
+    characteristics
+        Its values at the working pressure.
+    findings
+        Findings beyond the warnings, the gravest kind first; what to measure in the order of its effect.
+    muscle_file
+        The equivalent muscle file (TOML), if requested: file and fields of the request in one.
+    """
+    outer_diameter_mm: float
+    wall_mm: float
+    length_mm: float
+    angle_deg: float
+    rubber: str
+    braid: str
+    law: str
+    constants_mpa: dict[str, float]
+    shear_modulus_mpa: float
+    fitted_to_stretch: float | None
+    bulk_modulus_mpa: float | None
+    stiffness_n_per_mm: float | None
+    derived: Derived
+    build_sheet: BuildSheet
+    warnings: list[str]
+    findings: list[MuscleFinding]
+    sleeve: str | None = None
+    stiffness_factor: float | None = None
+    rubber_mass_g: float | None = None
+    mass_g: float | None = None
+    density_kg_per_m3: float | None = None
+    prestretch: float | None = None
+    temperature_degc: float | None = None
+    insertion_mm: float | None = None
+    seating_mm: float | None = None
+    slip_mm_per_n: float | None = None
+    grip_mm: float | None = None
+    plug_diameter_mm: float | None = None
+    pull_off_n: float | None = None
+    rated_pressure_mpa: float | None = None
+    end_factor: float | None = None
+    cone_factor: float | None = None
+    strands: float | None = None
+    strand_area_mm2: float | None = None
+    strand_modulus_mpa: float | None = None
+    strand_strength_n: float | None = None
+    strands_per_carrier: float | None = None
+    strand_length_mm: float | None = None
+    turns: float | None = None
+    braid_thickness_mm: float | None = None
+    braid_diameter_mm: float | None = None
+    crimp: float | None = None
+    crimp_stiffness: float | None = None
+    friction_coefficient: float | None = None
+    friction_exponent: float | None = None
+    friction_lever_mm: float | None = None
+    friction_presliding_mm: float | None = None
+    characteristics: Characteristics | None = None
+    muscle_file: str | None = None
+
+
+class ClosestAnswer(Record):
+    """The muscle that comes closest, and what would make it fit.
+
+    Attributes
+    ----------
+    outer_diameter_mm : mm
+        Outer diameter D0, mm.
+    wall_mm : mm
+        Wall s, mm.
+    length_mm : mm
+        Length L0, mm.
+    angle_deg : deg
+        Braid angle θ0, degrees.
+    rubber
+        Name of the rubber, where it has one.
+    sleeve
+        Name of the sleeve, where it has one.
+    misses_by
+        The shares by which it misses its limits, summed; none where the model has no answer.
+    reason
+        The limit that it misses by most, in a sentence.
+    limit
+        That limit; none where the model has no answer.
+    relaxations
+        Changes with which a muscle of the search fits, the smallest of each kind; those that ask for least first.
+    hint
+        Contractions beyond every braid of the search, and the angle that reaches them.
+    """
+    outer_diameter_mm: float
+    wall_mm: float
+    length_mm: float
+    angle_deg: float
+    rubber: str | None
+    reason: str
+    relaxations: list[RelaxationAnswer]
+    hint: str | None
+    sleeve: str | None = None
+    misses_by: float | None = None
+    limit: Literal["force", "bulged_diameter", "max_stretch", "buckling", "liquid_volume"] | None = None
+
+
+class CompareAnswer(Record):
+    """Models and their errors.
+
+    Attributes
+    ----------
+    reference
+        `measured`, or the reference model.
+    points
+        How many points.
+    largest_force_n : N
+        Largest pull among them, N.
+    muscle
+        The muscle.
+    understood
+        What was understood of the measured points; empty without.
+    models
+        The models.
+    warnings
+        Warnings about the muscle and its rubber, in sentences.
+    figure
+        The figure, if requested.
+    """
+    _rows: ClassVar[str | None] = "models"
+    reference: str
+    points: int
+    largest_force_n: float
+    muscle: MuscleSummary
+    understood: list[UnderstoodTable]
+    models: list[ComparedModel]
+    warnings: list[str]
+    figure: Figure | None = None
+
+
+class ComparedModel(Record):
+    """A model and its errors, model − reference.
+
+    Attributes
+    ----------
+    model
+        Its name.
+    rms_n : N
+        Root mean square, N; none where the model could not be compared.
+    max_n : N
+        The largest, N.
+    mean_n : N
+        The mean, N: above zero if the model predicts too much pull.
+    volume_points
+        Measured volumes of the cavity that it answered; 0 without.
+    rms_volume_mm3 : mm3
+        Root mean square of its volumes less the measured ones, mm³.
+    mean_volume_mm3 : mm3
+        The mean, mm³: above zero if the model holds too much air.
+    points
+        Points that it answered.
+    unanswered
+        Points that it did not answer.
+    cause
+        Why not, or why the model could not be compared.
+    fitted_modulus_factor
+        Fitted factor on all moduli of the rubber law.
+    fitted_end_factor
+        Fitted end factor.
+    fitted_stiffness_n_per_mm : N/mm
+        Fitted stiffness of a strand family, N/mm.
+    """
+    model: str
+    rms_n: float | None
+    max_n: float | None
+    points: int
+    unanswered: int
+    cause: str | None
+    mean_n: float | None = None
+    volume_points: int | None = None
+    rms_volume_mm3: float | None = None
+    mean_volume_mm3: float | None = None
+    fitted_modulus_factor: float | None = None
+    fitted_end_factor: float | None = None
+    fitted_stiffness_n_per_mm: float | None = None
+
+
+class Constants(Record):
+    """C10 and k = k₄₀ (D0/40)ⁿ.
+
+    Attributes
+    ----------
+    c10_mpa : MPa
+        C10 in MPa.
+    stiffness_at_40_n_per_mm : N/mm
+        k at D0 40 mm in N/mm.
+    exponent
+        n
+    """
+    c10_mpa: float
+    stiffness_at_40_n_per_mm: float
+    exponent: float
+
+
+class Curve(_results.Curves):
+    """A family of curves.
+
+    Attributes
+    ----------
+    model
+        The model's name.
+    test
+        Which test.
+    muscle
+        The muscle.
+    fixed
+        What is fixed along each curve: ε, F in N, or P in MPa; of two curves, if both branches are requested.
+    warnings
+        Warnings; of each kind the most serious.
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+    burst_by
+        How it fails there.
+    allowed_pressure_mpa : MPa
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
+        fittings are rated.
+    allowed_by
+        The failure that it keeps its distance from; none where the fittings are rated for it.
+    points
+        The points, curve after curve; all curves have the same number of points.
+    loaded
+        The equilibria with the load, where there is one.
+    figure
+        The figure, if requested.
+    """
+    _rows: ClassVar[str | None] = "points"
+    model: str
+    test: Literal["isometric", "isotonic", "isobaric"]
+    muscle: MuscleSummary
+    fixed: list[float]
+    warnings: list[str]
+    burst_pressure_mpa: float | None
+    points: list[PointRow]
+    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_pressure_mpa: float | None = None
+    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    loaded: LoadAnswer | None = None
+    figure: Figure | None = None
+
+
+class Cut(Record):
+    """Lengths and diameters of tube and sleeve before they are mounted.
+
+    Attributes
+    ----------
+    tube_mm : mm
+        Length of tube to cut in mm, before it is stretched.
+    tube_outer_diameter_mm : mm
+        Outer diameter in mm of the tube as bought or cast.
+    tube_wall_mm : mm
+        Wall in mm of the tube as bought or cast.
+    rubber_mm3 : mm3
+        Volume of the rubber in mm³.
+    sleeve
+        The sleeve.
+    """
+    tube_mm: float
+    tube_outer_diameter_mm: float
+    tube_wall_mm: float
+    rubber_mm3: float
+    sleeve: SleeveCut
+
+
+class Cycle(Record):
+    """From one equilibrium to another and back: filled from the lower pressure to the higher, vented again. Slow and at one temperature. With p = P + p_a
+    absolute and V the cavity, a filling takes Δ(pV)/p_a of air at atmospheric pressure; its exergy at the higher pressure, p_a·(that
+    volume)·ln(p_high/p_a), is the work that an ideal engine would draw from it [beater2007].
+
+    Attributes
+    ----------
+    from_pressure_mpa : MPa
+        Lower pressure in MPa.
+    to_pressure_mpa : MPa
+        Higher pressure in MPa.
+    from_contraction
+        Contraction at the lower pressure; 0 where the load is not lifted there.
+    to_contraction
+        Contraction at the higher pressure.
+    stroke_mm : mm
+        How far the load moves, mm.
+    work_j : J
+        Work on the load, J.
+    air_normal_litres : normal L
+        Air of a filling in normal litres (0 °C, 101.325 kPa), where the model knows the cavity.
+    air_exergy_j : J
+        Exergy of that air at the higher pressure, J.
+    efficiency
+        Work over exergy.
+    """
+    from_pressure_mpa: float
+    to_pressure_mpa: float
+    from_contraction: float
+    to_contraction: float
+    stroke_mm: float
+    work_j: float
+    air_normal_litres: float | None = None
+    air_exergy_j: float | None = None
+    efficiency: float | None = None
+
+
+class DemandAnswer(Record):
+    """What the muscle must do.
+
+    Attributes
+    ----------
+    kind
+        See the documentation.
+    points
+        The operating points.
+    stroke_mm : mm
+        The stroke, mm.
+    contraction
+        The contraction ratio.
+    torques
+        Torques at angles.
+    radius_mm : mm
+        Radius of the pulley, mm.
+    """
+    kind: str
+    points: list[OperatingPoint] | None = None
+    stroke_mm: float | None = None
+    contraction: float | None = None
+    torques: list[TorqueWanted] | None = None
+    radius_mm: float | None = None
+
+
+class Derived(Record):
+    """Quantities derived from the dimensions of a muscle.
+
+    Attributes
+    ----------
+    kind
+        Which way the muscle moves under pressure.
+    inner_diameter_mm : mm
+        Inner diameter at rest, mm.
+    strand_length_mm : mm
+        Length of a strand, mm.
+    turns
+        Its turns.
+    strand_length_per_turn_mm : mm
+        Its length per turn, mm.
+    max_ideal_contraction
+        Contraction at which the ideal muscle no longer pulls.
+    reach
+        Largest stretch of the rubber there, at the bore: the reach by which a named rubber has its law.
+    volume_mm3 : mm3
+        Cavity at rest, mm³.
+    """
+    kind: Literal["contractile", "extensile"]
+    inner_diameter_mm: float
+    strand_length_mm: float
+    turns: float
+    strand_length_per_turn_mm: float
+    max_ideal_contraction: float
+    reach: float
+    volume_mm3: float
+
+
+class Design(_results.Designed):
+    """Ranked muscles, and the reasons why others fail.
+
+    Attributes
+    ----------
+    decision
+        The decision in sentences: what to take, which pressure to set, what it pulls, what is sure, what limits it; none where nothing fits.
+    model
+        The model that all numbers come from.
+    searched_with
+        The model that computed most muscles of the search.
+    max_pressure_mpa : MPa
+        Pressure of the supply, MPa.
+    wanted
+        What the muscle must do.
+    searched
+        Search space and limits.
+    liquid
+        The liquid in the place of air, where there is one.
+    load
+        The load that is lifted, as it was written.
+    assumptions
+        Assumptions for values that were not given, in sentences.
+    looked_at
+        Number of muscles examined.
+    fitting
+        How many of them fit.
+    candidates
+        The best muscles, best first.
+    uncertainty_words
+        The ± of the best muscle in words, at the point where it is largest.
+    rejected
+        Near misses, or the muscles that come closest.
+    verification
+        With another model: the best muscle by finite elements.
+    warnings
+        Warnings about the best muscle; if nothing fits, whether burst was checked.
+    tolerance
+        Spread of the pull of the best muscle under the tolerances, point by point.
+    to_be_sure
+        If none of the candidates is sure at a pressure that it may have: the best muscle whose lower end of the ± meets the requirement (`guaranteed`);
+        none where the same search finds none.
+    closest
+        If nothing fits: the muscle that comes closest.
+    bundle
+        Of a bundle: what its muscles do together, by the best muscle.
+    bought
+        Muscles as sold, of the library, that would do: their pull less its ± meets the requirement. Of a bundle: so many of them.
+    figure
+        The figure, where one is wanted and something fits.
+    muscle_files
+        The candidates as muscle files, in their order.
+    """
+    _rows: ClassVar[str | None] = "candidates"
+    model: str
+    searched_with: str
+    max_pressure_mpa: float
+    wanted: DemandAnswer
+    searched: SearchedAnswer
+    looked_at: int
+    fitting: int
+    candidates: list[CandidateAnswer]
+    rejected: list[RejectedAnswer]
+    warnings: list[str]
+    decision: list[str] | None = None
+    liquid: Liquid | None = None
+    load: str | None = None
+    assumptions: list[str] | None = None
+    uncertainty_words: UncertaintyWords | None = None
+    verification: Verified | None = None
+    tolerance: list[SpreadAnswer] | None = None
+    to_be_sure: CandidateAnswer | None = None
+    closest: ClosestAnswer | None = None
+    bundle: BundleAnswer | None = None
+    bought: list[BoughtAnswer] | None = None
+    figure: Figure | None = None
+    muscle_files: list[TextFile] | None = None
+
+
+class DesignPoint(Record):
+    """A candidate at one operating point.
+
+    Attributes
+    ----------
+    pressure_mpa : MPa
+        Gauge pressure P in MPa.
+    contraction
+        Contraction ratio ε = ΔL/L0.
+    force_n : N
+        Pull F in N, tension positive; negative where the muscle would have to push.
+    volume_mm3 : mm3
+        Volume of the whole cavity between the terminals in mm³.
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
+        ∂V/∂P at fixed ε in mm³/MPa: the compliance of strands and wall.
+    volume_per_contraction_mm3 : mm3
+        ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
+    stiffness_n_per_mm : N/mm
+        ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
+    force_per_pressure_n_per_mpa : N/MPa
+        ∂F/∂P at fixed ε, in mm² (N/MPa).
+    braid_tension_n : N
+        Tension of all strands together in N.
+    strand_tension_n : N
+        Tension of one strand in N, where the number of strands is known.
+    bulged_diameter_mm : mm
+        Largest outer diameter in mm.
+    middle_stretch
+        The largest principal stretch in the middle of the muscle, at the bore as a rule.
+    max_stretch
+        The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the middle. (The largest of all is none: at
+        the bonded corner it grows without bound as the mesh gets finer.)
+    force_at_max_pressure_n : N
+        Pull at the highest pressure that supply and muscle allow, N.
+    margin
+        That pull over the pull wanted, minus 1.
+    air_normal_litres : normal L
+        Air from rest to this point, normal litres; none with a liquid.
+    liquid_volume_mm3 : mm3
+        Liquid pushed in from rest to this point, measured at atmospheric pressure, mm³.
+    uncertainty_n : N
+        95 % half-width of the pull, N.
+    """
+    pressure_mpa: float
+    contraction: float
+    force_n: float
+    force_at_max_pressure_n: float
+    margin: float
+    air_normal_litres: float | None
+    uncertainty_n: float | None
+    volume_mm3: float | None = None
+    volume_per_pressure_mm3_per_mpa: float | None = None
+    volume_per_contraction_mm3: float | None = None
+    stiffness_n_per_mm: float | None = None
+    force_per_pressure_n_per_mpa: float | None = None
+    braid_tension_n: float | None = None
+    strand_tension_n: float | None = None
+    bulged_diameter_mm: float | None = None
+    middle_stretch: float | None = None
+    max_stretch: float | None = None
+    liquid_volume_mm3: float | None = None
+
+
+class EndPowers(Record):
+    """Powers of the variables of both forms; those of zero are omitted.
+
+    Attributes
+    ----------
+    wall
+        See the documentation.
+    angle
+        See the documentation.
+    slope
+        See the documentation.
+    bulge
+        See the documentation.
+    modulus
+        See the documentation.
+    strain
+        See the documentation.
+    shortening
+        See the documentation.
+    """
+    wall: int | None = None
+    angle: int | None = None
+    slope: int | None = None
+    bulge: int | None = None
+    modulus: int | None = None
+    strain: int | None = None
+    shortening: int | None = None
+
+
+class EndTerm(Record):
+    """EndTerm
+
+    Attributes
+    ----------
+    name
+        See the documentation.
+    powers
+        See the documentation.
+    unit
+        See the documentation.
+    value
+        See the documentation.
+    """
+    name: str
+    powers: EndPowers
+    unit: str
+    value: float
+
+
+class Equilibrium(Record):
+    """An equilibrium with the load.
+
+    Attributes
+    ----------
+    model
+        The model's name.
+    direction
+        The chosen branch of the hysteresis loop.
+    pressure_mpa : MPa
+        Gauge pressure P in MPa.
+    contraction
+        Contraction ratio ε = ΔL/L0.
+    force_n : N
+        Pull F in N, tension positive; negative where the muscle would have to push.
+    volume_mm3 : mm3
+        Volume of the whole cavity between the terminals in mm³.
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
+        ∂V/∂P at fixed ε in mm³/MPa: the compliance of strands and wall.
+    volume_per_contraction_mm3 : mm3
+        ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
+    stiffness_n_per_mm : N/mm
+        ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
+    force_per_pressure_n_per_mpa : N/MPa
+        ∂F/∂P at fixed ε, in mm² (N/MPa).
+    braid_tension_n : N
+        Tension of all strands together in N.
+    strand_tension_n : N
+        Tension of one strand in N, where the number of strands is known.
+    bulged_diameter_mm : mm
+        Largest outer diameter in mm.
+    middle_stretch
+        The largest principal stretch in the middle of the muscle, at the bore as a rule.
+    max_stretch
+        The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the middle. (The largest of all is none: at
+        the bonded corner it grows without bound as the mesh gets finer.)
+    slack
+        The muscle would have to push and is slack instead: its pull is 0, and its volume, tensions, diameter and stretches are those at its free
+        contraction, at which it hangs between its ends.
+    free_contraction
+        Where the muscle is slack: its free contraction at this pressure.
+    start_pressure_mpa : MPa
+        P′ at this contraction in MPa, where there is one.
+    uncertainty_n : N
+        95 % half-width of the pull in N against a measured muscle, where the model's error is known.
+    pressure_uncertainty_mpa : MPa
+        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+    contraction_uncertainty
+        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
+    uncertainty_parts_n : N
+        Its parts, each a 95 % half-width in N; they add as squares.
+    buckling_load_n : N
+        Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
+    warnings
+        Warnings, in sentences.
+    shortening_mm : mm
+        How far it is shortened, mm.
+    held_stiffness_n_per_mm : N/mm
+        Stiffness of muscle and load together at this pressure, N/mm.
+    stable
+        Whether the load comes back after a small step.
+    natural_frequency_hz : Hz
+        Natural frequency at constant pressure in Hz, where a mass moves.
+    """
+    model: str
+    pressure_mpa: float
+    contraction: float
+    force_n: float
+    slack: bool
+    warnings: list[str]
+    shortening_mm: float
+    held_stiffness_n_per_mm: float
+    stable: bool
+    direction: Literal["mean", "contraction", "elongation"] | None = None
+    volume_mm3: float | None = None
+    volume_per_pressure_mm3_per_mpa: float | None = None
+    volume_per_contraction_mm3: float | None = None
+    stiffness_n_per_mm: float | None = None
+    force_per_pressure_n_per_mpa: float | None = None
+    braid_tension_n: float | None = None
+    strand_tension_n: float | None = None
+    bulged_diameter_mm: float | None = None
+    middle_stretch: float | None = None
+    max_stretch: float | None = None
+    free_contraction: float | None = None
+    start_pressure_mpa: float | None = None
+    uncertainty_n: float | None = None
+    pressure_uncertainty_mpa: float | None = None
+    contraction_uncertainty: float | None = None
+    uncertainty_parts_n: UncertaintyParts | None = None
+    buckling_load_n: float | None = None
+    natural_frequency_hz: float | None = None
+
+
+class ErrorSummary(Record):
+    """Errors over points where the muscle pulls.
+
+    Attributes
+    ----------
+    points
+        How many points.
+    rms_of_blocked
+        Root mean square as a share of the blocked force.
+    p95_of_blocked
+        The share that 95 % of the points do not exceed.
+    max_of_blocked
+        Largest share.
+    max_n : N
+        Largest difference in N.
+    max_of_isobar
+        Largest by the paper's (12): share of the largest force of the same isobaric curve.
+    """
+    points: int
+    rms_of_blocked: float
+    p95_of_blocked: float
+    max_of_blocked: float
+    max_n: float
+    max_of_isobar: float
+
+
+class Export(_results.Files):
+    """A muscle as files for a target.
+
+    Attributes
+    ----------
+    target
+        The target.
+    name
+        Name of the muscle in the files.
+    form
+        Pull and volume in closed form.
+    supply_pressure_mpa : MPa
+        Supply pressure, MPa; the box begins at 0.
+    contraction_low
+        Lower end of the contraction.
+    contraction_high
+        Upper end of the contraction: the free contraction at the supply by default.
+    model
+        The model that answered.
+    hash
+        The first 16 digits of the SHA-256 of muscle file, model, version and coefficients.
+    force_rms
+        Root mean square of the pull's error, share of the blocked force at the supply.
+    force_95_ratio
+        95 % of the points err by less, share of the blocked force.
+    force_worst_ratio
+        Largest, share of the blocked force.
+    volume_rms
+        Root mean square of the volume's error, share of the largest volume.
+    volume_worst_ratio
+        Largest of the volume, share of the largest volume.
+    points
+        Number of points.
+    blocked_force_n : N
+        Blocked force at the supply, N.
+    uncertainty_n : N
+        95 % half-width of the blocked force against a measured muscle, N, where it is known.
+    muscle
+        The muscle.
+    needs
+        What the target needs.
+    loses
+        What of the muscle the target loses.
+    files
+        The files: the one to begin with first.
+    warnings
+        Warnings, in sentences.
+    """
+    _rows: ClassVar[str | None] = "files"
+    target: str
+    name: str
+    form: ExportForm
+    supply_pressure_mpa: float
+    contraction_low: float
+    contraction_high: float
+    model: str
+    hash: str
+    force_rms: float
+    force_95_ratio: float
+    force_worst_ratio: float
+    volume_rms: float
+    volume_worst_ratio: float
+    points: int
+    blocked_force_n: float
+    muscle: MuscleSummary
+    needs: str
+    loses: str
+    files: list[BuiltFile]
+    warnings: list[str]
+    uncertainty_n: float | None = None
+
+
+class ExportForm(Record):
+    """Pull and volume of a muscle in closed form. Units: Pa, m, N, m³.
+
+    Attributes
+    ----------
+    length_m : m
+        Length at rest L0, m.
+    supply_pa : Pa
+        Supply pressure, the upper end of the box, Pa.
+    contraction_low
+        Lower end of the box in ε, negative.
+    contraction_high
+        Upper end of the box in ε: the free contraction at the supply.
+    contractions
+        Nodes in ε, from the lower end of the box to the upper one.
+    a : N
+        Values of c0 to c4 at the nodes, N.
+    b : N
+        Slopes of c0 to c4 in ε at the nodes, N.
+    v : m³
+        v0 to v4, m³.
+    friction_n : N
+        Half-width of the hysteresis, N: h0 √q + h1 q; zeros where the muscle does not state its friction.
+    """
+    length_m: float
+    supply_pa: float
+    contraction_low: float
+    contraction_high: float
+    contractions: list[float]
+    a: list[list[float]]
+    b: list[list[float]]
+    v: list[float]
+    friction_n: list[float]
+
+
+class ExportListAnswer(Record):
+    """The targets of `export`.
+
+    Attributes
+    ----------
+    targets
+        One for each host.
+    """
+    _rows: ClassVar[str | None] = "targets"
+    targets: list[ExportTarget]
+
+
+class ExportTarget(Record):
+    """A target of `export`.
+
+    Attributes
+    ----------
+    name
+        Its word for `target`.
+    about
+        What it is.
+    needs
+        What it needs.
+    loses
+        What of the muscle it loses.
+    """
+    name: str
+    about: str
+    needs: str
+    loses: str
+
+
+class Extent(Record):
+    """Smallest and largest value of a column.
+
+    Attributes
+    ----------
+    name
+        The column.
+    smallest
+        Smallest value.
+    largest
+        Largest value.
+    """
+    name: str
+    smallest: float
+    largest: float
+
+
+class Failed(Record):
+    """Rows that failed in the same way.
+
+    Attributes
+    ----------
+    points
+        How many.
+    first_muscle
+        Number of the first muscle.
+    first_cause
+        Its cause.
+    """
+    points: int
+    first_muscle: int
+    first_cause: str
+
+
+class FailedPoint(Record):
+    """A point without an answer.
+
+    Attributes
+    ----------
+    pressure_mpa : MPa
+        Requested pressure, MPa.
+    contraction
+        Requested contraction.
+    wanted_force_n : N
+        Requested pull, N.
+    status
+        How it ended.
+    cause
+        Why.
+    """
+    pressure_mpa: float
+    status: Literal["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"]
+    cause: str
+    contraction: float | None = None
+    wanted_force_n: float | None = None
+
+
+class Figure(Record):
+    """A figure: a title, a caption and one panel or a grid of panels. The crate knows nothing about muscles: quantities and units come in through the texts.
+
+    Attributes
+    ----------
+    title
+        Title above the panels; may be empty.
+    caption
+        Small text below the panels (model, statement, program version); wrapped, may be empty.
+    panels
+        The panels, in reading order.
+    columns
+        Columns of the grid of panels; 0 lets the figure choose.
+    size_mm : mm
+        Width and height of the paper, mm; a height of 0 follows from the contents. `None` takes 160 × 100 for one panel and a size that grows with the
+        grid for several.
+    palette
+        How colours follow from the colour numbers of the series.
+    """
+    title: str
+    caption: str
+    panels: list[Panel]
+    columns: int
+    size_mm: tuple[float, float] | None
+    palette: Literal["categorical", "sequential"]
+
+
+class FillAnswer(Record):
+    """A muscle with a volume of liquid pushed in.
+
+    Attributes
+    ----------
+    model
+        The model's name.
+    direction
+        The chosen branch of the hysteresis loop.
+    pressure_mpa : MPa
+        Gauge pressure P in MPa.
+    contraction
+        Contraction ratio ε = ΔL/L0.
+    force_n : N
+        Pull F in N, tension positive; negative where the muscle would have to push.
+    volume_mm3 : mm3
+        Volume of the whole cavity between the terminals in mm³.
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
+        ∂V/∂P at fixed ε in mm³/MPa: the compliance of strands and wall.
+    volume_per_contraction_mm3 : mm3
+        ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
+    stiffness_n_per_mm : N/mm
+        ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
+    force_per_pressure_n_per_mpa : N/MPa
+        ∂F/∂P at fixed ε, in mm² (N/MPa).
+    braid_tension_n : N
+        Tension of all strands together in N.
+    strand_tension_n : N
+        Tension of one strand in N, where the number of strands is known.
+    bulged_diameter_mm : mm
+        Largest outer diameter in mm.
+    middle_stretch
+        The largest principal stretch in the middle of the muscle, at the bore as a rule.
+    max_stretch
+        The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the middle. (The largest of all is none: at
+        the bonded corner it grows without bound as the mesh gets finer.)
+    slack
+        The muscle would have to push and is slack instead: its pull is 0, and its volume, tensions, diameter and stretches are those at its free
+        contraction, at which it hangs between its ends.
+    free_contraction
+        Where the muscle is slack: its free contraction at this pressure.
+    start_pressure_mpa : MPa
+        P′ at this contraction in MPa, where there is one.
+    uncertainty_n : N
+        95 % half-width of the pull in N against a measured muscle, where the model's error is known.
+    pressure_uncertainty_mpa : MPa
+        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+    contraction_uncertainty
+        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
+    uncertainty_parts_n : N
+        Its parts, each a 95 % half-width in N; they add as squares.
+    buckling_load_n : N
+        Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
+    warnings
+        Warnings, in sentences.
+    state
+        Where it is.
+    pushed_volume_mm3 : mm3
+        Volume that was pushed in, at atmospheric pressure, mm³.
+    stroke_mm : mm
+        How far the muscle is shortened, mm; below zero where it extends.
+    rest_volume_mm3 : mm3
+        Cavity at the start, mm³.
+    compressed_volume_mm3 : mm3
+        What of the volume the liquid's own compression takes, mm³: (V0 + Vd + ΔV)(1 − φ).
+    liquid_mass_g : g
+        Mass of the liquid in muscle and dead volume, g.
+    effective_bulk_modulus_mpa : MPa
+        Bulk modulus of liquid and gas together at this pressure, MPa.
+    shut_stiffness_n_per_mm : N/mm
+        Stiffness of the muscle with the liquid shut in, N/mm: K + F_P V_ε/(L0 (V_P + C)), C = −(V0 + Vd + ΔV) dφ/dP.
+    pump_work_j : J
+        Work of the pump against the gauge pressure, J: ∫ P dV + `liquid_energy_j`.
+    muscle_energy_j : J
+        Energy stored in rubber and strands, J: ∫ P dV less the work on the load and what friction took.
+    liquid_energy_j : J
+        Energy stored in the liquid and its gas, J.
+    load_work_j : J
+        Work on the load, J.
+    friction_work_j : J
+        What the muscle's friction took, J, on a branch of the hysteresis.
+    liquid
+        The liquid.
+    uncertainty_words
+        The ± of the pull in words.
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+    burst_by
+        How it fails there.
+    allowed_pressure_mpa : MPa
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
+        fittings are rated.
+    allowed_by
+        The failure that it keeps its distance from; none where the fittings are rated for it.
+    muscle
+        The muscle.
+    about
+        The model.
+    """
+    model: str
+    pressure_mpa: float
+    contraction: float
+    force_n: float
+    slack: bool
+    warnings: list[str]
+    state: Literal["not-lifted", "balanced", "held"]
+    pushed_volume_mm3: float
+    stroke_mm: float
+    rest_volume_mm3: float
+    compressed_volume_mm3: float
+    liquid_mass_g: float
+    effective_bulk_modulus_mpa: float
+    shut_stiffness_n_per_mm: float
+    pump_work_j: float
+    muscle_energy_j: float
+    liquid_energy_j: float
+    load_work_j: float
+    liquid: Liquid
+    uncertainty_words: UncertaintyWords
+    burst_pressure_mpa: float | None
+    muscle: MuscleSummary
+    about: ModelAbout
+    direction: Literal["mean", "contraction", "elongation"] | None = None
+    volume_mm3: float | None = None
+    volume_per_pressure_mm3_per_mpa: float | None = None
+    volume_per_contraction_mm3: float | None = None
+    stiffness_n_per_mm: float | None = None
+    force_per_pressure_n_per_mpa: float | None = None
+    braid_tension_n: float | None = None
+    strand_tension_n: float | None = None
+    bulged_diameter_mm: float | None = None
+    middle_stretch: float | None = None
+    max_stretch: float | None = None
+    free_contraction: float | None = None
+    start_pressure_mpa: float | None = None
+    uncertainty_n: float | None = None
+    pressure_uncertainty_mpa: float | None = None
+    contraction_uncertainty: float | None = None
+    uncertainty_parts_n: UncertaintyParts | None = None
+    buckling_load_n: float | None = None
+    friction_work_j: float | None = None
+    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_pressure_mpa: float | None = None
+    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+
+
+class Finding(Record):
+    """One comparison.
+
+    Attributes
+    ----------
+    comparison
+        What is compared with what.
+    at_most_of_blocked
+        The largest share that was set as a goal, where there is one.
+    ok
+        Whether the goal is met.
+    points
+        How many points.
+    rms_of_blocked
+        Root mean square as a share of the blocked force.
+    p95_of_blocked
+        The share that 95 % of the points do not exceed.
+    max_of_blocked
+        Largest share.
+    max_n : N
+        Largest difference in N.
+    max_of_isobar
+        Largest by the paper's (12): share of the largest force of the same isobaric curve.
+    outer_diameter_mm : mm
+        D0 in mm.
+    wall_mm : mm
+        s in mm.
+    length_mm : mm
+        L0 in mm.
+    angle_deg : deg
+        θ0 in degrees.
+    pressure_mpa : MPa
+        P in MPa.
+    contraction
+        ε
+    force_n : N
+        F in N, two-sided.
+    """
+    comparison: str
+    at_most_of_blocked: float | None
+    ok: bool
+    points: int
+    rms_of_blocked: float
+    p95_of_blocked: float
+    max_of_blocked: float
+    max_n: float
+    max_of_isobar: float
+    outer_diameter_mm: float
+    wall_mm: float
+    length_mm: float
+    angle_deg: float
+    pressure_mpa: float
+    contraction: float
+    force_n: float
+
+
+class FindingAnswer(Record):
+    """One of the paper's statements beside what this model says.
+
+    Attributes
+    ----------
+    statement
+        What the paper reports.
+    ours
+        What came out here.
+    holds
+        Whether it holds.
+    """
+    statement: str
+    ours: str
+    holds: bool
+
+
+class Fit(_results.Fitting):
+    """A formula with its data, as in its file.
+
+    Attributes
+    ----------
+    tables
+        The intermediate tables, if requested.
+    figures
+        The figures, if requested.
+    format
+        See the documentation.
+    name
+        See the documentation.
+    kind
+        See the documentation.
+    equation
+        See the documentation.
+    scales
+        See the documentation.
+    terms
+        See the documentation.
+    made_for
+        See the documentation.
+    range
+        See the documentation.
+    errors
+        See the documentation.
+    provenance
+        See the documentation.
+    form
+        See the documentation.
+    """
+    format: Literal["mckibben formula 1"]
+    name: str
+    kind: Literal["paper", "global", "universal"]
+    equation: str
+    terms: list[PaperTerm]
+    range: FormulaRange
+    errors: FormulaErrors
+    provenance: Provenance
+    tables: list[Table] | None = None
+    figures: list[NamedFigure] | None = None
+    scales: Scales | None = None
+    made_for: Made | None = None
+    form: Literal["membrane", "bulge"] | None = None
+
+
+class FitReport(Record):
+    """All results.
+
+    Attributes
+    ----------
+    findings
+        The comparisons.
+    fitted_constants
+        The fitted constants of the paper's finite elements.
+    global_terms
+        Terms of the `global` formula.
+    random_muscles
+        Models on random muscles that no fit has seen.
+    """
+    _rows: ClassVar[str | None] = "findings"
+    findings: list[Finding]
+    fitted_constants: Constants
+    global_terms: int
+    random_muscles: list[HeldOutRow]
+
+
+class FormulaCheck(Record):
+    """A formula with its data.
+
+    Attributes
+    ----------
+    latex
+        The equation with its numbers as LaTeX (amsmath), if requested.
+    format
+        See the documentation.
+    name
+        See the documentation.
+    kind
+        See the documentation.
+    equation
+        See the documentation.
+    scales
+        See the documentation.
+    terms
+        See the documentation.
+    made_for
+        See the documentation.
+    range
+        See the documentation.
+    errors
+        See the documentation.
+    provenance
+        See the documentation.
+    form
+        See the documentation.
+    """
+    format: Literal["mckibben formula 1"]
+    name: str
+    kind: Literal["paper", "global", "universal"]
+    equation: str
+    terms: list[PaperTerm]
+    range: FormulaRange
+    errors: FormulaErrors
+    provenance: Provenance
+    latex: str | None = None
+    scales: Scales | None = None
+    made_for: Made | None = None
+    form: Literal["membrane", "bulge"] | None = None
+
+
+class FormulaErrors(Record):
+    """Everything a formula's file says of its errors.
+
+    Attributes
+    ----------
+    against
+        Against what, in words.
+    fit
+        Over all points it was fitted to.
+    held_out
+        Over muscles it was not fitted to, where there are any.
+    regions
+        By regions.
+    """
+    against: str
+    fit: ErrorSummary
+    held_out: HeldOut | None
+    regions: list[RegionErrors]
+
+
+class FormulaRange(Record):
+    """Where a formula was fitted; both ends belong to it.
+
+    Attributes
+    ----------
+    outer_diameter_mm : mm
+        D0 in mm.
+    wall_mm : mm
+        s in mm.
+    pressure_mpa : MPa
+        P in MPa.
+    contraction
+        ε
+    """
+    outer_diameter_mm: tuple[float, float]
+    wall_mm: tuple[float, float]
+    pressure_mpa: tuple[float, float]
+    contraction: tuple[float, float]
+
+
+class GlobalTerm(Record):
+    """GlobalTerm
+
+    Attributes
+    ----------
+    name
+        See the documentation.
+    powers
+        See the documentation.
+    unit
+        See the documentation.
+    value
+        See the documentation.
+    """
+    name: str
+    powers: Powers
+    unit: str
+    value: float
+
+
+class HeldOut(Record):
+    """Errors on muscles that the fit did not see.
+
+    Attributes
+    ----------
+    outer_diameters_mm : mm
+        Their diameters in mm.
+    points
+        How many points.
+    rms_of_blocked
+        Root mean square as a share of the blocked force.
+    p95_of_blocked
+        The share that 95 % of the points do not exceed.
+    max_of_blocked
+        Largest share.
+    max_n : N
+        Largest difference in N.
+    max_of_isobar
+        Largest by the paper's (12): share of the largest force of the same isobaric curve.
+    """
+    outer_diameters_mm: list[float]
+    points: int
+    rms_of_blocked: float
+    p95_of_blocked: float
+    max_of_blocked: float
+    max_n: float
+    max_of_isobar: float
+
+
+class HeldOutError(Record):
+    """The errors of a law in tests that it was not fitted to.
+
+    Attributes
+    ----------
+    mode
+        The test; null for the points of all of them in whose state a muscle's wall may be.
+    points
+        How many points.
+    to_stretch
+        Largest stretch of them in the plane of the specimen.
+    rms_mpa : MPa
+        Root mean square of the differences, in MPa.
+    relative
+        The same over the root mean square of the measured stresses.
+    bias_mpa : MPa
+        Mean of measured − computed, in MPa.
+    largest_mpa : MPa
+        Largest difference, in MPa.
+    stiffer
+        Σ P Pm/Σ Pm² − 1: the factor by which the law is too stiff (above zero) or too soft, less one.
+    """
+    mode: Literal["uniaxial", "planar", "equibiaxial", "general"] | None
+    points: int
+    to_stretch: float
+    rms_mpa: float
+    relative: float
+    bias_mpa: float
+    largest_mpa: float
+    stiffer: float
+
+
+class HeldOutRow(Record):
+    """A model and its errors.
+
+    Attributes
+    ----------
+    model
+        The model, in words.
+    points
+        How many points.
+    muscles
+        Of how many muscles.
+    rms_of_blocked
+        Root mean square.
+    p95_of_blocked
+        The share that 95 % of the points do not exceed.
+    p99_of_blocked
+        The share that 99 % of the points do not exceed.
+    max_of_blocked
+        Largest.
+    """
+    model: str
+    points: int
+    muscles: int
+    rms_of_blocked: float
+    p95_of_blocked: float
+    p99_of_blocked: float
+    max_of_blocked: float
+
+
+class Identification(_results.Identified):
+    """Result of the identification.
+
+    Attributes
+    ----------
+    model
+        The model.
+    data
+        Where the points come from.
+    understood
+        What was understood of each table.
+    parameters
+        The free parameters, with value and error.
+    correlation
+        Correlation of the parameters, row by row.
+    rms_before_n : N
+        Root mean square of the residuals at the start, N.
+    rms_n : N
+        Root mean square of the residuals, N.
+    max_n : N
+        Largest residual, N.
+    deviation
+        Standard deviation of one point: in N, or of stated errors.
+    errors_stated
+        Whether the points state their errors.
+    degrees_of_freedom
+        Points less parameters that lie on no bound.
+    spreads
+        Residuals by branch, by measured quantity, and by table.
+    slack_points
+        Points that were left out because the muscle was slack.
+    muscle
+        The muscle with the identified values.
+    muscle_file
+        The same as a muscle file, with what was identified in its head.
+    points
+        The points, with the values of the model.
+    laws
+        Fit of each rubber law, the best first; empty if it was not requested.
+    warnings
+        Warnings: contradictions, parameters that are not identifiable, missing measurements.
+    figure
+        The figure, if requested.
+    """
+    _rows: ClassVar[str | None] = "parameters"
+    model: str
+    data: str
+    understood: list[UnderstoodTable]
+    parameters: list[Identified]
+    correlation: list[list[float]]
+    rms_before_n: float
+    rms_n: float
+    max_n: float
+    deviation: float
+    errors_stated: bool
+    degrees_of_freedom: int
+    spreads: list[Spread]
+    slack_points: int
+    muscle: MuscleSummary
+    muscle_file: str
+    points: list[IdentifiedPoint]
+    warnings: list[str]
+    laws: list[LawRow] | None = None
+    figure: Figure | None = None
+
+
+class Identified(Record):
+    """One identified parameter.
+
+    Attributes
+    ----------
+    name
+        Its name, as in the muscle file.
+    start
+        Where the search began.
+    value
+        Its value.
+    unit
+        Its unit; empty for a plain number.
+    standard_error
+        Standard error; infinite (null in JSON) where the data do not determine it at all, 0 on a bound.
+    half_width_95
+        Half-width of the 95 % interval; likewise.
+    limit
+        The half-width up to which it counts as identifiable.
+    identifiable
+        Whether the data determine it.
+    at_bound
+        Whether it lies on a bound.
+    matters
+        Whether the points change with it at all.
+    implausible
+        Whether it is an end whose displacement is more than that of any known muscle: 0.3 of the outer diameter.
+    """
+    name: str
+    start: float
+    value: float
+    unit: str
+    standard_error: float | None
+    half_width_95: float | None
+    limit: float
+    identifiable: bool
+    at_bound: bool
+    matters: bool
+    implausible: bool
+
+
+class IdentifiedPoint(Record):
+    """A point, with the value of the model.
+
+    Attributes
+    ----------
+    outer_diameter_mm : mm
+        D0 in mm.
+    wall_mm : mm
+        s in mm.
+    length_mm : mm
+        L0 in mm.
+    angle_deg : deg
+        θ0 in degrees.
+    pressure_mpa : MPa
+        Gauge pressure in MPa.
+    contraction
+        Contraction ratio.
+    force_n : N
+        Pull in N.
+    branch
+        The branch of the hysteresis loop; `mean` of both. None where it is not stated: then it does not measure the friction.
+    measured
+        The measured quantity; the others were set. In a row of a volume the pull is 0 where none was read.
+    volume_mm3 : mm3
+        Volume of the cavity, hose and fittings with it, where that was read, mm³.
+    model_force_n : N
+        The model's pull where that was read, N.
+    model_contraction
+        The model's contraction ratio where that was read.
+    model_pressure_mpa : MPa
+        The model's pressure where that was read, MPa.
+    model_volume_mm3 : mm3
+        The model's volume with `dead_volume` where that was read, mm³.
+    residual_n : N
+        Model − measured, N.
+    weight
+        Its final weight.
+    outlier
+        Whether it is an outlier.
+    line
+        Its line in its table.
+    data
+        Number of its table, from 1.
+    """
+    pressure_mpa: float
+    contraction: float
+    force_n: float
+    measured: Literal["force", "contraction", "pressure", "volume"]
+    residual_n: float
+    weight: float
+    outlier: bool
+    line: int
+    data: int
+    outer_diameter_mm: float | None = None
+    wall_mm: float | None = None
+    length_mm: float | None = None
+    angle_deg: float | None = None
+    branch: Literal["mean", "contraction", "elongation"] | None = None
+    volume_mm3: float | None = None
+    model_force_n: float | None = None
+    model_contraction: float | None = None
+    model_pressure_mpa: float | None = None
+    model_volume_mm3: float | None = None
+
+
+class JointMap(Record):
+    """The rests at all pairs of pressures.
+
+    Attributes
+    ----------
+    grid_mpa : MPa
+        Pressures of each muscle in MPa, from none to the supply's.
+    points
+        The rests, P1 the slower; none where nothing acts and the joint is loose, and at `gaps`. Of a joint with one muscle, at its pressures.
+    gaps
+        Pressures at which a muscle has no state where the joint would come to rest.
+    border
+        The rests along the border of the pressures: P1 up at P2 = 0, P2 up at the highest P1, P1 down, P2 down.
+    torques
+        At angles over the range: (φ in degrees, least torque, largest torque in N m), one muscle at the supply's pressure and the other without. Angles
+        at which a muscle has no state are omitted.
+    """
+    grid_mpa: list[float]
+    points: list[MapPoint | None]
+    border: list[MapPoint]
+    torques: list[tuple[float, float, float]]
+    gaps: list[MapGap] | None = None
+
+
+class JointRow(Record):
+    """A point of a joint.
+
+    Attributes
+    ----------
+    angle_deg : deg
+        φ from the neutral angle in degrees.
+    torque_nm : N m
+        Torque of muscles, spring and weight towards +, N m.
+    stiffness_nm_per_rad : N m/rad
+        −dτ/dφ at these pressures, N m/rad.
+    stiffness_shut_isothermal_nm_per_rad : N m/rad
+        −dτ/dφ with the valves shut, the air at constant temperature, N m/rad; not known where the model has no volume.
+    stiffness_shut_adiabatic_nm_per_rad : N m/rad
+        The same without heat exchange, N m/rad.
+    uncertainty_nm : N m
+        95 % half-width of the torque against a measured joint, as far as the muscles' pulls make it, N m.
+    uncertainty_parts_nm : N m
+        Its parts, each a 95 % half-width in N m; they add as squares. Friction of two muscles adds fully; a rubber or braid that both share shifts both
+        pulls at once.
+    stiffness_uncertainty_nm_per_rad : N m/rad
+        95 % half-width of the stiffness, N m/rad.
+    pressure_1_mpa : MPa
+        Pressure of the first muscle, MPa.
+    pressure_2_mpa : MPa
+        Pressure of the second muscle, MPa.
+    torque_turning_plus_nm : N m
+        The torque while the joint turns to +, where the muscles' friction is known, N m.
+    torque_turning_minus_nm : N m
+        The torque while it turns to −, likewise.
+    rest
+        Of a joint at rest: `stable`, `unstable`, at a `limit` of its range, or `loose`: it rests at any angle near this one.
+    force_1_n : N
+        Pull of the first muscle, N.
+    force_2_n : N
+        Pull of the second muscle, N.
+    contraction_1
+        Contraction of the first muscle.
+    contraction_2
+        Contraction of the second muscle.
+    arm_1_mm : mm
+        Moment arm of the first muscle, mm.
+    arm_2_mm : mm
+        Moment arm of the second muscle, mm.
+    slack_1
+        Whether the first muscle is slack.
+    slack_2
+        Whether the second muscle is slack.
+    start_pressure_1_mpa : MPa
+        Pressure below which the first muscle is slack at this angle, MPa.
+    start_pressure_2_mpa : MPa
+        Pressure below which the second muscle is slack at this angle, MPa.
+    angle_uncertainty_deg : deg
+        Of a joint at rest: 95 % half-width of the angle, from that of the torque and the stiffness, degrees.
+    pressure_1_uncertainty_mpa : MPa
+        Of pressures that were sought: 95 % half-width of that of the first muscle, by which it alone makes up for that of the torque, MPa.
+    pressure_2_uncertainty_mpa : MPa
+        That of the second muscle, likewise, MPa.
+    """
+    angle_deg: float
+    torque_nm: float
+    stiffness_nm_per_rad: float
+    pressure_1_mpa: float
+    force_1_n: float
+    contraction_1: float
+    arm_1_mm: float
+    slack_1: bool
+    stiffness_shut_isothermal_nm_per_rad: float | None = None
+    stiffness_shut_adiabatic_nm_per_rad: float | None = None
+    uncertainty_nm: float | None = None
+    uncertainty_parts_nm: UncertaintyParts | None = None
+    stiffness_uncertainty_nm_per_rad: float | None = None
+    pressure_2_mpa: float | None = None
+    torque_turning_plus_nm: float | None = None
+    torque_turning_minus_nm: float | None = None
+    rest: Literal["stable", "unstable", "limit", "loose"] | None = None
+    force_2_n: float | None = None
+    contraction_2: float | None = None
+    arm_2_mm: float | None = None
+    slack_2: bool | None = None
+    start_pressure_1_mpa: float | None = None
+    start_pressure_2_mpa: float | None = None
+    angle_uncertainty_deg: float | None = None
+    pressure_1_uncertainty_mpa: float | None = None
+    pressure_2_uncertainty_mpa: float | None = None
+
+
+class JointSolution(Record):
+    """A joint's answer.
+
+    Attributes
+    ----------
+    model
+        The model's name.
+    muscles
+        The muscles.
+    range_deg : deg
+        Limits of the angle in degrees.
+    points
+        The points, pressures after pressures.
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+    burst_by
+        How it fails there.
+    allowed_pressure_mpa : MPa
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
+        fittings are rated.
+    allowed_by
+        The failure that it keeps its distance from; none where the fittings are rated for it.
+    map
+        What the joint reaches, if requested.
+    uncertainty_text
+        The largest ± of the torques, in words: `at φ 20°: ± 2.0 N m (95 %): friction unknown 1.7, model against tests 0.8`.
+    warnings
+        Warnings.
+    figure
+        The figure, if requested.
+    """
+    _rows: ClassVar[str | None] = "points"
+    model: str
+    muscles: list[MuscleSummary]
+    range_deg: tuple[float, float]
+    points: list[JointRow]
+    burst_pressure_mpa: float | None
+    warnings: list[str]
+    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_pressure_mpa: float | None = None
+    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    map: JointMap | None = None
+    uncertainty_text: str | None = None
+    figure: Figure | None = None
+
+
+class LawAnswer(Record):
+    """A fitted law.
+
+    Attributes
+    ----------
+    law
+        The law, as in muscle files.
+    name
+        The same with the number of its terms.
+    constrained
+        Whether it was held among the laws that are stable in a muscle.
+    shear_modulus_mpa : MPa
+        Shear modulus μ at rest, MPa.
+    r_squared
+        R² of the nominal stresses.
+    free_r_squared
+        R² of the free fit, where this one was held.
+    rms_mpa : MPa
+        Root mean square of the differences of nominal stress, MPa.
+    relative_rms
+        Root mean square of the differences over the measured stress.
+    aicc
+        Akaike's criterion for small samples.
+    fitted_to_stretch
+        Largest principal stretch of the points.
+    stable
+        Whether it is stable in a muscle.
+    unstable_from_hoop_stretch
+        Hoop stretch from which on it is not.
+    parameters
+        Its constants.
+    modes
+        Its errors by mode.
+    held_out
+        Its errors in modes that were held out, and over their points in whose state a muscle's wall may be.
+    """
+    law: str
+    name: str
+    constrained: bool
+    shear_modulus_mpa: float
+    r_squared: float
+    free_r_squared: float | None
+    rms_mpa: float
+    relative_rms: float
+    aicc: float
+    fitted_to_stretch: float
+    stable: bool
+    unstable_from_hoop_stretch: float | None
+    parameters: list[Parameter]
+    modes: list[ModeError]
+    held_out: list[HeldOutError]
+
+
+class LawRow(Record):
+    """Fit of a rubber law to the points.
+
+    Attributes
+    ----------
+    law
+        The law.
+    parameters
+        What was free, with its value and error.
+    rms_n : N
+        Root mean square of the residuals, N.
+    aicc_difference
+        AICc less that of the preferred law: 10 is decided where the errors of the points are independent.
+    neighbour_correlation
+        Correlation of neighbouring residuals on a curve: near 0 where the model follows, near 1 where it does not.
+    doubt
+        What makes its constants implausible, or why there are none.
+    """
+    law: str
+    parameters: list[Identified]
+    rms_n: float | None = None
+    aicc_difference: float | None = None
+    neighbour_correlation: float | None = None
+    doubt: str | None = None
+
+
+class LibraryAgreement(Record):
+    """Errors of finite elements of a muscle at its measured points.
+
+    Attributes
+    ----------
+    points
+        Points, those of other lengths of the same hose among them.
+    rms_n : N
+        Root mean square of measured − computed, N.
+    rms_of_blocked
+        The same over the largest blocked force of the points.
+    largest_n : N
+        Largest difference, N.
+    bench_points
+        Points on the bench of this muscle, of its length.
+    held
+        Share of these within the ± of the bench; null without a bench.
+    """
+    points: int
+    rms_n: float
+    rms_of_blocked: float
+    largest_n: float
+    bench_points: int
+    held: float | None
+
+
+class LibraryDetails(Record):
+    """A muscle of the library, with what is known of it and how well it agrees with its points.
+
+    Attributes
+    ----------
+    name
+        Name of its folder.
+    title
+        Which muscle or rubber.
+    source
+        Who measured it.
+    terms
+        Terms of use of the points.
+    known
+        What is known of it.
+    unknown
+        What is not.
+    product
+        The product, where one can buy it.
+    outer_diameter_mm : mm
+        Outer diameter D0 at rest, mm.
+    wall_mm : mm
+        Wall thickness s at rest, mm.
+    length_mm : mm
+        Length L0 between the terminals at rest, mm.
+    angle_deg : deg
+        Braid angle θ0 at rest, degrees.
+    rubber
+        The rubber, by name or law.
+    braid
+        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+    sleeve
+        Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
+    stiffness_factor
+        Factor within which the stiffness of the braid is known, where that and the strength of its strands are estimates.
+    rubber_mass_g : g
+        Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
+    mass_g : g
+        Mass of tube and sleeve between the terminals, g, where both are known; the terminals are not in it.
+    pressure_mpa : MPa
+        The highest pressure of its bench, MPa.
+    blocked_force_n : N
+        Blocked force there by `fe`, N.
+    uncertainty_n : N
+        95 % half-width of that force, N.
+    free_contraction
+        Free contraction there.
+    points
+        Points of its bench.
+    fit
+        The fit that identified it.
+    identified
+        What was identified.
+    agreement
+        How it agrees with its points.
+    muscle_file
+        The muscle file, with the bench that states its ±.
+    """
+    name: str
+    title: str
+    source: str
+    terms: str
+    known: str
+    unknown: str
+    outer_diameter_mm: float
+    wall_mm: float
+    length_mm: float
+    angle_deg: float
+    rubber: str
+    braid: str
+    pressure_mpa: float
+    blocked_force_n: float | None
+    uncertainty_n: float | None
+    free_contraction: float | None
+    points: int
+    fit: str
+    identified: list[str]
+    agreement: LibraryAgreement
+    muscle_file: TextFile
+    product: str | None = None
+    sleeve: str | None = None
+    stiffness_factor: float | None = None
+    rubber_mass_g: float | None = None
+    mass_g: float | None = None
+
+
+class LibraryFit(Record):
+    """A law fitted to a rubber.
+
+    Attributes
+    ----------
+    law
+        The law.
+    name
+        The same with the number of its terms.
+    by_reach
+        Whether it is what the requested name means for a muscle with this very reach; between two reaches it means constants between theirs, beyond the
+        last reach those of the last.
+    reach_up_to
+        Largest stretch that a muscle may reach for this range of data to cover it; none for published constants that are given for comparison.
+    shear_modulus_mpa : MPa
+        Shear modulus μ at rest, MPa.
+    up_to_strain
+        Engineering strain up to which data were used.
+    r_squared
+        R² of the fit.
+    points
+        Number of points.
+    standing
+        Against the law that is recommended.
+    held
+        Whether it was held among the laws that are stable in a muscle.
+    rms_mpa : MPa
+        Root mean square of the differences of nominal stress, MPa.
+    planar_difference
+        Largest difference from the recommended law of the stress in planar tension (a wall that widens at constant length), up to the end of the data,
+        over the largest stress there.
+    """
+    law: str
+    name: str
+    by_reach: bool
+    reach_up_to: float | None
+    shear_modulus_mpa: float
+    up_to_strain: float | None
+    r_squared: float | None
+    points: int | None = None
+    standing: Literal["recommended", "equal", "behind"] | None = None
+    held: bool | None = None
+    rms_mpa: float | None = None
+    planar_difference: float | None = None
+
+
+class LibraryMuscle(Record):
+    """A muscle of the library.
+
+    Attributes
+    ----------
+    name
+        Name of its folder.
+    title
+        Which muscle or rubber.
+    source
+        Who measured it.
+    terms
+        Terms of use of the points.
+    known
+        What is known of it.
+    unknown
+        What is not.
+    product
+        The product, where one can buy it.
+    outer_diameter_mm : mm
+        Outer diameter D0 at rest, mm.
+    wall_mm : mm
+        Wall thickness s at rest, mm.
+    length_mm : mm
+        Length L0 between the terminals at rest, mm.
+    angle_deg : deg
+        Braid angle θ0 at rest, degrees.
+    rubber
+        The rubber, by name or law.
+    braid
+        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+    sleeve
+        Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
+    stiffness_factor
+        Factor within which the stiffness of the braid is known, where that and the strength of its strands are estimates.
+    rubber_mass_g : g
+        Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
+    mass_g : g
+        Mass of tube and sleeve between the terminals, g, where both are known; the terminals are not in it.
+    pressure_mpa : MPa
+        The highest pressure of its bench, MPa.
+    blocked_force_n : N
+        Blocked force there by `fe`, N.
+    uncertainty_n : N
+        95 % half-width of that force, N.
+    free_contraction
+        Free contraction there.
+    points
+        Points of its bench.
+    """
+    name: str
+    title: str
+    source: str
+    terms: str
+    known: str
+    unknown: str
+    outer_diameter_mm: float
+    wall_mm: float
+    length_mm: float
+    angle_deg: float
+    rubber: str
+    braid: str
+    pressure_mpa: float
+    blocked_force_n: float | None
+    uncertainty_n: float | None
+    free_contraction: float | None
+    points: int
+    product: str | None = None
+    sleeve: str | None = None
+    stiffness_factor: float | None = None
+    rubber_mass_g: float | None = None
+    mass_g: float | None = None
+
+
+class Liquid(Record):
+    """A liquid with bubbles of gas. The gas is ideal, stays at its temperature (slow changes) and does not dissolve; in fact some of it dissolves under
+    pressure, and the liquid is stiffer then. At 1 bar 1 % of gas is compressed 54 times as much as the water around it. Source: [merritt1967], effective
+    bulk modulus.
+
+    Attributes
+    ----------
+    name
+        Its name.
+    density_kg_per_m3 : kg/m3
+        Density in kg/m³ without gas.
+    bulk_modulus_mpa : MPa
+        Bulk modulus K in MPa without gas.
+    viscosity_pa_s : s
+        Dynamic viscosity in Pa s without gas.
+    gas_share
+        Gas by volume at atmospheric pressure, α.
+    """
+    name: str
+    density_kg_per_m3: float
+    bulk_modulus_mpa: float
+    viscosity_pa_s: float
+    gas_share: float
+
+
+class LoadAnswer(Record):
+    """The equilibria at pressures, and the stroke from the first to the last.
+
+    Attributes
+    ----------
+    load
+        The load as it was written.
+    at
+        At each pressure its equilibria, by rising contraction; none where the load is not lifted.
+    cycle
+        From the lowest pressure to the highest, where the load is lifted at the highest.
+    """
+    load: str
+    at: list[LoadedAt]
+    cycle: Cycle | None = None
+
+
+class LoadedAt(Record):
+    """The equilibria at a pressure.
+
+    Attributes
+    ----------
+    pressure_mpa : MPa
+        The pressure, MPa.
+    equilibria
+        The equilibria, by rising contraction.
+    cause
+        Why there is none.
+    """
+    pressure_mpa: float
+    equilibria: list[Equilibrium]
+    cause: str | None = None
+
+
+class Made(Record):
+    """What a formula's muscles have in common.
+
+    Attributes
+    ----------
+    length_mm : mm
+        L0 in mm.
+    angle_deg : deg
+        θ0 in degrees.
+    rubber
+        The rubber.
+    braid
+        The braid.
+    """
+    length_mm: float
+    angle_deg: float
+    rubber: MadeRubber
+    braid: MadeBraid
+
+
+class MadeBraid(Record):
+    """Stiffness k of one strand family of the muscles of a formula.
+
+    Attributes
+    ----------
+    stiffness : N/mm
+        See the documentation.
+    stiffness_n_per_mm : N/mm
+        See the documentation.
+    stiffness_times_diameter_n : N
+        See the documentation.
+    """
+    stiffness: Literal["paper", "inextensible"] | None = None
+    stiffness_n_per_mm: float | None = None
+    stiffness_times_diameter_n: float | None = None
+
+
+class MadeRubber(Record):
+    """The rubber of a formula's muscles.
+
+    Attributes
+    ----------
+    name
+        Its name, where it has one.
+    law
+        Its law.
+    constants
+        Constants of the law; those in MPa end in `_mpa`.
+    bulk_modulus_mpa : MPa
+        Bulk modulus in MPa; `None` for an incompressible rubber.
+    """
+    name: str | None
+    law: str
+    constants: dict[str, float]
+    bulk_modulus_mpa: float | None
+
+
+class MapGap(Record):
+    """Pressures at which a muscle has no state where the joint would come to rest.
+
+    Attributes
+    ----------
+    pressures_mpa : MPa
+        Pressures in MPa, one a muscle.
+    reason
+        Why.
+    """
+    pressures_mpa: list[float]
+    reason: str
+
+
+class MapPoint(Record):
+    """A rest at a pair of pressures.
+
+    Attributes
+    ----------
+    pressures_mpa : MPa
+        Pressures in MPa, one a muscle.
+    angle_deg : deg
+        φ of the rest in degrees.
+    stiffness_nm_per_rad : N m/rad
+        −dτ/dφ there in N m/rad.
+    stiffness_shut_isothermal_nm_per_rad : N m/rad
+        −dτ/dφ with the valves shut, the air at constant temperature, N m/rad; not known where the model has no volume.
+    stiffness_shut_adiabatic_nm_per_rad : N m/rad
+        The same without heat exchange, N m/rad.
+    at_limit
+        Whether the joint leans on a limit of its range.
+    """
+    pressures_mpa: list[float]
+    angle_deg: float
+    stiffness_nm_per_rad: float
+    at_limit: bool
+    stiffness_shut_isothermal_nm_per_rad: float | None = None
+    stiffness_shut_adiabatic_nm_per_rad: float | None = None
+
+
+class Mark(Record):
+    """A marked operating point: a ringed dot with a label.
+
+    Attributes
+    ----------
+    x
+        Place on the horizontal axis, in its unit.
+    y
+        Place on the vertical axis, in its unit.
+    label
+        Text beside the dot; may be empty.
+    """
+    x: float
+    y: float
+    label: str
+
+
+class MeasureEntry(Record):
+    """A measure of a muscle.
+
+    Attributes
+    ----------
+    key
+        Key in the muscle file.
+    group
+        Table of the muscle file.
+    field
+        Field of requests.
+    label
+        Its name, in a few words.
+    symbol
+        Its symbol.
+    quantity
+        What it measures; none for a plain number.
+    unit
+        Unit of its numbers; none for a plain number.
+    above
+        The muscle refuses this value and those below it.
+    minimum
+        Lowest value.
+    maximum
+        Highest value.
+    default
+        Value of a muscle that does not state it.
+    about
+        What it is, in a sentence.
+    """
+    key: str
+    group: str
+    label: str
+    about: str
+    field: str | None = None
+    symbol: str | None = None
+    quantity: Literal["length", "pressure", "angle", "force", "ratio", "stiffness", "compliance", "area", "mass", "torque", "angular-stiffness", "inertia", "time", "frequency", "temperature", "conductance", "damping", "angular-damping", "volume", "density", "flow"] | None = None
+    unit: str | None = None
+    above: float | None = None
+    minimum: float | None = None
+    maximum: float | None = None
+    default: float | None = None
+
+
+class MeasuredAnswer(Record):
+    """The validation reports of measured muscles and rubbers.
+
+    Attributes
+    ----------
+    model
+        The model.
+    cases
+        The muscles.
+    results
+        Errors at their points, fit by fit.
+    rubbers
+        The rubbers.
+    stresses
+        Errors at their stresses, fit by fit.
+    figure
+        The figure, if requested.
+    """
+    _rows: ClassVar[str | None] = "results"
+    model: str
+    cases: list[MeasuredCase]
+    results: list[MeasuredResult]
+    rubbers: list[MeasuredRubber]
+    stresses: list[MeasuredStress]
+    figure: Figure | None = None
+
+
+class MeasuredBin(Record):
+    """Errors of a fit at points of about one contraction.
+
+    Attributes
+    ----------
+    from_
+        From this contraction ratio,
+    to
+        to less than this.
+    points
+        How many points.
+    rms_n : N
+        Root mean square of the differences in N.
+    largest_n : N
+        Largest difference in N.
+    bias_n : N
+        Mean of measured − computed in N.
+    rms_of_blocked
+        `rms_n` over the largest blocked force of these points.
+    held
+        Share of the points within the ± of the model; null if there are none, or no ±.
+    """
+    from_: float
+    to: float
+    points: int
+    rms_n: float
+    largest_n: float
+    bias_n: float
+    rms_of_blocked: float
+    held: float | None
+
+
+class MeasuredBranch(Record):
+    """Errors of a fit at the points of one branch of the hysteresis.
+
+    Attributes
+    ----------
+    branch
+        The branch: `contraction` while the muscle shortened or its pressure rose, `elongation` back.
+    points
+        How many points.
+    rms_n : N
+        Root mean square of the differences in N.
+    largest_n : N
+        Largest difference in N.
+    bias_n : N
+        Mean of measured − computed in N.
+    rms_of_blocked
+        `rms_n` over the largest blocked force of these points.
+    held
+        Share of the points within the ± of the model; null if there are none, or no ±.
+    """
+    branch: Literal["mean", "contraction", "elongation"]
+    points: int
+    rms_n: float
+    largest_n: float
+    bias_n: float
+    rms_of_blocked: float
+    held: float | None
+
+
+class MeasuredCase(Record):
+    """A measured muscle.
+
+    Attributes
+    ----------
+    name
+        Name of its folder.
+    title
+        Which muscle or rubber.
+    source
+        Who measured it.
+    terms
+        Terms of use of the points.
+    known
+        What is known of it.
+    unknown
+        What is not.
+    product
+        The product, where one can buy it.
+    points
+        Points that pull.
+    fits
+        What was fitted.
+    """
+    name: str
+    title: str
+    source: str
+    terms: str
+    known: str
+    unknown: str
+    points: int
+    fits: list[MeasuredFit]
+    product: str | None = None
+
+
+class MeasuredFit(Record):
+    """A fit to some points, with its constants and its errors.
+
+    Attributes
+    ----------
+    fit
+        Its name.
+    fitted_to
+        Its points: `all`, `nothing`, or their lengths, pressures or contractions.
+    parameters
+        The constants, with their errors.
+    """
+    fit: str
+    fitted_to: str
+    parameters: list[Identified]
+
+
+class MeasuredResult(Record):
+    """Errors of a fit at some points: measured − computed.
+
+    Attributes
+    ----------
+    case
+        Name of the case's folder.
+    fit
+        Name of the fit.
+    fitted_to
+        The points it was fitted to.
+    of
+        The points that are compared.
+    blind
+        Whether nothing was fitted to them.
+    points
+        How many points.
+    rms_n : N
+        Root mean square of the differences in N.
+    largest_n : N
+        Largest difference in N.
+    bias_n : N
+        Mean of measured − computed in N.
+    rms_of_blocked
+        `rms_n` over the largest blocked force of these points.
+    held
+        Share of the points within the ± of the model; null if there are none, or no ±.
+    branch_points
+        How many points of single branches there are.
+    branch_held
+        Share of these within the ± with its part for friction; null if there are none.
+    by_branch
+        The points of each branch of the hysteresis, where it was measured.
+    unanswered
+        Points without an answer of the model.
+    by_contraction
+        The same by contraction ratio.
+    """
+    case: str
+    fit: str
+    fitted_to: str
+    of: str
+    blind: bool
+    points: int
+    rms_n: float
+    largest_n: float
+    bias_n: float
+    rms_of_blocked: float
+    held: float | None
+    branch_points: int
+    branch_held: float | None
+    by_branch: list[MeasuredBranch]
+    unanswered: int
+    by_contraction: list[MeasuredBin]
+
+
+class MeasuredRubber(Record):
+    """A measured rubber.
+
+    Attributes
+    ----------
+    name
+        Name of its folder.
+    title
+        Which muscle or rubber.
+    source
+        Who measured it.
+    terms
+        Terms of use of the points.
+    known
+        What is known of it.
+    unknown
+        What is not.
+    product
+        The product, where one can buy it.
+    points
+        Points.
+    fits
+        What was fitted.
+    """
+    name: str
+    title: str
+    source: str
+    terms: str
+    known: str
+    unknown: str
+    points: int
+    fits: list[MeasuredRubberFit]
+    product: str | None = None
+
+
+class MeasuredRubberFit(Record):
+    """A law that was fitted, with its constants and errors.
+
+    Attributes
+    ----------
+    fit
+        Its name.
+    law
+        The law.
+    parameters
+        Its constants, with a Prony series those at once.
+    prony
+        Shares and time constants in s of the Prony series, where one was fitted.
+    stable
+        Whether the law is stable in a muscle.
+    """
+    fit: str
+    law: str
+    parameters: list[Parameter]
+    stable: bool
+    prony: list[tuple[float, float]] | None = None
+
+
+class MeasuredStress(Record):
+    """Errors of a fit at some nominal stresses: measured − computed.
+
+    Attributes
+    ----------
+    case
+        Name of the case's folder.
+    fit
+        Name of the fit.
+    of
+        The points that are compared: a mode, a mode `further` than the law was fitted, or a branch of a test over time.
+    blind
+        Whether nothing was fitted to them.
+    points
+        How many points.
+    to_stretch
+        Largest stretch of them in the plane of the specimen.
+    rms_mpa : MPa
+        Root mean square of the differences, in MPa.
+    relative
+        The same over the root mean square of the measured stresses.
+    bias_mpa : MPa
+        Mean of measured − computed, in MPa.
+    largest_mpa : MPa
+        Largest difference, in MPa.
+    """
+    case: str
+    fit: str
+    of: str
+    blind: bool
+    points: int
+    to_stretch: float
+    rms_mpa: float
+    relative: float
+    bias_mpa: float
+    largest_mpa: float
+
+
+class MeasuresAnswer(Record):
+    """The measures of a muscle.
+
+    Attributes
+    ----------
+    measures
+        All of them, in the order of the fields of requests.
+    """
+    _rows: ClassVar[str | None] = "measures"
+    measures: list[MeasureEntry]
+
+
+class ModeError(Record):
+    """The errors of a law in one of the tests.
+
+    Attributes
+    ----------
+    mode
+        The test.
+    points
+        How many points.
+    to_stretch
+        Largest stretch of them in the plane of the specimen.
+    rms_mpa : MPa
+        Root mean square of the differences, in MPa.
+    relative
+        The same over the root mean square of the measured stresses.
+    bias_mpa : MPa
+        Mean of measured − computed, in MPa.
+    largest_mpa : MPa
+        Largest difference, in MPa.
+    unstable_from_stretch
+        Stretch up to which the law is stable in this test, where it ends below the larger of the data's and the muscle's.
+    """
+    mode: Literal["uniaxial", "planar", "equibiaxial", "general"]
+    points: int
+    to_stretch: float
+    rms_mpa: float
+    relative: float
+    bias_mpa: float
+    largest_mpa: float
+    unstable_from_stretch: float | None
+
+
+class ModelAbout(Record):
+    """Where a model's numbers come from.
+
+    Attributes
+    ----------
+    source
+        Where the formula comes from: author, year, equation.
+    uncertainty_basis
+        Basis of the parts of the ±.
+    """
+    source: str
+    uncertainty_basis: str
+
+
+class ModelDetails(Record):
+    """What is known of a model.
+
+    Attributes
+    ----------
+    name
+        Its name.
+    description
+        What it is.
+    source
+        Where it comes from: author, year, equation.
+    uncertainty_basis
+        Basis of the parts of its ±.
+    needs
+        Extra data of the muscle that this model needs.
+    """
+    name: str
+    description: str
+    source: str
+    uncertainty_basis: str
+    needs: str | None = None
+
+
+class ModelEntry(Record):
+    """Name and one line of a model.
+
+    Attributes
+    ----------
+    name
+        The word for `model`.
+    description
+        What it is.
+    """
+    name: str
+    description: str
+
+
+class Motion(Record):
+    """The answer to a drive: its motion, or those of a sweep.
+
+    Attributes
+    ----------
+    model
+        The model's name.
+    muscles
+        The muscles.
+    value
+        The value of the sweep's key, where there is a sweep.
+    series
+        What was recorded, lists of one length.
+    rise_time_s : s
+        10–90 % of the first step that moved it, s.
+    settling_time_s : s
+        Time until it stays within 2 % of its stroke, s.
+    overshoot
+        Overshoot beyond its end, as a share of its stroke.
+    fill_time_s : s
+        Time until the pressure is within 2 % of its first rise, s.
+    vent_time_s : s
+        Likewise of its first fall, s.
+    steps
+        Every step of the command that moved it.
+    largest_speed
+        Largest speed, mm/s or °/s.
+    largest_velocity_mm_per_s : mm/s
+        The same of a muscle's load, mm/s: of all that was integrated, not of the points of the series alone.
+    largest_velocity_deg_per_s : °/s
+        The same of a joint, °/s.
+    at_rest
+        Whether it rests at the end, within 2 % of its stroke; none if the command still changes there, or both ends are fixed.
+    equilibrium_contraction
+        Where a muscle's load rests in the end under the commanded pressure, without friction.
+    equilibrium_angle_deg : deg
+        Where a joint rests in the end under the commanded pressures, without friction, degrees.
+    ended_early
+        Reason why the run stopped early; the series covers the computed part.
+    largest_power_w : W
+        Largest power of the muscles, W.
+    air_normal_litres : normal L
+        Air from the supply, normal litres (0 °C, 101.325 kPa); 0 with a liquid.
+    liquid_volume_mm3 : mm3
+        Liquid from the supply, or pushed out of a syringe at the end, mm³ at atmospheric pressure.
+    air_normal_litres_per_cycle : normal L
+        The same over the last whole period of a periodic command.
+    loop_area
+        Area of the loop of position (mm or rad) over pressure in MPa, over that period.
+    energies
+        Energies, J.
+    efficiency
+        Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid.
+    bandwidth_hz : Hz
+        Of commanded pressures: frequency up to which small changes of the highest commands are followed (−3 dB), Hz; of two muscles of a joint, changes
+        against each other.
+    events
+        What happened: ends of stroke, slack, valve switching, reversals.
+    end_contraction_uncertainty
+        95 % half-width of the contraction at which a muscle's load rests in the end; none on a stop, of a controlled position, and where the command
+        still changes.
+    end_angle_uncertainty_deg : deg
+        95 % half-width of the angle at which a joint rests in the end, likewise, degrees.
+    uncertainty_text
+        The ± of the pull or torque there with its parts, in words.
+    others
+        The other motions of a sweep.
+    sonic_conductance_l_per_s_bar : L/(s bar)
+        Sonic conductance of the smallest valve with the requested rise time, L/(s bar).
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+    burst_by
+        How it fails there.
+    allowed_pressure_mpa : MPa
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
+        fittings are rated.
+    allowed_by
+        The failure that it keeps its distance from; none where the fittings are rated for it.
+    warnings
+        Warnings.
+    figure
+        The figure, if requested.
+    """
+    _rows: ClassVar[str | None] = "series"
+    model: str
+    muscles: list[MuscleSummary]
+    series: MotionSeries
+    rise_time_s: float | None
+    settling_time_s: float | None
+    overshoot: float | None
+    fill_time_s: float | None
+    vent_time_s: float | None
+    steps: list[Any]
+    largest_speed: float
+    at_rest: bool | None
+    largest_power_w: float
+    air_normal_litres: float
+    energies: Any
+    events: list[Any]
+    burst_pressure_mpa: float | None
+    warnings: list[str]
+    value: str | None = None
+    largest_velocity_mm_per_s: float | None = None
+    largest_velocity_deg_per_s: float | None = None
+    equilibrium_contraction: float | None = None
+    equilibrium_angle_deg: float | None = None
+    ended_early: str | None = None
+    liquid_volume_mm3: float | None = None
+    air_normal_litres_per_cycle: float | None = None
+    loop_area: float | None = None
+    efficiency: float | None = None
+    bandwidth_hz: float | None = None
+    end_contraction_uncertainty: float | None = None
+    end_angle_uncertainty_deg: float | None = None
+    uncertainty_text: str | None = None
+    others: list[MotionRun] | None = None
+    sonic_conductance_l_per_s_bar: float | None = None
+    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_pressure_mpa: float | None = None
+    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    figure: Figure | None = None
+
+
+class MotionRun(Record):
+    """A motion.
+
+    Attributes
+    ----------
+    value
+        The value of the sweep's key, where there is a sweep.
+    series
+        What was recorded, lists of one length.
+    rise_time_s : s
+        10–90 % of the first step that moved it, s.
+    settling_time_s : s
+        Time until it stays within 2 % of its stroke, s.
+    overshoot
+        Overshoot beyond its end, as a share of its stroke.
+    fill_time_s : s
+        Time until the pressure is within 2 % of its first rise, s.
+    vent_time_s : s
+        Likewise of its first fall, s.
+    steps
+        Every step of the command that moved it.
+    largest_speed
+        Largest speed, mm/s or °/s.
+    largest_velocity_mm_per_s : mm/s
+        The same of a muscle's load, mm/s: of all that was integrated, not of the points of the series alone.
+    largest_velocity_deg_per_s : °/s
+        The same of a joint, °/s.
+    at_rest
+        Whether it rests at the end, within 2 % of its stroke; none if the command still changes there, or both ends are fixed.
+    equilibrium_contraction
+        Where a muscle's load rests in the end under the commanded pressure, without friction.
+    equilibrium_angle_deg : deg
+        Where a joint rests in the end under the commanded pressures, without friction, degrees.
+    ended_early
+        Reason why the run stopped early; the series covers the computed part.
+    largest_power_w : W
+        Largest power of the muscles, W.
+    air_normal_litres : normal L
+        Air from the supply, normal litres (0 °C, 101.325 kPa); 0 with a liquid.
+    liquid_volume_mm3 : mm3
+        Liquid from the supply, or pushed out of a syringe at the end, mm³ at atmospheric pressure.
+    air_normal_litres_per_cycle : normal L
+        The same over the last whole period of a periodic command.
+    loop_area
+        Area of the loop of position (mm or rad) over pressure in MPa, over that period.
+    energies
+        Energies, J.
+    efficiency
+        Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid.
+    bandwidth_hz : Hz
+        Of commanded pressures: frequency up to which small changes of the highest commands are followed (−3 dB), Hz; of two muscles of a joint, changes
+        against each other.
+    events
+        What happened: ends of stroke, slack, valve switching, reversals.
+    end_contraction_uncertainty
+        95 % half-width of the contraction at which a muscle's load rests in the end; none on a stop, of a controlled position, and where the command
+        still changes.
+    end_angle_uncertainty_deg : deg
+        95 % half-width of the angle at which a joint rests in the end, likewise, degrees.
+    uncertainty_text
+        The ± of the pull or torque there with its parts, in words.
+    """
+    series: MotionSeries
+    rise_time_s: float | None
+    settling_time_s: float | None
+    overshoot: float | None
+    fill_time_s: float | None
+    vent_time_s: float | None
+    steps: list[Any]
+    largest_speed: float
+    at_rest: bool | None
+    largest_power_w: float
+    air_normal_litres: float
+    energies: Any
+    events: list[Any]
+    value: str | None = None
+    largest_velocity_mm_per_s: float | None = None
+    largest_velocity_deg_per_s: float | None = None
+    equilibrium_contraction: float | None = None
+    equilibrium_angle_deg: float | None = None
+    ended_early: str | None = None
+    liquid_volume_mm3: float | None = None
+    air_normal_litres_per_cycle: float | None = None
+    loop_area: float | None = None
+    efficiency: float | None = None
+    bandwidth_hz: float | None = None
+    end_contraction_uncertainty: float | None = None
+    end_angle_uncertainty_deg: float | None = None
+    uncertainty_text: str | None = None
+
+
+class MotionSeries(Record):
+    """What is recorded over time; of a joint with the number of the muscle.
+
+    Attributes
+    ----------
+    time_s : s
+        Time, s.
+    angle_deg : deg
+        Angle of a joint, degrees.
+    velocity_deg_per_s : °/s
+        Its speed, °/s.
+    velocity_mm_per_s : mm/s
+        Speed of the load of a muscle, mm/s.
+    pressure_mpa : MPa
+        Gauge pressure, MPa.
+    contraction
+        Contraction ratio.
+    force_n : N
+        Pull, N.
+    air_mass_g : g
+        Mass of its air, g; of a liquid `liquid_mass_g`.
+    temperature_degc : degC
+        Temperature of its air or liquid, °C.
+    volume_mm3 : mm3
+        Volume of its cavity between the terminals, mm³.
+    opening
+        Opening of its valve, −1 to 1; share of a syringe that is pushed out.
+    command
+        What is commanded: pressure in MPa, opening, or volume in mm³.
+    pressure_1_mpa : MPa
+        Gauge pressure, MPa.
+    contraction_1
+        Contraction ratio.
+    force_1_n : N
+        Pull, N.
+    air_mass_1_g : g
+        Mass of its air, g; of a liquid `liquid_mass_g`.
+    temperature_1_degc : degC
+        Temperature of its air or liquid, °C.
+    volume_1_mm3 : mm3
+        Volume of its cavity between the terminals, mm³.
+    opening_1
+        Opening of its valve, −1 to 1; share of a syringe that is pushed out.
+    command_1
+        What is commanded: pressure in MPa, opening, or volume in mm³.
+    pressure_2_mpa : MPa
+        Gauge pressure, MPa.
+    contraction_2
+        Contraction ratio.
+    force_2_n : N
+        Pull, N.
+    air_mass_2_g : g
+        Mass of its air, g; of a liquid `liquid_mass_g`.
+    temperature_2_degc : degC
+        Temperature of its air or liquid, °C.
+    volume_2_mm3 : mm3
+        Volume of its cavity between the terminals, mm³.
+    opening_2
+        Opening of its valve, −1 to 1; share of a syringe that is pushed out.
+    command_2
+        What is commanded: pressure in MPa, opening, or volume in mm³.
+    """
+    time_s: list[float]
+    angle_deg: list[float] | None = None
+    velocity_deg_per_s: list[float] | None = None
+    velocity_mm_per_s: list[float] | None = None
+    pressure_mpa: list[float] | None = None
+    contraction: list[float] | None = None
+    force_n: list[float] | None = None
+    air_mass_g: list[float] | None = None
+    temperature_degc: list[float] | None = None
+    volume_mm3: list[float] | None = None
+    opening: list[float] | None = None
+    command: list[float] | None = None
+    pressure_1_mpa: list[float] | None = None
+    contraction_1: list[float] | None = None
+    force_1_n: list[float] | None = None
+    air_mass_1_g: list[float] | None = None
+    temperature_1_degc: list[float] | None = None
+    volume_1_mm3: list[float] | None = None
+    opening_1: list[float] | None = None
+    command_1: list[float] | None = None
+    pressure_2_mpa: list[float] | None = None
+    contraction_2: list[float] | None = None
+    force_2_n: list[float] | None = None
+    air_mass_2_g: list[float] | None = None
+    temperature_2_degc: list[float] | None = None
+    volume_2_mm3: list[float] | None = None
+    opening_2: list[float] | None = None
+    command_2: list[float] | None = None
+
+
+class MuscleFinding(Record):
+    """A finding.
+
+    Attributes
+    ----------
+    kind
+        Its kind.
+    text
+        In a sentence.
+    left_n : N
+        95 % half-width of the blocked force that a measurement leaves at least, N: the ± without the part that it replaces.
+    """
+    kind: Literal["implausible", "unknown", "outside", "measure"]
+    text: str
+    left_n: float | None = None
+
+
+class MuscleSummary(Record):
+    """A muscle's measures.
+
+    Attributes
+    ----------
+    outer_diameter_mm : mm
+        Outer diameter D0 at rest, mm.
+    wall_mm : mm
+        Wall thickness s at rest, mm.
+    length_mm : mm
+        Length L0 between the terminals at rest, mm.
+    angle_deg : deg
+        Braid angle θ0 at rest, degrees.
+    rubber
+        The rubber, by name or law.
+    braid
+        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+    sleeve
+        Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
+    stiffness_factor
+        Factor within which the stiffness of the braid is known, where that and the strength of its strands are estimates.
+    rubber_mass_g : g
+        Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
+    mass_g : g
+        Mass of tube and sleeve between the terminals, g, where both are known; the terminals are not in it.
+    """
+    outer_diameter_mm: float
+    wall_mm: float
+    length_mm: float
+    angle_deg: float
+    rubber: str
+    braid: str
+    sleeve: str | None = None
+    stiffness_factor: float | None = None
+    rubber_mass_g: float | None = None
+    mass_g: float | None = None
+
+
+class NamedFigure(Record):
+    """A figure among several.
+
+    Attributes
+    ----------
+    name
+        A name for its file.
+    figure
+        The figure.
+    """
+    name: str
+    figure: Figure
+
+
+class OperatingPoint(Record):
+    """An operating point that is wanted.
+
+    Attributes
+    ----------
+    force_n : N
+        Pull, N.
+    contraction
+        Contraction ratio.
+    """
+    force_n: float
+    contraction: float
+
+
+class Panel(Record):
+    """One set of axes with its series and marks.
+
+    Attributes
+    ----------
+    title
+        Title above the axes; may be empty.
+    x
+        The horizontal axis.
+    y
+        The vertical axis.
+    series
+        The series, drawn in this order.
+    marks
+        Operating points, drawn over the series.
+    """
+    title: str
+    x: Axis
+    y: Axis
+    series: list[Series]
+    marks: list[Mark]
+
+
+class PaperTerm(Record):
+    """PaperTerm
+
+    Attributes
+    ----------
+    name
+        See the documentation.
+    unit
+        See the documentation.
+    value
+        See the documentation.
+    """
+    name: str
+    unit: str
+    value: float
+
+
+class Parameter(Record):
+    """A constant.
+
+    Attributes
+    ----------
+    name
+        As in muscle files; `mu1`, `alpha1` for terms.
+    value
+        Its value.
+    unit
+        `MPa` or nothing.
+    standard_error
+        Standard error; 0 on a bound, `None` where the data do not determine it at all.
+    identifiable
+        Whether the data determine it: it is not on a bound, and its 95 % interval does not reach zero or (constants that may be zero) is so narrow that
+        it moves the stress at the end of the data by less than a quarter of the modulus.
+    """
+    name: str
+    value: float
+    unit: str
+    standard_error: float | None
+    identifiable: bool
+
+
+class PartShowAnswer(Record):
+    """All that have this name.
+
+    Attributes
+    ----------
+    tube
+        A tube.
+    sleeve
+        A sleeve.
+    rubber
+        A rubber.
+    muscle
+        A muscle.
+    model
+        A force model.
+    """
+    tube: TubeSummary | None = None
+    sleeve: BraidDetails | None = None
+    rubber: RubberDetails | None = None
+    muscle: LibraryDetails | None = None
+    model: ModelDetails | None = None
+
+
+class PartsListAnswer(Record):
+    """Everything with a name.
+
+    Attributes
+    ----------
+    tubes
+        Tubes.
+    sleeves
+        Sleeves.
+    rubbers
+        Rubbers.
+    muscles
+        Muscles that were identified from measured points.
+    models
+        Force models.
+    """
+    _rows: ClassVar[str | None] = "tubes"
+    tubes: list[TubeSummary]
+    sleeves: list[BraidSummary]
+    rubbers: list[RubberSummary]
+    muscles: list[LibraryMuscle]
+    models: list[ModelEntry]
+
+
+class Plan(_results.Planned):
+    """Its table.
+
+    Attributes
+    ----------
+    table
+        The table (CSV): what `fit` reads.
+    muscles
+        Muscles.
+    points
+        Points.
+    failed
+        Points without an answer.
+    """
+    _rows: ClassVar[str | None] = "table"
+    table: TextFile
+    muscles: int
+    failed: int
+
+
+class PointRow(Record):
+    """A point of a curve: an answer, or why there is none.
+
+    Attributes
+    ----------
+    model
+        The model's name.
+    direction
+        The chosen branch of the hysteresis loop.
+    pressure_mpa : MPa
+        Gauge pressure P in MPa.
+    contraction
+        Contraction ratio ε = ΔL/L0.
+    force_n : N
+        Pull F in N, tension positive; negative where the muscle would have to push.
+    volume_mm3 : mm3
+        Volume of the whole cavity between the terminals in mm³.
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
+        ∂V/∂P at fixed ε in mm³/MPa: the compliance of strands and wall.
+    volume_per_contraction_mm3 : mm3
+        ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
+    stiffness_n_per_mm : N/mm
+        ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
+    force_per_pressure_n_per_mpa : N/MPa
+        ∂F/∂P at fixed ε, in mm² (N/MPa).
+    braid_tension_n : N
+        Tension of all strands together in N.
+    strand_tension_n : N
+        Tension of one strand in N, where the number of strands is known.
+    bulged_diameter_mm : mm
+        Largest outer diameter in mm.
+    middle_stretch
+        The largest principal stretch in the middle of the muscle, at the bore as a rule.
+    max_stretch
+        The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the middle. (The largest of all is none: at
+        the bonded corner it grows without bound as the mesh gets finer.)
+    slack
+        The muscle would have to push and is slack instead: its pull is 0, and its volume, tensions, diameter and stretches are those at its free
+        contraction, at which it hangs between its ends.
+    free_contraction
+        Where the muscle is slack: its free contraction at this pressure.
+    start_pressure_mpa : MPa
+        P′ at this contraction in MPa, where there is one.
+    uncertainty_n : N
+        95 % half-width of the pull in N against a measured muscle, where the model's error is known.
+    pressure_uncertainty_mpa : MPa
+        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+    contraction_uncertainty
+        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
+    uncertainty_parts_n : N
+        Its parts, each a 95 % half-width in N; they add as squares.
+    buckling_load_n : N
+        Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
+    warnings
+        Warnings, in sentences.
+    status
+        `ok`.
+    wanted_force_n : N
+        Requested pull, N.
+    cause
+        Why.
+    """
+    pressure_mpa: float
+    status: Literal["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"]
+    model: str | None = None
+    direction: Literal["mean", "contraction", "elongation"] | None = None
+    contraction: float | None = None
+    force_n: float | None = None
+    volume_mm3: float | None = None
+    volume_per_pressure_mm3_per_mpa: float | None = None
+    volume_per_contraction_mm3: float | None = None
+    stiffness_n_per_mm: float | None = None
+    force_per_pressure_n_per_mpa: float | None = None
+    braid_tension_n: float | None = None
+    strand_tension_n: float | None = None
+    bulged_diameter_mm: float | None = None
+    middle_stretch: float | None = None
+    max_stretch: float | None = None
+    slack: bool | None = None
+    free_contraction: float | None = None
+    start_pressure_mpa: float | None = None
+    uncertainty_n: float | None = None
+    pressure_uncertainty_mpa: float | None = None
+    contraction_uncertainty: float | None = None
+    uncertainty_parts_n: UncertaintyParts | None = None
+    buckling_load_n: float | None = None
+    warnings: list[str] | None = None
+    wanted_force_n: float | None = None
+    cause: str | None = None
+
+
+class Powers(Record):
+    """Powers of x, p, e, d; those of zero are omitted.
+
+    Attributes
+    ----------
+    wall_ratio
+        See the documentation.
+    pressure
+        See the documentation.
+    contraction
+        See the documentation.
+    outer_diameter
+        See the documentation.
+    """
+    wall_ratio: int | None = None
+    pressure: int | None = None
+    contraction: int | None = None
+    outer_diameter: int | None = None
+
+
+class ProfileRow(Record):
+    """A place along the muscle, from the middle (z = 0) to the terminal.
+
+    Attributes
+    ----------
+    rest_z_mm : mm
+        Z at rest, mm.
+    outer_z_mm : mm
+        z of the outer surface, mm.
+    outer_r_mm : mm
+        r of the outer surface, mm.
+    inner_z_mm : mm
+        z of the inner surface, mm.
+    inner_r_mm : mm
+        r of the inner surface, mm.
+    """
+    rest_z_mm: float
+    outer_z_mm: float
+    outer_r_mm: float
+    inner_z_mm: float
+    inner_r_mm: float
+
+
+class PronyAnswer(Record):
+    """A law that relaxes, from a uniaxial test over time.
+
+    Attributes
+    ----------
+    law
+        The law.
+    instantaneous
+        Its constants at once (t → 0), moduli in MPa.
+    long_time
+        Its constants after a long time (t → ∞): moduli are 1 − Σ share times those at once.
+    branches
+        The Prony series.
+    rms_mpa : MPa
+        Root mean square of the differences of nominal stress, MPa.
+    elastic_rms_mpa : MPa
+        The same of the law without memory.
+    duration_s : s
+        Length of the test, s.
+    """
+    law: str
+    instantaneous: dict[str, float]
+    long_time: dict[str, float]
+    branches: list[BranchAnswer]
+    rms_mpa: float
+    elastic_rms_mpa: float
+    duration_s: float
+
+
+class Provenance(Record):
+    """Where a formula comes from.
+
+    Attributes
+    ----------
+    program
+        The program that made it.
+    version
+        Version of the program that made it.
+    method
+        The method with its rules, in words.
+    points
+        Points it was fitted to.
+    data_hash
+        Hash of these points.
+    table
+        Name of the table, where it had one.
+    plan_hash
+        Hash of the campaign's plan, where it is known.
+    seed
+        Seed of the plan, where it has one.
+    """
+    program: str
+    version: str
+    method: str
+    points: int
+    data_hash: str
+    table: str | None
+    plan_hash: str | None
+    seed: int | None
+
+
+class Recomputed(Record):
+    """A damaged file that was computed again.
+
+    Attributes
+    ----------
+    file
+        The file.
+    cause
+        Its damage.
+    """
+    file: str
+    cause: str
+
+
+class RegionErrors(Record):
+    """Errors where one quantity has one value.
+
+    Attributes
+    ----------
+    quantity
+        `outer_diameter_mm`, `wall_mm`, `pressure_mpa` or `contraction`.
+    value
+        Its value.
+    points
+        How many points.
+    rms_of_blocked
+        Root mean square as a share of the blocked force.
+    p95_of_blocked
+        The share that 95 % of the points do not exceed.
+    max_of_blocked
+        Largest share.
+    max_n : N
+        Largest difference in N.
+    max_of_isobar
+        Largest by the paper's (12): share of the largest force of the same isobaric curve.
+    """
+    quantity: str
+    value: float
+    points: int
+    rms_of_blocked: float
+    p95_of_blocked: float
+    max_of_blocked: float
+    max_n: float
+    max_of_isobar: float
+
+
+class RejectedAnswer(Record):
+    """A muscle that does not fit.
+
+    Attributes
+    ----------
+    outer_diameter_mm : mm
+        Outer diameter D0, mm.
+    wall_mm : mm
+        Wall s, mm.
+    length_mm : mm
+        Length L0, mm.
+    angle_deg : deg
+        Braid angle θ0, degrees.
+    rubber
+        Name of the rubber, where it has one.
+    sleeve
+        Name of the sleeve, where it has one.
+    misses_by
+        The shares by which it misses its limits, summed; none where the model has no answer.
+    reason
+        The limit that it misses by most, in a sentence.
+    limit
+        That limit; none where the model has no answer.
+    """
+    outer_diameter_mm: float
+    wall_mm: float
+    length_mm: float
+    angle_deg: float
+    rubber: str | None
+    reason: str
+    sleeve: str | None = None
+    misses_by: float | None = None
+    limit: Literal["force", "bulged_diameter", "max_stretch", "buckling", "liquid_volume"] | None = None
+
+
+class Relaxation(Record):
+    """A change of the specification with which a muscle fits.
+
+    Attributes
+    ----------
+    relax
+        See the documentation.
+    pressure_mpa : MPa
+        MPa.
+    extrapolated
+        Outside of the model's range.
+    share
+        The share of what is wanted: of the pulls, of the load, or of the torques.
+    points
+        The operating points as they could be.
+    outer_diameter_mm : mm
+        mm.
+    bulged_diameter_mm : mm
+        See the documentation.
+    max_stretch
+        See the documentation.
+    strand_strain
+        Largest strain at the maximum pressure.
+    burst_margin
+        Burst pressure over maximum pressure.
+    liquid_volume_mm3 : mm3
+        mm³.
+    sleeve
+        Its name.
+    tube
+        The tube that goes with it.
+    rubber
+        Its name.
+    family_stiffness_n_per_mm : N/mm
+        Stiffness k of one strand family, N/mm.
+    changes
+        Each of them.
+    """
+    relax: str
+    pressure_mpa: float | None = None
+    extrapolated: bool | None = None
+    share: float | None = None
+    points: list[OperatingPoint] | None = None
+    outer_diameter_mm: float | None = None
+    bulged_diameter_mm: float | None = None
+    max_stretch: float | None = None
+    strand_strain: float | None = None
+    burst_margin: float | None = None
+    liquid_volume_mm3: float | None = None
+    sleeve: str | None = None
+    tube: str | None = None
+    rubber: str | None = None
+    family_stiffness_n_per_mm: float | None = None
+    changes: list[Relaxation] | None = None
+
+
+class RelaxationAnswer(Record):
+    """A change with which a muscle fits.
+
+    Attributes
+    ----------
+    text
+        The same in a sentence.
+    relax
+        See the documentation.
+    pressure_mpa : MPa
+        MPa.
+    extrapolated
+        Outside of the model's range.
+    share
+        The share of what is wanted: of the pulls, of the load, or of the torques.
+    points
+        The operating points as they could be.
+    outer_diameter_mm : mm
+        mm.
+    bulged_diameter_mm : mm
+        See the documentation.
+    max_stretch
+        See the documentation.
+    strand_strain
+        Largest strain at the maximum pressure.
+    burst_margin
+        Burst pressure over maximum pressure.
+    liquid_volume_mm3 : mm3
+        mm³.
+    sleeve
+        Its name.
+    tube
+        The tube that goes with it.
+    rubber
+        Its name.
+    family_stiffness_n_per_mm : N/mm
+        Stiffness k of one strand family, N/mm.
+    changes
+        Each of them.
+    """
+    text: str
+    relax: str
+    pressure_mpa: float | None = None
+    extrapolated: bool | None = None
+    share: float | None = None
+    points: list[OperatingPoint] | None = None
+    outer_diameter_mm: float | None = None
+    bulged_diameter_mm: float | None = None
+    max_stretch: float | None = None
+    strand_strain: float | None = None
+    burst_margin: float | None = None
+    liquid_volume_mm3: float | None = None
+    sleeve: str | None = None
+    tube: str | None = None
+    rubber: str | None = None
+    family_stiffness_n_per_mm: float | None = None
+    changes: list[Relaxation] | None = None
+
+
+class RestPlace(Record):
+    """A place in the section at rest.
+
+    Attributes
+    ----------
+    rest_r_mm : mm
+        Radius R, mm.
+    rest_z_mm : mm
+        Z from the middle, mm.
+    """
+    rest_r_mm: float
+    rest_z_mm: float
+
+
+class RubberDetails(Record):
+    """A rubber with its laws, its source and its terms.
+
+    Attributes
+    ----------
+    name
+        Name in kebab-case, such as `dragon-skin-30`.
+    title
+        What it is, for people.
+    source
+        Where the data come from.
+    terms
+        Terms under which the data may be used.
+    note
+        What else one should know.
+    max_strain
+        Largest engineering strain of the test (failure, for the silicones).
+    max_stress_mpa : MPa
+        Nominal stress there, MPa.
+    data
+        Its measured curve, a path in `data/` of the repository, or `TABLE_OF_FITS`.
+    laws
+        The laws that can be requested: `NAME:LAW`.
+    fits
+        The laws fitted to it: those of its curve by ranges of stretch, then the published ones.
+    rubber
+        The word for `rubber` that names the fits that are taken.
+    warnings
+        Warnings about the fit that the prototype uses.
+    """
+    name: str
+    title: str
+    source: str
+    terms: str
+    note: str | None
+    max_strain: float | None
+    max_stress_mpa: float | None
+    data: str | None
+    laws: list[str]
+    fits: list[LibraryFit]
+    rubber: str
+    warnings: list[str]
+
+
+class RubberFit(_results.FittedLaws):
+    """The laws of the tests.
+
+    Attributes
+    ----------
+    understood
+        What was understood of them.
+    points
+        Points that were fitted.
+    left_out
+        Points that were left out.
+    held_out
+        Points of modes that were held out.
+    fitted_to_stretch
+        Largest principal stretch of the points.
+    measure
+        The objective of the fit.
+    recommended
+        The law to take, where one is stable in a muscle.
+    parameters
+        Constants of that law.
+    laws
+        The laws.
+    failed
+        Laws without a fit, and why.
+    warnings
+        Warnings.
+    muscle_file
+        Muscle file with that law. With a softening it is the law of the first loading, with a relaxation alone the one at once, each with its constants.
+    relaxation
+        Relaxation, if requested.
+    softening
+        Softening, if requested.
+    figure
+        The figure, if requested.
+    """
+    _rows: ClassVar[str | None] = "laws"
+    understood: list[UnderstoodTable]
+    points: int
+    left_out: int
+    held_out: int
+    fitted_to_stretch: float
+    measure: Literal["absolute", "relative"]
+    recommended: str | None
+    parameters: list[Parameter]
+    laws: list[LawAnswer]
+    failed: list[str]
+    warnings: list[str]
+    muscle_file: str | None = None
+    relaxation: PronyAnswer | None = None
+    softening: SofteningAnswer | None = None
+    figure: Figure | None = None
+
+
+class RubberSummary(Record):
+    """A rubber in a line.
+
+    Attributes
+    ----------
+    name
+        The word for `rubber`.
+    title
+        What it is.
+    law
+        The law that the name means in the prototype.
+    shear_modulus_mpa : MPa
+        Shear modulus μ at rest of that law, MPa.
+    curve
+        Whether its curve is at hand: the law then is fitted to the stretches that a muscle reaches.
+    max_strain
+        Largest engineering strain of the test.
+    laws
+        The laws that can be requested (`NAME:LAW`), with spaces between them.
+    source
+        Where the data come from.
+    """
+    name: str
+    title: str
+    law: str
+    shear_modulus_mpa: float
+    curve: bool
+    max_strain: float | None
+    laws: str
+    source: str
+
+
+class Scales(Record):
+    """What the variables of a `global` formula are divided by.
+
+    Attributes
+    ----------
+    wall_ratio
+        Of x = s/D0.
+    pressure_mpa : MPa
+        Of p = P, in MPa.
+    contraction
+        Of e = ε.
+    outer_diameter_mm : mm
+        Of d = D0, in mm.
+    """
+    wall_ratio: float
+    pressure_mpa: float
+    contraction: float
+    outer_diameter_mm: float
+
+
+class SearchedAnswer(Record):
+    """Search space and limits.
+
+    Attributes
+    ----------
+    rubber
+        The rubber, or how many.
+    braid
+        The braid or sleeve, or how many; its stiffness may differ from muscle to muscle.
+    length_mm : mm
+        Length L0 of all muscles, mm, where it is not searched.
+    min_burst_margin
+        Safety factor of strands and clamps: the pressure at which they fail over the allowed pressure, where there is one.
+    min_tube_margin
+        Safety factor of the tube.
+    burst_checked
+        Whether it was checked: the strength of the strands is known.
+    max_strand_strain
+        Largest strain of the strands, where there is one.
+    guaranteed
+        Share of muscles that meet the requirement by the ±, where one is guaranteed: 0.95 for its lower end.
+    """
+    rubber: str
+    braid: str
+    burst_checked: bool
+    length_mm: float | None = None
+    min_burst_margin: float | None = None
+    min_tube_margin: float | None = None
+    max_strand_strain: float | None = None
+    guaranteed: float | None = None
+
+
+class SectionFile(Record):
+    """The file of a formula for muscles of one make.
+
+    Attributes
+    ----------
+    format
+        See the documentation.
+    name
+        See the documentation.
+    kind
+        See the documentation.
+    equation
+        See the documentation.
+    scales
+        See the documentation.
+    terms
+        See the documentation.
+    made_for
+        See the documentation.
+    range
+        See the documentation.
+    errors
+        See the documentation.
+    provenance
+        See the documentation.
+    """
+    format: Literal["mckibben formula 1"]
+    name: str
+    kind: Literal["paper", "global", "universal"]
+    equation: str
+    terms: list[PaperTerm]
+    made_for: Made
+    range: FormulaRange
+    errors: FormulaErrors
+    provenance: Provenance
+    scales: Scales | None = None
+
+
+class SectionFile2(Record):
+    """The file of a formula for muscles of one make.
+
+    Attributes
+    ----------
+    format
+        See the documentation.
+    name
+        See the documentation.
+    kind
+        See the documentation.
+    equation
+        See the documentation.
+    scales
+        See the documentation.
+    terms
+        See the documentation.
+    made_for
+        See the documentation.
+    range
+        See the documentation.
+    errors
+        See the documentation.
+    provenance
+        See the documentation.
+    """
+    format: Literal["mckibben formula 1"]
+    name: str
+    kind: Literal["paper", "global", "universal"]
+    equation: str
+    terms: list[GlobalTerm]
+    made_for: Made
+    range: FormulaRange
+    errors: FormulaErrors
+    provenance: Provenance
+    scales: Scales | None = None
+
+
+class SensitivityRow(Record):
+    """∂F of one constant or measure.
+
+    Attributes
+    ----------
+    name
+        Key as in the muscle file: `tube.material.c10`, `tube.outer_diameter`, `braid.stiffness`, …
+    value
+        Its value.
+    unit
+        Its unit.
+    force_n_per_unit : N per unit
+        ∂F in N per that unit, all others (k among them) held.
+    """
+    name: str
+    value: float
+    unit: str
+    force_n_per_unit: float
+
+
+class Series(Record):
+    """A line or a set of points. A point with a coordinate that is not finite breaks the line and is not drawn.
+
+    Attributes
+    ----------
+    label
+        Text of the legend; an empty text makes no legend entry. Series of one panel with the same label, style and colour share one entry.
+    points
+        The points (x, y), in the units of the axes; a coordinate that is not finite is `null` in JSON.
+    style
+        How it is drawn.
+    colour
+        Colour number; `None` takes the position of the series in its panel. Series with the same number share a colour (and a marker shape).
+    end_label
+        Short text written at the end of the line, such as `0.25 MPa`; may be empty. It has the colour of the line, unless that colour has a meaning in
+        the legend.
+    neutral
+        Drawn in the colour of the text: its colour means nothing.
+    """
+    label: str
+    points: list[tuple[float | None, float | None]]
+    style: Literal["auto", "line", "dashed", "dotted", "dash-dot", "points", "band"]
+    colour: int | None
+    end_label: str
+    neutral: bool | None = None
+
+
+class Shape(_results.Shaped):
+    """The half muscle from its middle (z = 0) to a terminal; the other half is its mirror image.
+
+    Attributes
+    ----------
+    model
+        The model's name.
+    direction
+        The chosen branch of the hysteresis loop.
+    pressure_mpa : MPa
+        Gauge pressure P in MPa.
+    contraction
+        Contraction ratio ε = ΔL/L0.
+    force_n : N
+        Pull F in N, tension positive; negative where the muscle would have to push.
+    volume_mm3 : mm3
+        Volume of the whole cavity between the terminals in mm³.
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
+        ∂V/∂P at fixed ε in mm³/MPa: the compliance of strands and wall.
+    volume_per_contraction_mm3 : mm3
+        ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
+    stiffness_n_per_mm : N/mm
+        ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
+    force_per_pressure_n_per_mpa : N/MPa
+        ∂F/∂P at fixed ε, in mm² (N/MPa).
+    braid_tension_n : N
+        Tension of all strands together in N.
+    strand_tension_n : N
+        Tension of one strand in N, where the number of strands is known.
+    bulged_diameter_mm : mm
+        Largest outer diameter in mm.
+    middle_stretch
+        The largest principal stretch in the middle of the muscle, at the bore as a rule.
+    max_stretch
+        The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the middle. (The largest of all is none: at
+        the bonded corner it grows without bound as the mesh gets finer.)
+    slack
+        The muscle would have to push and is slack instead: its pull is 0, and its volume, tensions, diameter and stretches are those at its free
+        contraction, at which it hangs between its ends.
+    free_contraction
+        Where the muscle is slack: its free contraction at this pressure.
+    start_pressure_mpa : MPa
+        P′ at this contraction in MPa, where there is one.
+    uncertainty_n : N
+        95 % half-width of the pull in N against a measured muscle, where the model's error is known.
+    pressure_uncertainty_mpa : MPa
+        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+    contraction_uncertainty
+        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
+    uncertainty_parts_n : N
+        Its parts, each a 95 % half-width in N; they add as squares.
+    buckling_load_n : N
+        Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
+    warnings
+        Warnings, in sentences.
+    muscle
+        The muscle.
+    shape_contraction
+        Contraction of the shape: where the muscle is slack, its free contraction.
+    length_mm : mm
+        Length between the terminals in this shape, mm.
+    strands
+        Strands of both families, where their number is known.
+    stations
+        Stations along the half muscle.
+    across
+        Nodes through the wall at each station, from the inner surface outwards.
+    arrays
+        What there is at the nodes, station by station: `r_mm`, `z_mm`, `hoop_stretch`, `meridional_stretch`, `max_stretch`, `stress_radial_mpa`,
+        `stress_hoop_mpa`, `stress_axial_mpa`; and of the strands at the stations, `strand_` before each: `turn_rad` from the middle (+ for one family, −
+        for the other), `stretch`, `angle_deg`, `tension_n_per_mm` of a family per width at rest, and `tension_n` of one where their number is known.
+        Front ends that take bytes get these as 32-bit numbers.
+    """
+    model: str
+    pressure_mpa: float
+    contraction: float
+    force_n: float
+    slack: bool
+    warnings: list[str]
+    muscle: MuscleSummary
+    shape_contraction: float
+    length_mm: float
+    stations: int
+    across: int
+    arrays: dict[str, list[float]]
+    direction: Literal["mean", "contraction", "elongation"] | None = None
+    volume_mm3: float | None = None
+    volume_per_pressure_mm3_per_mpa: float | None = None
+    volume_per_contraction_mm3: float | None = None
+    stiffness_n_per_mm: float | None = None
+    force_per_pressure_n_per_mpa: float | None = None
+    braid_tension_n: float | None = None
+    strand_tension_n: float | None = None
+    bulged_diameter_mm: float | None = None
+    middle_stretch: float | None = None
+    max_stretch: float | None = None
+    free_contraction: float | None = None
+    start_pressure_mpa: float | None = None
+    uncertainty_n: float | None = None
+    pressure_uncertainty_mpa: float | None = None
+    contraction_uncertainty: float | None = None
+    uncertainty_parts_n: UncertaintyParts | None = None
+    buckling_load_n: float | None = None
+    strands: int | None = None
+
+
+class ShardStatus(Record):
+    """One shard.
+
+    Attributes
+    ----------
+    shard
+        The share, i/n.
+    state
+        How it is.
+    parts
+        Parts that are there.
+    parts_wanted
+        Parts of the share.
+    """
+    shard: str
+    state: Literal["done", "running", "missing"]
+    parts: int
+    parts_wanted: int
+
+
+class SimulateAnswer(Record):
+    """A finite-element test with all its results.
+
+    Attributes
+    ----------
+    model
+        `fe` or `fe3d`.
+    test
+        Which test.
+    muscle
+        The muscle.
+    points
+        The points, curve after curve.
+    notes
+        Warnings about the mesh.
+    warnings
+        Warnings; of each kind the most serious.
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+    burst_by
+        How it fails there.
+    allowed_pressure_mpa : MPa
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
+        fittings are rated.
+    allowed_by
+        The failure that it keeps its distance from; none where the fittings are rated for it.
+    figure
+        The figure, if requested.
+    deck
+        The input deck, if requested.
+    files
+        Files for ParaView, if requested: `muscle.pvd`, which lists the others, comes first.
+    """
+    _rows: ClassVar[str | None] = "points"
+    model: str
+    test: Literal["isometric", "isotonic", "isobaric"]
+    muscle: MuscleSummary
+    points: list[SimulatedRow]
+    notes: list[str]
+    warnings: list[str]
+    burst_pressure_mpa: float | None
+    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_pressure_mpa: float | None = None
+    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    figure: Figure | None = None
+    deck: str | None = None
+    files: list[BuiltFile] | None = None
+
+
+class SimulatedPoint(Record):
+    """An equilibrium.
+
+    Attributes
+    ----------
+    pressure_mpa : MPa
+        Gauge pressure P in MPa.
+    contraction
+        Contraction ratio ε = ΔL/L0.
+    force_n : N
+        Pull F in N, tension positive; negative where the muscle would have to push.
+    volume_mm3 : mm3
+        Volume of the whole cavity between the terminals in mm³.
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
+        ∂V/∂P at fixed ε in mm³/MPa: the compliance of strands and wall.
+    volume_per_contraction_mm3 : mm3
+        ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
+    stiffness_n_per_mm : N/mm
+        ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
+    force_per_pressure_n_per_mpa : N/MPa
+        ∂F/∂P at fixed ε, in mm² (N/MPa).
+    braid_tension_n : N
+        Tension of all strands together in N.
+    strand_tension_n : N
+        Tension of one strand in N, where the number of strands is known.
+    bulged_diameter_mm : mm
+        Largest outer diameter in mm.
+    middle_stretch
+        The largest principal stretch in the middle of the muscle, at the bore as a rule.
+    max_stretch
+        The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the middle. (The largest of all is none: at
+        the bonded corner it grows without bound as the mesh gets finer.)
+    slack
+        Whether the muscle would have to push, and lies slack instead.
+    free_contraction
+        Where it is slack: the free contraction at this pressure.
+    status
+        `ok`.
+    rubber_energy_j : J
+        Elastic energy of the rubber, J.
+    braid_energy_j : J
+        Elastic energy of the strands, J.
+    ends_energy_j : J
+        Energy of the ends that slip, J.
+    pressure_work_j : J
+        P (V − V0), J.
+    unstable_directions
+        Directions in which the equilibrium is unstable with the terminals held.
+    max_stretch_at
+        Where the rubber is stretched most.
+    profile
+        Outer and inner surface, from the middle to the terminal.
+    strands
+        The strands along the muscle.
+    sensitivities
+        ∂F by constants and measures.
+    """
+    pressure_mpa: float
+    contraction: float
+    force_n: float
+    slack: bool
+    status: Literal["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"]
+    rubber_energy_j: float
+    braid_energy_j: float
+    ends_energy_j: float
+    pressure_work_j: float
+    unstable_directions: int
+    max_stretch_at: RestPlace
+    profile: list[ProfileRow]
+    strands: list[StrandRow]
+    sensitivities: list[SensitivityRow]
+    volume_mm3: float | None = None
+    volume_per_pressure_mm3_per_mpa: float | None = None
+    volume_per_contraction_mm3: float | None = None
+    stiffness_n_per_mm: float | None = None
+    force_per_pressure_n_per_mpa: float | None = None
+    braid_tension_n: float | None = None
+    strand_tension_n: float | None = None
+    bulged_diameter_mm: float | None = None
+    middle_stretch: float | None = None
+    max_stretch: float | None = None
+    free_contraction: float | None = None
+
+
+class SimulatedRow(Record):
+    """A point of the test.
+
+    Attributes
+    ----------
+    pressure_mpa : MPa
+        Gauge pressure P in MPa.
+    contraction
+        Contraction ratio ε = ΔL/L0.
+    force_n : N
+        Pull F in N, tension positive; negative where the muscle would have to push.
+    volume_mm3 : mm3
+        Volume of the whole cavity between the terminals in mm³.
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
+        ∂V/∂P at fixed ε in mm³/MPa: the compliance of strands and wall.
+    volume_per_contraction_mm3 : mm3
+        ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
+    stiffness_n_per_mm : N/mm
+        ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
+    force_per_pressure_n_per_mpa : N/MPa
+        ∂F/∂P at fixed ε, in mm² (N/MPa).
+    braid_tension_n : N
+        Tension of all strands together in N.
+    strand_tension_n : N
+        Tension of one strand in N, where the number of strands is known.
+    bulged_diameter_mm : mm
+        Largest outer diameter in mm.
+    middle_stretch
+        The largest principal stretch in the middle of the muscle, at the bore as a rule.
+    max_stretch
+        The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the middle. (The largest of all is none: at
+        the bonded corner it grows without bound as the mesh gets finer.)
+    slack
+        Whether the muscle would have to push, and lies slack instead.
+    free_contraction
+        Where it is slack: the free contraction at this pressure.
+    status
+        `ok`.
+    rubber_energy_j : J
+        Elastic energy of the rubber, J.
+    braid_energy_j : J
+        Elastic energy of the strands, J.
+    ends_energy_j : J
+        Energy of the ends that slip, J.
+    pressure_work_j : J
+        P (V − V0), J.
+    unstable_directions
+        Directions in which the equilibrium is unstable with the terminals held.
+    max_stretch_at
+        Where the rubber is stretched most.
+    profile
+        Outer and inner surface, from the middle to the terminal.
+    strands
+        The strands along the muscle.
+    sensitivities
+        ∂F by constants and measures.
+    wanted_force_n : N
+        Requested pull, N.
+    cause
+        Why.
+    """
+    pressure_mpa: float
+    status: Literal["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"]
+    contraction: float | None = None
+    force_n: float | None = None
+    volume_mm3: float | None = None
+    volume_per_pressure_mm3_per_mpa: float | None = None
+    volume_per_contraction_mm3: float | None = None
+    stiffness_n_per_mm: float | None = None
+    force_per_pressure_n_per_mpa: float | None = None
+    braid_tension_n: float | None = None
+    strand_tension_n: float | None = None
+    bulged_diameter_mm: float | None = None
+    middle_stretch: float | None = None
+    max_stretch: float | None = None
+    slack: bool | None = None
+    free_contraction: float | None = None
+    rubber_energy_j: float | None = None
+    braid_energy_j: float | None = None
+    ends_energy_j: float | None = None
+    pressure_work_j: float | None = None
+    unstable_directions: int | None = None
+    max_stretch_at: RestPlace | None = None
+    profile: list[ProfileRow] | None = None
+    strands: list[StrandRow] | None = None
+    sensitivities: list[SensitivityRow] | None = None
+    wanted_force_n: float | None = None
+    cause: str | None = None
+
+
+class SleeveCut(Record):
+    """A sleeve keeps the length of its strands, and so is longer the narrower it is: L = S cosθ, sinθ = π D/ℓ.
+
+    Attributes
+    ----------
+    mounted_mm : mm
+        Length in mm of the mounted sleeve, on the tube, with what is clamped.
+    relaxed_diameter_mm : mm
+        The relaxed diameter in mm that was given, or as which the sleeve is sold.
+    relaxed_mm : mm
+        Length in mm to cut at that diameter.
+    """
+    mounted_mm: float
+    relaxed_diameter_mm: float | None
+    relaxed_mm: float | None
+
+
+class SofteningAnswer(Record):
+    """A law that softens after its first loading, from a uniaxial test in the order of time.
+
+    Attributes
+    ----------
+    law
+        The law.
+    first_loading
+        Its constants on the first loading, moduli in MPa.
+    r
+        r: 1/r is the largest loss of stress.
+    m_mpa : MPa
+        m, MPa: spread of the loss over the energy.
+    beta
+        β: the same as a share of the largest energy.
+    standard_errors
+        Standard errors of r, m and β, the law taken as known; null where the data do not determine them.
+    first_loading_points
+        Points of the first loading.
+    later_points
+        Points below the largest energy so far.
+    first_loading_rms_mpa : MPa
+        Root mean square of the differences of nominal stress on the first loading, MPa.
+    later_rms_mpa : MPa
+        The same of the later points.
+    largest_energy_mpa : MPa
+        The largest energy of the test, MPa.
+    """
+    law: str
+    first_loading: dict[str, float]
+    r: float
+    m_mpa: float
+    beta: float
+    standard_errors: list[float | None]
+    first_loading_points: int
+    later_points: int
+    first_loading_rms_mpa: float
+    later_rms_mpa: float
+    largest_energy_mpa: float
+
+
+class Spread(Record):
+    """Root mean square and largest residual of some points.
+
+    Attributes
+    ----------
+    of
+        The points.
+    points
+        How many.
+    rms_n : N
+        In N.
+    max_n : N
+        Largest, in N.
+    mean_n : N
+        Mean of model less measured, in N.
+    """
+    of: str
+    points: int
+    rms_n: float
+    max_n: float
+    mean_n: float
+
+
+class SpreadAnswer(Record):
+    """The pull at one operating point under tolerances.
+
+    Attributes
+    ----------
+    force_n : N
+        Pull, N.
+    contraction
+        Contraction ratio.
+    pressure_mpa : MPa
+        See the documentation.
+    low_n : N
+        Least pull over all corners, N.
+    high_n : N
+        Largest pull over all corners, N.
+    likely_n : N
+        What to expect where the tolerances are independent, ± N: root sum of squares of the single effects.
+    """
+    force_n: float
+    contraction: float
+    pressure_mpa: float
+    low_n: float
+    high_n: float
+    likely_n: float
+
+
+class StrandRow(Record):
+    """The strands at a place along the muscle.
+
+    Attributes
+    ----------
+    rest_z_mm : mm
+        Z at rest, mm.
+    stretch
+        Stretch λf of a strand.
+    angle_deg : deg
+        Angle to the axis now, degrees: tanθ = tanθ0 λθ/λm.
+    tension_n_per_mm : N/mm
+        Tension of a family per width at rest, N/mm.
+    strand_tension_n : N
+        Tension of one strand, N, where their number is known.
+    """
+    rest_z_mm: float
+    stretch: float
+    angle_deg: float
+    tension_n_per_mm: float
+    strand_tension_n: float | None
+
+
+class StudyAnswer(Record):
+    """The study: curves of five walls and of the ideal formula, and the paper's findings with a verdict on each.
+
+    Attributes
+    ----------
+    model
+        The model's name.
+    test
+        `thickness`.
+    findings
+        The paper's findings.
+    points
+        The points of all curves.
+    warnings
+        Warnings, in sentences: those of the points, once per wall.
+    figure
+        The figure, if requested.
+    """
+    _rows: ClassVar[str | None] = "points"
+    model: str
+    test: str
+    findings: list[FindingAnswer]
+    points: list[StudyRow]
+    warnings: list[str]
+    figure: Figure | None = None
+
+
+class StudyRow(Record):
+    """A point of the study.
+
+    Attributes
+    ----------
+    test
+        Isometric or isotonic.
+    fixed
+        ΔL in mm of an isometric test, F in N of an isotonic one.
+    curve
+        Which curve.
+    wall_mm : mm
+        Its wall, mm; the ideal formula has none.
+    model
+        The model's name.
+    direction
+        The chosen branch of the hysteresis loop.
+    pressure_mpa : MPa
+        Gauge pressure P in MPa.
+    contraction
+        Contraction ratio ε = ΔL/L0.
+    force_n : N
+        Pull F in N, tension positive; negative where the muscle would have to push.
+    volume_mm3 : mm3
+        Volume of the whole cavity between the terminals in mm³.
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
+        ∂V/∂P at fixed ε in mm³/MPa: the compliance of strands and wall.
+    volume_per_contraction_mm3 : mm3
+        ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
+    stiffness_n_per_mm : N/mm
+        ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
+    force_per_pressure_n_per_mpa : N/MPa
+        ∂F/∂P at fixed ε, in mm² (N/MPa).
+    braid_tension_n : N
+        Tension of all strands together in N.
+    strand_tension_n : N
+        Tension of one strand in N, where the number of strands is known.
+    bulged_diameter_mm : mm
+        Largest outer diameter in mm.
+    middle_stretch
+        The largest principal stretch in the middle of the muscle, at the bore as a rule.
+    max_stretch
+        The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the middle. (The largest of all is none: at
+        the bonded corner it grows without bound as the mesh gets finer.)
+    slack
+        The muscle would have to push and is slack instead: its pull is 0, and its volume, tensions, diameter and stretches are those at its free
+        contraction, at which it hangs between its ends.
+    free_contraction
+        Where the muscle is slack: its free contraction at this pressure.
+    start_pressure_mpa : MPa
+        P′ at this contraction in MPa, where there is one.
+    uncertainty_n : N
+        95 % half-width of the pull in N against a measured muscle, where the model's error is known.
+    pressure_uncertainty_mpa : MPa
+        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+    contraction_uncertainty
+        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
+    uncertainty_parts_n : N
+        Its parts, each a 95 % half-width in N; they add as squares.
+    buckling_load_n : N
+        Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
+    warnings
+        Warnings, in sentences.
+    status
+        `ok`.
+    wanted_force_n : N
+        Requested pull, N.
+    cause
+        Why.
+    """
+    test: Literal["isometric", "isotonic", "isobaric"]
+    fixed: float
+    curve: str
+    pressure_mpa: float
+    status: Literal["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"]
+    wall_mm: float | None = None
+    model: str | None = None
+    direction: Literal["mean", "contraction", "elongation"] | None = None
+    contraction: float | None = None
+    force_n: float | None = None
+    volume_mm3: float | None = None
+    volume_per_pressure_mm3_per_mpa: float | None = None
+    volume_per_contraction_mm3: float | None = None
+    stiffness_n_per_mm: float | None = None
+    force_per_pressure_n_per_mpa: float | None = None
+    braid_tension_n: float | None = None
+    strand_tension_n: float | None = None
+    bulged_diameter_mm: float | None = None
+    middle_stretch: float | None = None
+    max_stretch: float | None = None
+    slack: bool | None = None
+    free_contraction: float | None = None
+    start_pressure_mpa: float | None = None
+    uncertainty_n: float | None = None
+    pressure_uncertainty_mpa: float | None = None
+    contraction_uncertainty: float | None = None
+    uncertainty_parts_n: UncertaintyParts | None = None
+    buckling_load_n: float | None = None
+    warnings: list[str] | None = None
+    wanted_force_n: float | None = None
+    cause: str | None = None
+
+
+class SweepAnswer(Record):
+    """The share of points with an answer. It does not depend on the machine.
+
+    Attributes
+    ----------
+    muscles
+        How many muscles.
+    seed
+        Seed of the random numbers.
+    required
+        Points that must have an answer: the infinitely long muscle pulls and its strands stretch by less than 5 %.
+    required_answered
+        How many of them have one.
+    others
+        The other points.
+    others_answered
+        How many of them have an answer.
+    most_factorisations
+        Largest number of factorisations of a point.
+    unanswered
+        Reasons why required points have no answer.
+    """
+    muscles: int
+    seed: int
+    required: int
+    required_answered: int
+    others: int
+    others_answered: int
+    most_factorisations: int
+    unanswered: list[str]
+
+
+class Table(Record):
+    """A table with its name; cells are numbers, texts, or empty (null).
+
+    Attributes
+    ----------
+    name
+        Name of the file without its ending.
+    header
+        Columns.
+    rows
+        Rows.
+    """
+    name: str
+    header: list[str]
+    rows: list[list[Any]]
+
+
+class TestPoint(Record):
+    """A point of the test.
+
+    Attributes
+    ----------
+    pressure_mpa : MPa
+        Pressure in MPa.
+    contraction
+        Contraction.
+    branch
+        Whether the pressure rises to it or falls to it.
+    """
+    pressure_mpa: float
+    contraction: float
+    branch: Literal["mean", "contraction", "elongation"]
+
+
+class TextFile(Record):
+    """A file that a front end read, or that its user dropped in.
+
+    Attributes
+    ----------
+    name
+        What to call it in messages: a path or a name.
+    text
+        What is in it.
+    """
+    name: str
+    text: str
+
+
+class TorqueWanted(Record):
+    """A torque that a joint must hold at an angle, to either side.
+
+    Attributes
+    ----------
+    torque_nm : N m
+        Torque away from the neutral angle, N m.
+    angle_deg : deg
+        Angle from the neutral one, degrees.
+    """
+    torque_nm: float
+    angle_deg: float
+
+
+class TubeSummary(Record):
+    """A tube as sold or cast.
+
+    Attributes
+    ----------
+    name
+        Name, such as `latex-1/4x3/8in`.
+    inner_diameter_mm : mm
+        Bore, mm.
+    outer_diameter_mm : mm
+        Outer diameter, mm.
+    wall_mm : mm
+        Wall, mm.
+    rubber
+        Its rubber.
+    density_kg_per_m3 : kg/m3
+        Density of the rubber, kg/m³, where it is known.
+    is_cast
+        Whether it is cast, not bought.
+    source
+        Where the figures come from.
+    price
+        Price, where one was seen.
+    pressure_mpa : MPa
+        Largest pressure that its source names, MPa.
+    note
+        What else one should know.
+    """
+    name: str
+    inner_diameter_mm: float
+    outer_diameter_mm: float
+    wall_mm: float
+    rubber: str
+    density_kg_per_m3: float | None
+    is_cast: bool
+    source: str
+    price: str | None
+    pressure_mpa: float | None
+    note: str | None
+
+
+class UncertaintyParts(Record):
+    """The parts of a ±, each a 95 % half-width: of a pull in N, of a torque in N m.
+
+    Attributes
+    ----------
+    formula
+        The model against finite elements (for a formula of a bought muscle: against that muscle).
+    mesh
+        Finite elements against the limit of fine meshes.
+    rubber
+        What laws of equal standing disagree on, and what a rubber that is known from one axis may differ by in two.
+    braid
+        What a stiffness of the strands that is an estimate may differ by.
+    data_sheet
+        What no data sheet of a sleeve as it is sold tells.
+    measured
+        Finite elements against measured muscles.
+    friction
+        One branch of the hysteresis loop against the answer.
+    fit
+        The bench that the muscle was identified from, against the fit.
+    transfer
+        Another specimen, with other fittings or another angle, against the one that was identified.
+    length_transfer
+        Another length of the muscle against those that were identified.
+    """
+    formula: float | None = None
+    mesh: float | None = None
+    rubber: float | None = None
+    braid: float | None = None
+    data_sheet: float | None = None
+    measured: float | None = None
+    friction: float | None = None
+    fit: float | None = None
+    transfer: float | None = None
+    length_transfer: float | None = None
+
+
+class UncertaintyWords(Record):
+    """The ± of a pull in words, and the suggested test that would make it smaller.
+
+    Attributes
+    ----------
+    text
+        The ± with its parts: `± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1`.
+    bench
+        That bench: `10 points on both branches at 0.1 MPa and 0.3 MPa would reduce the ± to about 30 N`.
+    branch
+        What a selected branch would make of it, where the friction is not known: `a branch, shortening or lengthening, would reduce the ± to about 70 N`.
+    """
+    text: str | None = None
+    bench: str | None = None
+    branch: str | None = None
+
+
+class UnderstoodColumn(Record):
+    """What was understood of a column.
+
+    Attributes
+    ----------
+    column
+        Its heading as written.
+    quantity
+        What it means.
+    unit
+        Its unit; empty for ratios, words and weights.
+    range
+        From its smallest to its largest value, in MPa, N, mm, deg or as ratio: `0.1..0.3MPa`.
+    note
+        What was done with it, where that is not plain.
+    """
+    column: str
+    quantity: str
+    unit: str
+    range: str | None = None
+    note: str | None = None
+
+
+class UnderstoodTable(Record):
+    """What was understood of a table.
+
+    Attributes
+    ----------
+    data
+        The table.
+    rows
+        Rows that were read.
+    left_out
+        Rows that were left out because their `status` is not ok.
+    not_filled
+        Rows that were left out because what was measured is blank.
+    heading_line
+        The line of the heading, from 1; null where columns were chosen by number.
+    units_line
+        The line of units below it, where there is one.
+    separator
+        What is between fields: comma, semicolon, tab, bar or spaces.
+    decimal
+        The decimal mark: point or comma.
+    columns
+        Columns that were used.
+    not_used
+        Headings of those that were not.
+    """
+    data: str
+    rows: int
+    left_out: int
+    heading_line: int | None
+    separator: str
+    decimal: str
+    columns: list[UnderstoodColumn]
+    not_used: list[str]
+    not_filled: int | None = None
+    units_line: int | None = None
+
+
+class UniversalErrors(Record):
+    """How wrong a universal formula is.
+
+    Attributes
+    ----------
+    against
+        Against what, in words.
+    fit
+        Over all points it was fitted to.
+    left_out
+        Over the same points, each predicted by a fit to the muscles of the other folds.
+    """
+    against: str
+    fit: UniversalSummary
+    left_out: UniversalSummary
+
+
+class UniversalFile(Record):
+    """The file of a universal formula.
+
+    Attributes
+    ----------
+    format
+        See the documentation.
+    name
+        See the documentation.
+    kind
+        See the documentation.
+    equation
+        See the documentation.
+    form
+        See the documentation.
+    terms
+        See the documentation.
+    range
+        See the documentation.
+    errors
+        See the documentation.
+    provenance
+        See the documentation.
+    """
+    format: Literal["mckibben formula 1"]
+    name: str
+    kind: Literal["paper", "global", "universal"]
+    equation: str
+    form: Literal["membrane", "bulge"]
+    terms: list[EndTerm]
+    range: UniversalRange
+    errors: UniversalErrors
+    provenance: Provenance
+
+
+class UniversalRange(Record):
+    """Where a universal formula was fitted; both ends belong to it.
+
+    Attributes
+    ----------
+    wall_ratio
+        s/D0
+    length_ratio
+        L0/D0; the upper end may be infinite: the longer the muscle, the less its ends count.
+    angle_deg : deg
+        θ0 in degrees
+    pressure_per_modulus
+        P/μ, with μ the shear modulus of the rubber at rest
+    strand_strain
+        Strain of the strands, largest: bounds the pressure to 4 sin²θ0 k/D0 times it.
+    contraction_of_ideal
+        ε as a share of the ideal muscle's largest
+    c01_share
+        C01/(C10 + C01) of a Mooney–Rivlin rubber; 0 of every other law
+    """
+    wall_ratio: tuple[float, float]
+    length_ratio: tuple[float, float | None]
+    angle_deg: tuple[float, float]
+    pressure_per_modulus: tuple[float, float]
+    strand_strain: float
+    contraction_of_ideal: tuple[float, float]
+    c01_share: tuple[float, float]
+
+
+class UniversalSummary(Record):
+    """Errors over points where the muscle pulls, as shares of the muscle's blocked force at the same pressure.
+
+    Attributes
+    ----------
+    points
+        How many points.
+    muscles
+        Of how many muscles.
+    rms_of_blocked
+        Root mean square.
+    p95_of_blocked
+        The share that 95 % of the points do not exceed.
+    p99_of_blocked
+        The share that 99 % of the points do not exceed.
+    max_of_blocked
+        Largest.
+    """
+    points: int
+    muscles: int
+    rms_of_blocked: float
+    p95_of_blocked: float
+    p99_of_blocked: float
+    max_of_blocked: float
+
+
+class ValidateAnswer(Record):
+    """The table of cases.
+
+    Attributes
+    ----------
+    cases
+        The cases.
+    """
+    _rows: ClassVar[str | None] = "cases"
+    cases: list[Case]
+
+
+class Verified(Record):
+    """A winner computed again.
+
+    Attributes
+    ----------
+    model
+        By which model.
+    holds
+        Whether it meets the specification with all limits.
+    points
+        The operating points.
+    """
+    model: str
+    holds: bool
+    points: list[VerifiedPoint]
+
+
+class VerifiedPoint(Record):
+    """The winner at one operating point by finite elements.
+
+    Attributes
+    ----------
+    force_n : N
+        Pull, N.
+    contraction
+        Contraction ratio.
+    pressure_mpa : MPa
+        Pressure it takes, MPa, where there is one.
+    force_at_max_pressure_n : N
+        Pull at the maximum pressure, N.
+    cause
+        Why there is none.
+    """
+    force_n: float
+    contraction: float
+    pressure_mpa: float | None
+    force_at_max_pressure_n: float | None
+    cause: str | None
+
+
+class Solution(_results.Points):
+    """Points of a muscle as arrays of one shape; NaN where a point does not have it.
+
+    Attributes
+    ----------
+    pressure_mpa : MPa
+        Gauge pressure P in MPa.
+    contraction
+        Contraction ratio ε = ΔL/L0.
+    force_n : N
+        Pull F in N, tension positive; negative where the muscle would have to push.
+    volume_mm3 : mm3
+        Volume of the whole cavity between the terminals in mm³.
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
+        ∂V/∂P at fixed ε in mm³/MPa: the compliance of strands and wall.
+    volume_per_contraction_mm3 : mm3
+        ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
+    stiffness_n_per_mm : N/mm
+        ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
+    force_per_pressure_n_per_mpa : N/MPa
+        ∂F/∂P at fixed ε, in mm² (N/MPa).
+    braid_tension_n : N
+        Tension of all strands together in N.
+    strand_tension_n : N
+        Tension of one strand in N, where the number of strands is known.
+    bulged_diameter_mm : mm
+        Largest outer diameter in mm.
+    middle_stretch
+        The largest principal stretch in the middle of the muscle, at the bore as a rule.
+    max_stretch
+        The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the middle. (The largest of all is none: at
+        the bonded corner it grows without bound as the mesh gets finer.)
+    free_contraction
+        Where the muscle is slack: its free contraction at this pressure.
+    start_pressure_mpa : MPa
+        P′ at this contraction in MPa, where there is one.
+    uncertainty_n : N
+        95 % half-width of the pull in N against a measured muscle, where the model's error is known.
+    pressure_uncertainty_mpa : MPa
+        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+    contraction_uncertainty
+        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
+    buckling_load_n : N
+        Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
+    slack
+        Whether the muscle hangs slack.
+    status
+        `ok`, or the kind of why there is no answer.
+    cause
+        Why there is none.
+    warned
+        A bit for each of `warnings`.
+    """
+    pressure_mpa: NDArray[np.float64]
+    contraction: NDArray[np.float64]
+    force_n: NDArray[np.float64]
+    volume_mm3: NDArray[np.float64]
+    volume_per_pressure_mm3_per_mpa: NDArray[np.float64]
+    volume_per_contraction_mm3: NDArray[np.float64]
+    stiffness_n_per_mm: NDArray[np.float64]
+    force_per_pressure_n_per_mpa: NDArray[np.float64]
+    braid_tension_n: NDArray[np.float64]
+    strand_tension_n: NDArray[np.float64]
+    bulged_diameter_mm: NDArray[np.float64]
+    middle_stretch: NDArray[np.float64]
+    max_stretch: NDArray[np.float64]
+    free_contraction: NDArray[np.float64]
+    start_pressure_mpa: NDArray[np.float64]
+    uncertainty_n: NDArray[np.float64]
+    pressure_uncertainty_mpa: NDArray[np.float64]
+    contraction_uncertainty: NDArray[np.float64]
+    buckling_load_n: NDArray[np.float64]
+    slack: NDArray[np.bool_]
+    status: NDArray[np.str_]
+    cause: NDArray[np.object_]
+    warned: NDArray[np.int64]
+
+
+class State(Record):
+    """Where a simulation is; None what it is not.
+
+    Attributes
+    ----------
+    time_s : s
+        Time, s.
+    angle_deg : deg
+        Angle of a joint, degrees.
+    velocity_deg_per_s : °/s
+        Its speed, °/s.
+    velocity_mm_per_s : mm/s
+        Speed of the load of a muscle, mm/s.
+    pressure_mpa : MPa
+        Gauge pressure, MPa.
+    contraction
+        Contraction ratio.
+    force_n : N
+        Pull, N.
+    air_mass_g : g
+        Mass of its air, g
+    temperature_degc : degC
+        Temperature of its air or liquid, °C.
+    volume_mm3 : mm3
+        Volume of its cavity between the terminals, mm³.
+    opening
+        Opening of its valve, −1 to 1; share of a syringe that is pushed out.
+    command
+        What is commanded: pressure in MPa, opening, or volume in mm³.
+    pressure_1_mpa : MPa
+        Gauge pressure, MPa.
+    contraction_1
+        Contraction ratio.
+    force_1_n : N
+        Pull, N.
+    air_mass_1_g : g
+        Mass of its air, g
+    temperature_1_degc : degC
+        Temperature of its air or liquid, °C.
+    volume_1_mm3 : mm3
+        Volume of its cavity between the terminals, mm³.
+    opening_1
+        Opening of its valve, −1 to 1; share of a syringe that is pushed out.
+    command_1
+        What is commanded: pressure in MPa, opening, or volume in mm³.
+    pressure_2_mpa : MPa
+        Gauge pressure, MPa.
+    contraction_2
+        Contraction ratio.
+    force_2_n : N
+        Pull, N.
+    air_mass_2_g : g
+        Mass of its air, g
+    temperature_2_degc : degC
+        Temperature of its air or liquid, °C.
+    volume_2_mm3 : mm3
+        Volume of its cavity between the terminals, mm³.
+    opening_2
+        Opening of its valve, −1 to 1; share of a syringe that is pushed out.
+    command_2
+        What is commanded: pressure in MPa, opening, or volume in mm³.
+    """
+    time_s: float
+    angle_deg: float
+    velocity_deg_per_s: float
+    velocity_mm_per_s: float
+    pressure_mpa: float
+    contraction: float
+    force_n: float
+    air_mass_g: float
+    temperature_degc: float
+    volume_mm3: float
+    opening: float
+    command: float
+    pressure_1_mpa: float
+    contraction_1: float
+    force_1_n: float
+    air_mass_1_g: float
+    temperature_1_degc: float
+    volume_1_mm3: float
+    opening_1: float
+    command_1: float
+    pressure_2_mpa: float
+    contraction_2: float
+    force_2_n: float
+    air_mass_2_g: float
+    temperature_2_degc: float
+    volume_2_mm3: float
+    opening_2: float
+    command_2: float
+
+
+class MuscleFields:
+    """What makes a muscle, and its measures; None where it does not have one."""
+    if TYPE_CHECKING:
+        def _make(self, given: dict[str, Any]) -> Any: ...
+        def _changed(self, given: dict[str, Any]) -> Muscle: ...
+        def _field(self, name: str) -> Any: ...
+
+    def __init__(self, *, outer_diameter_mm: Number, wall_mm: Number, length_mm: Number, rubber: RubberLike | None = None, rubber_file: FileLike | None = None, braid: str | None = None, strand_diameter_mm: Number | None = None, stiffness: Number | None = None, density_kg_per_m3: Number | None = None, prestretch: Number | None = None, temperature_degc: Number | None = None, angle_deg: Number | None = None, insertion_mm: Number | None = None, seating_mm: Number | None = None, slip_mm_per_n: Number | None = None, grip_mm: Number | None = None, plug_diameter_mm: Number | None = None, pull_off_n: Number | None = None, rated_pressure_mpa: Number | None = None, end_factor: Number | None = None, cone_factor: Number | None = None, stiffness_factor: Number | None = None, strands: Number | None = None, strand_area_mm2: Number | None = None, strand_modulus_mpa: Number | None = None, strand_strength_n: Number | None = None, strands_per_carrier: Number | None = None, strand_length_mm: Number | None = None, turns: Number | None = None, braid_thickness_mm: Number | None = None, braid_diameter_mm: Number | None = None, crimp: Number | None = None, crimp_stiffness: Number | None = None, friction_coefficient: Number | None = None, friction_exponent: Number | None = None, friction_lever_mm: Number | None = None, friction_presliding_mm: Number | None = None) -> None:
+        """Parameters
+        ----------
+        outer_diameter_mm : mm
+            Outer diameter D0 of the tube at rest, mm.
+        wall_mm : mm
+            Wall thickness s of the tube at rest, mm.
+        length_mm : mm
+            Length L0 between the terminals at rest, mm.
+        rubber
+            A rubber: NAME or NAME:LAW of the library, a hardness such as `shore:30A`, or a stress at 100 % such as `s100:0.6MPa`. Or a :class:`Rubber`.
+        rubber_file
+            A muscle file (TOML) whose rubber is taken, such as `rubber` writes.
+        braid
+            A sleeve of the library: its angle on this diameter, its strands.
+        strand_diameter_mm : mm
+            Diameter of one strand, mm: in place of its cross-section, or of a named sleeve whose source does not state it.
+        stiffness : N/mm
+            Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+        density_kg_per_m3 : kg/m3
+            Density ρ of the rubber, kg/m3.
+        prestretch
+            Axial stretch of the mounted tube: L0 over its free length; all dimensions are those of the mounted muscle.
+        temperature_degc : degC
+            Temperature T of the rubber; its moduli change like the absolute temperature, from 23 °C on, degC.
+        angle_deg : deg
+            Angle θ0 of the strands to the axis at rest, degrees.
+        insertion_mm : mm
+            Length of tube and braid clamped on each plug, mm.
+        seating_mm : mm
+            Seating: total displacement of both ends under load, mm.
+        slip_mm_per_n : mm/N
+            Slip of both ends together per newton of clamp load, mm/N.
+        grip_mm : mm
+            Length at each end, within L0, in which tube and braid are clamped, mm.
+        plug_diameter_mm : mm
+            Outer diameter of the plugs on which tube and braid are clamped; the bore of the tube where none is stated, mm, for the models fe and fe3d and
+            universal.
+        pull_off_n : N
+            Axial load at which a clamp lets go of tube and braid, N.
+        rated_pressure_mpa : MPa
+            Pressure for which plugs and fittings are rated, MPa.
+        end_factor
+            Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
+        cone_factor
+            Cone factor kc, for the model conical-ends.
+        stiffness_factor
+            Factor within which the stiffness of the strands is known.
+        strands
+            Number N of strands, both families together.
+        strand_area_mm2 : mm2
+            Cross-section A of one strand, mm2.
+        strand_modulus_mpa : MPa
+            Young's modulus E of the strands, MPa.
+        strand_strength_n : N
+            Force at which one strand breaks, N.
+        strands_per_carrier
+            Strands that lie side by side on a carrier of the braiding machine.
+        strand_length_mm : mm
+            Length of one strand measured on the muscle, mm, for the model belforte.
+        turns
+            Turns of that strand, for the model belforte.
+        braid_thickness_mm : mm
+            Thickness t of the braid, both layers of strands, mm.
+        braid_diameter_mm : mm
+            Inner diameter Ds of a sleeve wider than the tube, at its angle, mm.
+        crimp
+            Strain c1 at which the strands are straight.
+        crimp_stiffness
+            Share κ of their stiffness that the strands have before they are straight.
+        friction_coefficient
+            Coefficient C of the friction C·P^β, P in MPa.
+        friction_exponent
+            Exponent β of the friction C·P^β.
+        friction_lever_mm : mm
+            Coefficient of friction times lever of the strands' crossings, μw, mm.
+        friction_presliding_mm : mm
+            Presliding length xs, over which the friction builds up after a reversal, mm.
+
+        Raises
+        ------
+        InputError
+            There is no such muscle; `field` is the argument to blame.
+        """
+        self._make({name: value for name, value in locals().items() if name != "self"})
+
+    def replace(self, *, rubber: RubberLike | None = None, rubber_file: FileLike | None = None, braid: str | None = None, strand_diameter_mm: Number | None = None, stiffness: Number | None = None, outer_diameter_mm: Number | None = None, wall_mm: Number | None = None, length_mm: Number | None = None, density_kg_per_m3: Number | None = None, prestretch: Number | None = None, temperature_degc: Number | None = None, angle_deg: Number | None = None, insertion_mm: Number | None = None, seating_mm: Number | None = None, slip_mm_per_n: Number | None = None, grip_mm: Number | None = None, plug_diameter_mm: Number | None = None, pull_off_n: Number | None = None, rated_pressure_mpa: Number | None = None, end_factor: Number | None = None, cone_factor: Number | None = None, stiffness_factor: Number | None = None, strands: Number | None = None, strand_area_mm2: Number | None = None, strand_modulus_mpa: Number | None = None, strand_strength_n: Number | None = None, strands_per_carrier: Number | None = None, strand_length_mm: Number | None = None, turns: Number | None = None, braid_thickness_mm: Number | None = None, braid_diameter_mm: Number | None = None, crimp: Number | None = None, crimp_stiffness: Number | None = None, friction_coefficient: Number | None = None, friction_exponent: Number | None = None, friction_lever_mm: Number | None = None, friction_presliding_mm: Number | None = None) -> Muscle:
+        """The same with other values.
+
+        Parameters
+        ----------
+        rubber
+            A rubber: NAME or NAME:LAW of the library, a hardness such as `shore:30A`, or a stress at 100 % such as `s100:0.6MPa`. Or a :class:`Rubber`.
+        rubber_file
+            A muscle file (TOML) whose rubber is taken, such as `rubber` writes.
+        braid
+            A sleeve of the library: its angle on this diameter, its strands.
+        strand_diameter_mm : mm
+            Diameter of one strand, mm: in place of its cross-section, or of a named sleeve whose source does not state it.
+        stiffness : N/mm
+            Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+        outer_diameter_mm : mm
+            Outer diameter D0 of the tube at rest, mm.
+        wall_mm : mm
+            Wall thickness s of the tube at rest, mm.
+        length_mm : mm
+            Length L0 between the terminals at rest, mm.
+        density_kg_per_m3 : kg/m3
+            Density ρ of the rubber, kg/m3.
+        prestretch
+            Axial stretch of the mounted tube: L0 over its free length; all dimensions are those of the mounted muscle.
+        temperature_degc : degC
+            Temperature T of the rubber; its moduli change like the absolute temperature, from 23 °C on, degC.
+        angle_deg : deg
+            Angle θ0 of the strands to the axis at rest, degrees.
+        insertion_mm : mm
+            Length of tube and braid clamped on each plug, mm.
+        seating_mm : mm
+            Seating: total displacement of both ends under load, mm.
+        slip_mm_per_n : mm/N
+            Slip of both ends together per newton of clamp load, mm/N.
+        grip_mm : mm
+            Length at each end, within L0, in which tube and braid are clamped, mm.
+        plug_diameter_mm : mm
+            Outer diameter of the plugs on which tube and braid are clamped; the bore of the tube where none is stated, mm, for the models fe and fe3d and
+            universal.
+        pull_off_n : N
+            Axial load at which a clamp lets go of tube and braid, N.
+        rated_pressure_mpa : MPa
+            Pressure for which plugs and fittings are rated, MPa.
+        end_factor
+            Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
+        cone_factor
+            Cone factor kc, for the model conical-ends.
+        stiffness_factor
+            Factor within which the stiffness of the strands is known.
+        strands
+            Number N of strands, both families together.
+        strand_area_mm2 : mm2
+            Cross-section A of one strand, mm2.
+        strand_modulus_mpa : MPa
+            Young's modulus E of the strands, MPa.
+        strand_strength_n : N
+            Force at which one strand breaks, N.
+        strands_per_carrier
+            Strands that lie side by side on a carrier of the braiding machine.
+        strand_length_mm : mm
+            Length of one strand measured on the muscle, mm, for the model belforte.
+        turns
+            Turns of that strand, for the model belforte.
+        braid_thickness_mm : mm
+            Thickness t of the braid, both layers of strands, mm.
+        braid_diameter_mm : mm
+            Inner diameter Ds of a sleeve wider than the tube, at its angle, mm.
+        crimp
+            Strain c1 at which the strands are straight.
+        crimp_stiffness
+            Share κ of their stiffness that the strands have before they are straight.
+        friction_coefficient
+            Coefficient C of the friction C·P^β, P in MPa.
+        friction_exponent
+            Exponent β of the friction C·P^β.
+        friction_lever_mm : mm
+            Coefficient of friction times lever of the strands' crossings, μw, mm.
+        friction_presliding_mm : mm
+            Presliding length xs, over which the friction builds up after a reversal, mm.
+
+        Raises
+        ------
+        InputError
+            There is no such muscle; `field` is the argument to blame.
+        """
+        return self._changed({name: value for name, value in locals().items() if name != "self"})
+
+    @property
+    def strand_diameter_mm(self) -> float | None:
+        """Diameter of one strand, mm: in place of its cross-section, or of a named sleeve whose source does not state it."""
+        found: float | None = self._field("strand_diameter_mm")
+        return found
+
+    @property
+    def stiffness(self) -> float | str | None:
+        """Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`."""
+        found: float | str | None = self._field("stiffness")
+        return found
+
+    @property
+    def outer_diameter_mm(self) -> float:
+        """Outer diameter D0 of the tube at rest, mm."""
+        found: float = self._field("outer_diameter_mm")
+        return found
+
+    @property
+    def wall_mm(self) -> float:
+        """Wall thickness s of the tube at rest, mm."""
+        found: float = self._field("wall_mm")
+        return found
+
+    @property
+    def length_mm(self) -> float:
+        """Length L0 between the terminals at rest, mm."""
+        found: float = self._field("length_mm")
+        return found
+
+    @property
+    def density_kg_per_m3(self) -> float | None:
+        """Density ρ of the rubber, kg/m3."""
+        found: float | None = self._field("density_kg_per_m3")
+        return found
+
+    @property
+    def prestretch(self) -> float | None:
+        """Axial stretch of the mounted tube: L0 over its free length; all dimensions are those of the mounted muscle."""
+        found: float | None = self._field("prestretch")
+        return found
+
+    @property
+    def temperature_degc(self) -> float | None:
+        """Temperature T of the rubber; its moduli change like the absolute temperature, from 23 °C on, degC."""
+        found: float | None = self._field("temperature_degc")
+        return found
+
+    @property
+    def angle_deg(self) -> float:
+        """Angle θ0 of the strands to the axis at rest, degrees."""
+        found: float = self._field("angle_deg")
+        return found
+
+    @property
+    def insertion_mm(self) -> float | None:
+        """Length of tube and braid clamped on each plug, mm."""
+        found: float | None = self._field("insertion_mm")
+        return found
+
+    @property
+    def seating_mm(self) -> float | None:
+        """Seating: total displacement of both ends under load, mm."""
+        found: float | None = self._field("seating_mm")
+        return found
+
+    @property
+    def slip_mm_per_n(self) -> float | None:
+        """Slip of both ends together per newton of clamp load, mm/N."""
+        found: float | None = self._field("slip_mm_per_n")
+        return found
+
+    @property
+    def grip_mm(self) -> float | None:
+        """Length at each end, within L0, in which tube and braid are clamped, mm."""
+        found: float | None = self._field("grip_mm")
+        return found
+
+    @property
+    def plug_diameter_mm(self) -> float | None:
+        """Outer diameter of the plugs on which tube and braid are clamped; the bore of the tube where none is stated, mm, for the models fe and fe3d and
+        universal.
+        """
+        found: float | None = self._field("plug_diameter_mm")
+        return found
+
+    @property
+    def pull_off_n(self) -> float | None:
+        """Axial load at which a clamp lets go of tube and braid, N."""
+        found: float | None = self._field("pull_off_n")
+        return found
+
+    @property
+    def rated_pressure_mpa(self) -> float | None:
+        """Pressure for which plugs and fittings are rated, MPa."""
+        found: float | None = self._field("rated_pressure_mpa")
+        return found
+
+    @property
+    def end_factor(self) -> float | None:
+        """Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall."""
+        found: float | None = self._field("end_factor")
+        return found
+
+    @property
+    def cone_factor(self) -> float | None:
+        """Cone factor kc, for the model conical-ends."""
+        found: float | None = self._field("cone_factor")
+        return found
+
+    @property
+    def stiffness_factor(self) -> float | None:
+        """Factor within which the stiffness of the strands is known."""
+        found: float | None = self._field("stiffness_factor")
+        return found
+
+    @property
+    def strands(self) -> float | None:
+        """Number N of strands, both families together."""
+        found: float | None = self._field("strands")
+        return found
+
+    @property
+    def strand_area_mm2(self) -> float | None:
+        """Cross-section A of one strand, mm2."""
+        found: float | None = self._field("strand_area_mm2")
+        return found
+
+    @property
+    def strand_modulus_mpa(self) -> float | None:
+        """Young's modulus E of the strands, MPa."""
+        found: float | None = self._field("strand_modulus_mpa")
+        return found
+
+    @property
+    def strand_strength_n(self) -> float | None:
+        """Force at which one strand breaks, N."""
+        found: float | None = self._field("strand_strength_n")
+        return found
+
+    @property
+    def strands_per_carrier(self) -> float | None:
+        """Strands that lie side by side on a carrier of the braiding machine."""
+        found: float | None = self._field("strands_per_carrier")
+        return found
+
+    @property
+    def strand_length_mm(self) -> float | None:
+        """Length of one strand measured on the muscle, mm, for the model belforte."""
+        found: float | None = self._field("strand_length_mm")
+        return found
+
+    @property
+    def turns(self) -> float | None:
+        """Turns of that strand, for the model belforte."""
+        found: float | None = self._field("turns")
+        return found
+
+    @property
+    def braid_thickness_mm(self) -> float | None:
+        """Thickness t of the braid, both layers of strands, mm."""
+        found: float | None = self._field("braid_thickness_mm")
+        return found
+
+    @property
+    def braid_diameter_mm(self) -> float | None:
+        """Inner diameter Ds of a sleeve wider than the tube, at its angle, mm."""
+        found: float | None = self._field("braid_diameter_mm")
+        return found
+
+    @property
+    def crimp(self) -> float | None:
+        """Strain c1 at which the strands are straight."""
+        found: float | None = self._field("crimp")
+        return found
+
+    @property
+    def crimp_stiffness(self) -> float | None:
+        """Share κ of their stiffness that the strands have before they are straight."""
+        found: float | None = self._field("crimp_stiffness")
+        return found
+
+    @property
+    def friction_coefficient(self) -> float | None:
+        """Coefficient C of the friction C·P^β, P in MPa."""
+        found: float | None = self._field("friction_coefficient")
+        return found
+
+    @property
+    def friction_exponent(self) -> float | None:
+        """Exponent β of the friction C·P^β."""
+        found: float | None = self._field("friction_exponent")
+        return found
+
+    @property
+    def friction_lever_mm(self) -> float | None:
+        """Coefficient of friction times lever of the strands' crossings, μw, mm."""
+        found: float | None = self._field("friction_lever_mm")
+        return found
+
+    @property
+    def friction_presliding_mm(self) -> float | None:
+        """Presliding length xs, over which the friction builds up after a reversal, mm."""
+        found: float | None = self._field("friction_presliding_mm")
+        return found
+
+
+class MuscleNumbers:
+    """What a muscle answers of numbers and arrays."""
+    if TYPE_CHECKING:
+        def _asked(self, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress, options: Mapping[str, Any]) -> Any: ...
+        def _solved(self, pressure_mpa: Any, contraction: Any, errors: str, progress: Progress, options: Mapping[str, Any]) -> Solution: ...
+
+    @overload
+    def force(self, pressure_mpa: Number, contraction: Number = 0.0, *, jac: Literal[False] = False, errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> float: ...  # type: ignore[overload-overlap]
+    @overload
+    def force(self, pressure_mpa: Floats, contraction: Floats = 0.0, *, jac: Literal[False] = False, errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> Array: ...
+    @overload
+    def force(self, pressure_mpa: Number, contraction: Number = 0.0, *, jac: Literal[True] | Sequence[str], errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> tuple[float, Array]: ...  # type: ignore[overload-overlap]
+    @overload
+    def force(self, pressure_mpa: Floats, contraction: Floats = 0.0, *, jac: Literal[True] | Sequence[str], errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> tuple[Array, Array]: ...
+    def force(self, pressure_mpa: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Errors = "raise", progress: Progress = None, **options: Any) -> Any:
+        """F(P, ε): the pull, in N; 0 where the muscle is slack.
+
+        Parameters
+        ----------
+        pressure_mpa : MPa
+            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
+        contraction : ratio
+            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
+        jac
+            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
+            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
+            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
+        errors
+            `raise` for the first point without an answer, `nan` for NaN there.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+        options
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `formulas`, `mesh`, `match`, `terminal`,
+            `extrapolate`, `two_sided`, `direction`.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂F/∂P in N/MPa, ∂F/∂ε in
+            N, then ∂F/∂θ of each name in N per its unit, all other constants held.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer; `index` is the place of the point.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+        >>> muscle.force([0.1, 0.2], 0.1, model="paper").round(1)
+        array([ 585.7, 1202.7])
+        """
+        return self._asked("force", pressure_mpa, contraction, jac, errors, progress, options)
+
+    @overload
+    def pressure(self, force_n: Number, contraction: Number = 0.0, *, jac: Literal[False] = False, errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> float: ...  # type: ignore[overload-overlap]
+    @overload
+    def pressure(self, force_n: Floats, contraction: Floats = 0.0, *, jac: Literal[False] = False, errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> Array: ...
+    @overload
+    def pressure(self, force_n: Number, contraction: Number = 0.0, *, jac: Literal[True] | Sequence[str], errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> tuple[float, Array]: ...  # type: ignore[overload-overlap]
+    @overload
+    def pressure(self, force_n: Floats, contraction: Floats = 0.0, *, jac: Literal[True] | Sequence[str], errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> tuple[Array, Array]: ...
+    def pressure(self, force_n: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Errors = "raise", progress: Progress = None, **options: Any) -> Any:
+        """P(F, ε): the pressure that gives a pull, in MPa.
+
+        Parameters
+        ----------
+        force_n : N
+            Pulls F, broadcast against the other argument.
+        contraction : ratio
+            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
+        jac
+            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
+            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
+            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
+        errors
+            `raise` for the first point without an answer, `nan` for NaN there.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+        options
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `formulas`, `mesh`, `match`, `terminal`,
+            `extrapolate`, `two_sided`, `direction`.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂P/∂F, ∂P/∂ε, then
+            ∂P/∂θ, by implicit differentiation, all other constants held.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer; `index` is the place of the point.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+        >>> round(muscle.pressure(300, "10%", model="ideal"), 4)
+        0.0377
+        """
+        return self._asked("pressure", force_n, contraction, jac, errors, progress, options)
+
+    @overload
+    def contraction(self, force_n: Number, pressure_mpa: Number, *, jac: Literal[False] = False, errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> float: ...  # type: ignore[overload-overlap]
+    @overload
+    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[False] = False, errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> Array: ...
+    @overload
+    def contraction(self, force_n: Number, pressure_mpa: Number, *, jac: Literal[True] | Sequence[str], errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> tuple[float, Array]: ...  # type: ignore[overload-overlap]
+    @overload
+    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[True] | Sequence[str], errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> tuple[Array, Array]: ...
+    def contraction(self, force_n: Any, pressure_mpa: Any, *, jac: bool | Sequence[str] = False, errors: Errors = "raise", progress: Progress = None, **options: Any) -> Any:
+        """ε(F, P): the contraction at which a pressure gives a pull.
+
+        Parameters
+        ----------
+        force_n : N
+            Pulls F, broadcast against the other argument.
+        pressure_mpa : MPa
+            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
+        jac
+            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
+            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
+            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
+        errors
+            `raise` for the first point without an answer, `nan` for NaN there.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+        options
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `formulas`, `mesh`, `match`, `terminal`,
+            `extrapolate`, `two_sided`, `direction`.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂ε/∂F, ∂ε/∂P, then
+            ∂ε/∂θ, by implicit differentiation, all other constants held.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer; `index` is the place of the point.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+        >>> round(muscle.contraction(300, "2 bar", model="ideal"), 3)
+        0.293
+        """
+        return self._asked("contraction", force_n, pressure_mpa, jac, errors, progress, options)
+
+    def solve(self, pressure_mpa: Floats, contraction: Floats = 0.0, *, errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> Solution:
+        """All that is known of points: pulls with their ±, volumes, stiffness, strand tension, … as arrays of one shape.
+
+        Parameters
+        ----------
+        pressure_mpa : MPa
+            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
+        contraction : ratio
+            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
+        errors
+            `raise` for the first point without an answer, `nan` for NaN there.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+        options
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `formulas`, `mesh`, `match`, `terminal`,
+            `extrapolate`, `two_sided`, `direction`.
+
+        Returns
+        -------
+        Solution
+            Its arrays are attributes: `force_n`, `uncertainty_n`, `volume_mm3`, …; `warned` has a bit for each of `warnings`.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer; `index` is the place of the point.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> points = mk.Muscle.prototype().solve([0.1, 0.2], 0.1, model="universal")
+        >>> points.force_n.shape, bool((points.uncertainty_n > 0).all())
+        ((2,), True)
+        """
+        return self._solved(pressure_mpa, contraction, errors, progress, options)
+
+
+class MuscleCommands:
+    """What the program answers of it, by command."""
+
+    def curve(self, test: Literal["isometric", "isotonic", "isobaric"] = "isobaric", *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, extrapolate: bool = False, two_sided: bool = False, direction: Literal["mean", "contraction", "elongation"] | None = None, pressures_mpa: Numbers | None = None, contractions: Numbers | None = None, forces_n: Numbers | None = None, load: str | None = None, load_tables: TableLike | Sequence[TableLike] | None = None, both: bool = False, progress: Progress = None) -> Curve:
+        """A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
+
+        Parameters
+        ----------
+        test
+            Which test.
+        model
+            Name of the model, or of one of the formulas.
+        formulas
+            Files of fitted formulas, which are models by the names of their files.
+        mesh
+            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
+            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body; without it a rigid plane.
+        extrapolate
+            Compute outside the model's range too, with a warning.
+        two_sided
+            Give the negative force, not slack, where the muscle would have to push.
+        direction
+            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
+        pressures_mpa : MPa
+            Gauge pressures P in MPa; default isobaric 0.05 to 0.25 by 0.05, else 0 to 0.25 by 0.01.
+        contractions
+            Contraction ratios ε; default: from 0 to the free contraction at the highest pressure (or the end of the model's range): isobaric by 0.01,
+            isometric by 0.05.
+        forces_n : N
+            Pulls F in N of an isotonic test; default 20, 80 and 150.
+        load
+            A load: `force:300N`, `mass:20kg`, `spring:12N/mm@50N`, `lever:5kg@300mm/40mm/-30deg` (mass, its distance from the pivot, the pulley's radius, the
+            angle from the horizontal), `table:NAME`; several joined by `+`.
+        load_tables
+            The tables that it names.
+        both
+            Give each curve on both branches of the friction hysteresis.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+
+        Returns
+        -------
+        Curve
+            A family of curves.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(Curve, "curve", locals())
+
+    def simulate(self, test: Literal["isometric", "isotonic", "isobaric"] = "isobaric", *, model: FormulaLike | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, pressures_mpa: Numbers | None = None, contractions: Numbers | None = None, of_largest: bool = False, forces_n: Numbers | None = None, two_sided: bool = False, deck: bool = False, vtu: bool = False, eighth: bool = False, progress: Progress = None) -> SimulateAnswer:
+        """A finite-element test.
+
+        Parameters
+        ----------
+        test
+            Which test.
+        model
+            `fe` or `fe3d`; default `fe`.
+        mesh
+            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
+            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body; without it a rigid plane.
+        pressures_mpa : MPa
+            Gauge pressures P in MPa; default 0.05 to 0.25 by 0.05.
+        contractions
+            Contraction ratios ε; default: isometric 0, 0.1, 0.2, isobaric by 0.02 to the free contraction at the highest pressure.
+        of_largest
+            Contractions are shares of the free contraction at the highest pressure.
+        forces_n : N
+            Pulls F in N of an isotonic test; default 20, 80 and 150.
+        two_sided
+            Give the negative force, not slack, where the muscle would have to push.
+        deck
+            Add the input deck of the test for other programs to the answer; only with `fe3d`.
+        vtu
+            Add the deformed muscle of every point to the answer, as files that ParaView opens.
+        eighth
+            In these files only the eighth of the muscle that `fe3d` computes; `fe` always gives the whole muscle.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+
+        Returns
+        -------
+        SimulateAnswer
+            A finite-element test with all its results.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(SimulateAnswer, "simulate", locals(), "MPa")
+
+    def shape(self, pressure_mpa: Number | None = None, contraction: Number | None = None, *, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, force_n: Number | None = None) -> Shape:
+        """The deformed muscle at a pressure and contraction, by `fe`.
+
+        Parameters
+        ----------
+        pressure_mpa : MPa
+            Gauge pressure P in MPa.
+        contraction
+            Contraction ratio ε = ΔL/L0; default 0.
+        mesh
+            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
+            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body; without it a rigid plane.
+        force_n : N
+            Pull F in N in place of the contraction.
+
+        Returns
+        -------
+        Shape
+            The half muscle from its middle (z = 0) to a terminal; the other half is its mirror image.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(Shape, "shape", locals())
+
+    def fill(self, volume_mm3: Number, *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, extrapolate: bool = False, two_sided: bool = False, direction: Literal["mean", "contraction", "elongation"] | None = None, dead_volume_mm3: Number | None = None, liquid: str | None = None, liquid_bulk_modulus_mpa: Number | None = None, gas_share: Number | None = None, load: str | None = None, load_tables: TableLike | Sequence[TableLike] | None = None, contraction: Number | None = None) -> FillAnswer:
+        """Pressure, stroke and energies of a muscle that a volume of liquid is pushed into, from its length at rest without pressure, filled without air.
+
+        Parameters
+        ----------
+        volume_mm3 : mm3
+            Volume that is pushed in, measured at atmospheric pressure (the stroke of a syringe), mm³.
+        model
+            Name of the model, or of one of the formulas.
+        formulas
+            Files of fitted formulas, which are models by the names of their files.
+        mesh
+            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
+            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body; without it a rigid plane.
+        extrapolate
+            Compute outside the model's range too, with a warning.
+        two_sided
+            Give the negative force, not slack, where the muscle would have to push.
+        direction
+            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
+        dead_volume_mm3 : mm3
+            Volume of line, fittings and what stays in the syringe, mm³; default 0.
+        liquid
+            Liquid: water, oil (SAE 10W) or glycol (ethylene glycol); default: water for `fill`, air for `design`.
+        liquid_bulk_modulus_mpa : MPa
+            Bulk modulus of the liquid without gas in MPa, in place of that of the table.
+        gas_share
+            Gas in the liquid by volume at atmospheric pressure; default 0.
+        load
+            A load: `force:300N`, `mass:20kg`, `spring:12N/mm@50N`, `lever:5kg@300mm/40mm/-30deg` (mass, its distance from the pivot, the pulley's radius, the
+            angle from the horizontal), `table:NAME`; several joined by `+`.
+        load_tables
+            The tables that it names.
+        contraction
+            Contraction ratio ε = ΔL/L0 at which the muscle is held: with a load, where its way ends.
+
+        Returns
+        -------
+        FillAnswer
+            A muscle with a volume of liquid pushed in.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(FillAnswer, "fill", locals())
+
+    def check(self, *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, extrapolate: bool = False, two_sided: bool = False, direction: Literal["mean", "contraction", "elongation"] | None = None, pressure_mpa: Number | None = None, only_data: bool = False, muscle_file: bool = False) -> CheckAnswer:
+        """A muscle to be checked.
+
+        Parameters
+        ----------
+        model
+            Name of the model, or of one of the formulas.
+        formulas
+            Files of fitted formulas, which are models by the names of their files.
+        mesh
+            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
+            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body; without it a rigid plane.
+        extrapolate
+            Compute outside the model's range too, with a warning.
+        two_sided
+            Give the negative force, not slack, where the muscle would have to push.
+        direction
+            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
+        pressure_mpa : MPa
+            Working pressure, MPa; 0.25 MPa, or the allowed pressure where that is lower.
+        only_data
+            Only its data and what follows from them: no model is evaluated.
+        muscle_file
+            Add the equivalent muscle file to the answer.
+
+        Returns
+        -------
+        CheckAnswer
+            What is known of a muscle, and what is not.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(CheckAnswer, "check", locals())
+
+    def compare(self, *, models: FormulaLike | Sequence[FormulaLike] | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, data: TableLike | Sequence[TableLike] | None = None, columns: Mapping[str, str] | None = None, set: Sequence[str] | None = None, branch: Literal["mean", "contraction", "elongation"] | None = None, fit: Sequence[Literal["modulus", "end-factor", "stiffness"]] | None = None, pressures_mpa: Numbers | None = None, contractions: Numbers | None = None, extrapolate: bool = False, two_sided: bool = False, direction: Literal["mean", "contraction", "elongation"] | None = None, progress: Progress = None) -> CompareAnswer:
+        """Models compared with measured points, or with the first model.
+
+        Parameters
+        ----------
+        models
+            Names of models, or of the formulas; fe, paper, thick-wall and ideal where none is named.
+        formulas
+            Files of fitted formulas, which are models by the names of their files.
+        mesh
+            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
+            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body; without it a rigid plane.
+        data
+            Tables of measured points: pressures, contractions (or shortenings, or lengths) and pulls; of tests of a rubber: stretches, strains or extensions
+            and stresses or forces. With their units, and more.
+        columns
+            Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
+        set
+            Constants of a whole table, such as pressure=3bar; a quantity that is given once for each of `data` has one value in each. {pressure}bar takes the
+            number from the name of the file; branch=velocity cuts rows in time order into branches by the sign of their velocity.
+        branch
+            Which branch of measured hysteresis; models of a muscle that states its friction answer on the same one.
+        fit
+            Constants to fit to the points, for each model that knows them.
+        pressures_mpa : MPa
+            Pressures P in MPa where there are no measured points; default 0.05 to 0.25 by 0.05.
+        contractions
+            Contraction ratios ε, likewise; 0 to 0.2 by 0.01.
+        extrapolate
+            Compute outside the model's range too, with a warning.
+        two_sided
+            Give the negative force, not slack, where the muscle would have to push.
+        direction
+            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+
+        Returns
+        -------
+        CompareAnswer
+            Models and their errors.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(CompareAnswer, "compare", locals(), "MPa")
+
+    def study(self, *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, extrapolate: bool = False, two_sided: bool = False, direction: Literal["mean", "contraction", "elongation"] | None = None, progress: Progress = None) -> StudyAnswer:
+        """The thickness study with a rubber, a braid and a model.
+
+        Parameters
+        ----------
+        model
+            Name of the model, or of one of the formulas.
+        formulas
+            Files of fitted formulas, which are models by the names of their files.
+        mesh
+            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
+            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body; without it a rigid plane.
+        extrapolate
+            Compute outside the model's range too, with a warning.
+        two_sided
+            Give the negative force, not slack, where the muscle would have to push.
+        direction
+            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+
+        Returns
+        -------
+        StudyAnswer
+            The study: curves of five walls and of the ideal formula, and the paper's findings with a verdict on each.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(StudyAnswer, "study", locals(), "MPa")
+
+    def build(self, pressure_mpa: Number | None = None, *, overpressure: bool = False, fitting: str | None = None, bolt_mm: Number | None = None, sleeve_diameter_mm: Number | None = None, report: bool = False, contraction: Number | None = None, units: str | None = None, name: str | None = None, project: str | None = None, number: str | None = None, revision: str | None = None, date: str | None = None, progress: Progress = None) -> Build:
+        """A muscle to be built.
+
+        Parameters
+        ----------
+        pressure_mpa : MPa
+            Working pressure, MPa; default 0.25, or the allowed pressure where that is lower.
+        overpressure
+            Allow a working pressure above the allowed pressure, up to three quarters of the burst pressure.
+        fitting
+            Fitting of the air: the thread `m5`, `g1/8` or `g1/4`, into which a push-in fitting is screwed, or `barb:4` for a hose with a bore of 4 mm;
+            default m5 up to a tube of 15 mm, then g1/8.
+        bolt_mm : mm
+            Bolt of the eye, mm; default by the load of the end.
+        sleeve_diameter_mm : mm
+            Diameter of the sleeve as it comes off the roll, mm; default that as which it is sold, where it is known.
+        report
+            Add the report to the files.
+        contraction
+            Contraction ratio ε of the state in the report; default half the free contraction.
+        units
+            Units of the report: `bar`, or `psi,lbf,in`.
+        name
+            Name of the muscle.
+        project
+            Project.
+        number
+            Number of the document.
+        revision
+            Revision of the document.
+        date
+            Date of the document.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+
+        Returns
+        -------
+        Build
+            All that is needed to build a muscle.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(Build, "build", locals())
+
+    def export(self, target: str | None = None, *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, pressure_mpa: Number | None = None, overpressure: bool = False, contraction_low: Number | None = None, contraction_high: Number | None = None, name: str | None = None, progress: Progress = None) -> Export:
+        """A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as files for a target.
+
+        Parameters
+        ----------
+        target
+            The target, such as `c`; `export-list` lists and describes them.
+        model
+            Name of the model, or of one of the formulas.
+        formulas
+            Files of fitted formulas, which are models by the names of their files.
+        mesh
+            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
+            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body; without it a rigid plane.
+        pressure_mpa : MPa
+            Supply pressure, the upper end of the box, MPa; default 0.25, or the allowed pressure where that is lower.
+        overpressure
+            Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
+        contraction_low
+            Lower end of the box in the contraction; default -0.05, a muscle that is stretched by 5 %, or nearer to 0 where the model ends or the form misses
+            it.
+        contraction_high
+            Upper end of the box in the contraction; default the free contraction at the supply pressure.
+        name
+            Name of the muscle in the files; default the name of the muscle file.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+
+        Returns
+        -------
+        Export
+            A muscle as files for a target.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(Export, "export", locals())
+
+
+class JointCommands:
+    """What the program answers of it, by command."""
+
+    def solve(self, *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, pressures_mpa: Sequence[Numbers] | None = None, angles_deg: Numbers | None = None, torque_nm: Number | None = None, stiffness_nm_per_rad: Number | None = None, max_pressure_mpa: Number | None = None, map: int | None = None, extrapolate: bool = False, without_start_pressures: bool = False, progress: Progress = None) -> JointSolution:
+        """A joint. Pressures and angles give its torques; pressures alone give its rest position; angles alone give the pressures for a torque and a stiffness.
+
+        Parameters
+        ----------
+        model
+            Name of the model, or of one of the formulas.
+        formulas
+            Files of fitted formulas, which are models by the names of their files.
+        mesh
+            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
+            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body; without it a rigid plane.
+        pressures_mpa : MPa
+            Pressures in MPa, one of each muscle; several lists are a family.
+        angles_deg : deg
+            Angles from the neutral one in degrees.
+        torque_nm : N m
+            Torque in N m: without pressures the required torque (default 0); with pressures alone an external torque that turns to +.
+        stiffness_nm_per_rad : N m/rad
+            Required stiffness, N m/rad; default: the lowest pressures.
+        max_pressure_mpa : MPa
+            Supply pressure in MPa, for computed pressures and for the map; default 0.6.
+        map
+            Map of the reachable angles and stiffnesses, with this number of pressures of each muscle.
+        extrapolate
+            Compute outside the model's range too, with a warning.
+        without_start_pressures
+            Leave out P′ of the muscles, the pressures below which they are slack, which takes most of the time.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+
+        Returns
+        -------
+        JointSolution
+            A joint's answer.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(JointSolution, "joint", locals(), "MPa")
+
+
+class DriveCommands:
+    """What the program answers of it, by command."""
+
+    def motion(self, *, step: Mapping[str, Plain] | None = None, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, sweep: Mapping[str, Plain] | None = None, rise_time_s: Number | None = None, progress: Progress = None) -> Motion:
+        """A drive: its file, and the files that it names.
+
+        Parameters
+        ----------
+        step
+            Instead of a drive file: a muscle with a load, filled through a valve.
+        model
+            Name of the model, or of one of the formulas.
+        formulas
+            Files of fitted formulas, which are models by the names of their files.
+        mesh
+            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
+            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body; without it a rigid plane.
+        sweep
+            A key of the drive file and values that take its place, one run each: `valve.sonic_conductance`.
+        rise_time_s : s
+            Find the smallest valve with this rise time (10–90 %), s.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+
+        Returns
+        -------
+        Motion
+            The answer to a drive: its motion, or those of a sweep.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(Motion, "motion", locals(), "MPa")
+
+
+class CampaignCommands:
+    """What the program answers of it, by command."""
+
+    def run(self, *, shard: str | None = None, threads: int | None = None, overwrite: bool = False, progress: Progress = None) -> CampaignOutcome:
+        """A plan, and where its table goes.
+
+        Parameters
+        ----------
+        shard
+            Compute only share i of n of the plan, as i/n, as parts in a folder.
+        threads
+            Number of threads; default: one per core. The table does not depend on it.
+        overwrite
+            Overwrite a file at `output` that is not of this plan.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+
+        Returns
+        -------
+        CampaignOutcome
+            How a run ended.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(CampaignOutcome, "campaign", locals())
+
+    def status(self) -> CampaignStatus:
+        """A campaign whose shards are looked at.
+
+        Returns
+        -------
+        CampaignStatus
+            A campaign in a folder.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(CampaignStatus, "campaign-status", locals())
+
+    def summary(self) -> CampaignSummary:
+        """A campaign to be summarised.
+
+        Returns
+        -------
+        CampaignSummary
+            Contents of a campaign.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(CampaignSummary, "campaign-show", locals())
+
+
+def design(*, force_n: Number | None = None, contraction: Number | None = None, points: Sequence[Mapping[str, Plain]] | None = None, load: str | None = None, load_tables: TableLike | Sequence[TableLike] | None = None, torques: Sequence[Mapping[str, Plain]] | None = None, largest_angle_deg: Number | None = None, radius_mm: Choice | None = None, max_pressure_mpa: Number | None = None, dead_volume_mm3: Number | None = None, liquid: str | None = None, liquid_bulk_modulus_mpa: Number | None = None, gas_share: Number | None = None, stroke_mm: Number | None = None, max_bulged_diameter_mm: Number | None = None, max_liquid_volume_mm3: Number | None = None, count: int | None = None, max_envelope_mm: Number | None = None, pitch_mm: Number | None = None, min_burst_margin: Number | None = None, min_tube_margin: Number | None = None, max_stretch: Number | None = None, max_strand_strain: Number | None = None, guided: bool = False, guaranteed: Number | None = None, objective: Literal["diameter", "pressure", "air", "margin", "bulged-diameter", "length"] | None = None, muscle: MuscleLike | None = None, continuous: bool = False, tubes: Sequence[str] | None = None, parts: FileLike | None = None, outer_diameter_mm: Choice | None = None, wall_mm: Choice | None = None, angle_deg: Choice | None = None, strand_length_per_turn_mm: Numbers | None = None, braids: Sequence[str] | None = None, strand_diameter_mm: Number | None = None, strand_modulus_mpa: Number | None = None, rubbers: Sequence[str] | None = None, stiffness: Number | None = None, length_mm: Choice | None = None, tolerance: Mapping[str, Plain] | None = None, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, extrapolate: bool = False, verify: Literal["fe", "none"] | None = None, top: int | None = None, progress: Progress = None) -> Design:
+    """A specification: required pulls at contractions with a maximum pressure. All other fields have a default.
+
+    Parameters
+    ----------
+    force_n : N
+        Required pull, N.
+    contraction
+        Contraction ratio at which the pull is required.
+    points
+        Several operating points, in place of the two fields above.
+    load
+        A load: `force:300N`, `mass:20kg`, `spring:12N/mm@50N`, `lever:5kg@300mm/40mm/-30deg` (mass, its distance from the pivot, the pulley's radius, the
+        angle from the horizontal), `table:NAME`; several joined by `+`.
+    load_tables
+        The tables that it names.
+    torques
+        Required torques of a joint with two equal opposed muscles on a pulley, instead of operating points.
+    largest_angle_deg : deg
+        Largest angle of the joint to either side of the neutral angle, degrees; default: the largest of `torques`.
+    radius_mm : mm
+        Radii of the pulley, mm; default: searched.
+    max_pressure_mpa : MPa
+        Pressure that the supply can give, MPa; default 0.6. Each muscle is used up to this pressure or its own allowed one, whichever is lower.
+    dead_volume_mm3 : mm3
+        Volume of line, fittings and what stays in the syringe, mm³; default 0.
+    liquid
+        Liquid: water, oil (SAE 10W) or glycol (ethylene glycol); default: water for `fill`, air for `design`.
+    liquid_bulk_modulus_mpa : MPa
+        Bulk modulus of the liquid without gas in MPa, in place of that of the table.
+    gas_share
+        Gas in the liquid by volume at atmospheric pressure; default 0.
+    stroke_mm : mm
+        Stroke in mm: with contractions it sets the length, with a length the contraction.
+    max_bulged_diameter_mm : mm
+        Largest outer diameter at the operating points, mm; of a bundle that of each of its muscles.
+    max_liquid_volume_mm3 : mm3
+        Largest liquid volume that is pushed in up to the operating points, mm³: what the syringe or pump gives; of a bundle to all its muscles together.
+        It needs `liquid`.
+    count
+        Equal muscles side by side that share what is required, 1 to 1000; default 1.
+    max_envelope_mm : mm
+        Largest diameter of the circle around all muscles at the operating points, mm.
+    pitch_mm : mm
+        Distance between the axes of neighbours of a bundle, mm; default: that of the largest envelope, or the bulged diameter.
+    min_burst_margin
+        Safety factor of strands and clamps: the pressure at which they fail over the allowed pressure; default 4; 0 for none.
+    min_tube_margin
+        Safety factor of the tube, which leaks where it fails; default: half of that of strands and clamps.
+    max_stretch
+        Largest stretch of the rubber at the operating points (2 means twice its length); default: the largest stretch of the data behind the rubber's
+        law.
+    max_strand_strain
+        Largest strain of the strands, not shortened and at the operating points; it bounds the pressure of the muscle; default 0.06, the validated range.
+    guided
+        The muscle is guided on its way, so that it cannot buckle under its push.
+    guaranteed
+        Share of muscles, from 0.5 to 0.999, that meet the requirement by the ±: 0.95 asks for it of the lower end of the ±.
+    objective
+        Quantity to rank by.
+    muscle
+        Muscle file (TOML) for all values that are not searched; the other fields override it. With it diameters and walls are free.
+    continuous
+        Search free diameters and walls with the rubber and the braid of the paper, or those that are given, instead of tubes and sleeves as sold. So does
+        any of `muscle`, `outer_diameter_mm`, `wall_mm`, `angle_deg`, `strand_length_per_turn_mm` and `stiffness`.
+    tubes
+        Tubes as sold or cast, by name, or by bore and outer diameter in mm, such as `8x12`, of each of `rubbers`; default: all that are sold, and those
+        that can be cast of `dragon-skin-30` or of `rubbers`.
+    parts
+        Tubes and sleeves of your own (TOML, as the catalogues), in place of those of the catalogue.
+    outer_diameter_mm : mm
+        Outer diameters D0 at rest, mm.
+    wall_mm : mm
+        Walls s at rest, mm.
+    angle_deg : deg
+        Braid angles θ0 at rest, degrees.
+    strand_length_per_turn_mm : mm
+        Sleeves on sale, by strand length per turn, mm; the tube diameter then sets the angle.
+    braids
+        Named sleeves; the diameter then sets the angle and, where the strands are known, the stiffness.
+    strand_diameter_mm : mm
+        Diameter of a strand of the named sleeves, mm, where they do not state it.
+    strand_modulus_mpa : MPa
+        Young's modulus of their strands, MPa, likewise.
+    rubbers
+        Rubbers of the library.
+    stiffness : N/mm
+        Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    length_mm : mm
+        Lengths L0 between the terminals at rest, mm.
+    tolerance
+        Tolerances of the workshop and the supply, for the spread of the pull of the best muscle.
+    model
+        Name of the model, or of one of the formulas.
+    formulas
+        Files of fitted formulas, which are models by the names of their files.
+    mesh
+        Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
+        bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+    match
+        Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+    terminal
+        Terminal of `fe3d` that is a body; without it a rigid plane.
+    extrapolate
+        Compute outside the model's range too, with a warning.
+    verify
+        Method that computes the best muscle again.
+    top
+        How many candidates and rejected muscles to report; default 5.
+    progress
+        True for a line on standard error, or a function that is called with (done, total).
+
+    Returns
+    -------
+    Design
+        Ranked muscles, and the reasons why others fail.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered(Design, "design", locals(), "MPa")
+
+
+def identify(muscle: MuscleLike, data: TableLike | Sequence[TableLike], *, rubber: RubberLike | None = None, rubber_file: FileLike | None = None, braid: str | None = None, strand_diameter_mm: Number | None = None, stiffness: Number | None = None, outer_diameter_mm: Number | None = None, wall_mm: Number | None = None, length_mm: Number | None = None, density_kg_per_m3: Number | None = None, prestretch: Number | None = None, temperature_degc: Number | None = None, angle_deg: Number | None = None, insertion_mm: Number | None = None, seating_mm: Number | None = None, slip_mm_per_n: Number | None = None, grip_mm: Number | None = None, plug_diameter_mm: Number | None = None, pull_off_n: Number | None = None, rated_pressure_mpa: Number | None = None, end_factor: Number | None = None, cone_factor: Number | None = None, stiffness_factor: Number | None = None, strands: Number | None = None, strand_area_mm2: Number | None = None, strand_modulus_mpa: Number | None = None, strand_strength_n: Number | None = None, strands_per_carrier: Number | None = None, strand_length_mm: Number | None = None, turns: Number | None = None, braid_thickness_mm: Number | None = None, braid_diameter_mm: Number | None = None, crimp: Number | None = None, crimp_stiffness: Number | None = None, friction_coefficient: Number | None = None, friction_exponent: Number | None = None, friction_lever_mm: Number | None = None, friction_presliding_mm: Number | None = None, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, columns: Mapping[str, str] | None = None, set: Sequence[str] | None = None, log: TableLike | None = None, log_offset_s: Number | None = None, formula: str | None = None, pressures_mpa: Numbers | None = None, contractions: Numbers | None = None, outer_diameters_mm: Numbers | None = None, walls_mm: Numbers | None = None, weights: Numbers | None = None, branches: Literal["both", "mean", "history"] | None = None, two_sided: bool = False, free: Sequence[str] | None = None, fix: Sequence[str] | None = None, bounds: Sequence[str] | None = None, loss: Literal["squares", "huber", "largest"] | None = None, laws: bool = False, progress: Progress = None) -> Identification:
+    """Points, and the parameters of a muscle to identify from them.
+
+    Parameters
+    ----------
+    muscle
+        Muscle file (TOML), or a muscle of the library by its name without a text (`lib:dmsp-20-300`); the other fields override what it says.
+    data
+        Tables of measured points: pressures, contractions (or shortenings, or lengths) and pulls; of tests of a rubber: stretches, strains or extensions
+        and stresses or forces. With their units, and more.
+    rubber
+        A rubber: NAME or NAME:LAW of the library, a hardness such as `shore:30A`, or a stress at 100 % such as `s100:0.6MPa`.
+    rubber_file
+        A muscle file (TOML) whose rubber is taken, such as `rubber` writes.
+    braid
+        A sleeve of the library: its angle on this diameter, its strands.
+    strand_diameter_mm : mm
+        Diameter of one strand, mm: in place of its cross-section, or of a named sleeve whose source does not state it.
+    stiffness : N/mm
+        Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    outer_diameter_mm : mm
+        Outer diameter D0 of the tube at rest, mm.
+    wall_mm : mm
+        Wall thickness s of the tube at rest, mm.
+    length_mm : mm
+        Length L0 between the terminals at rest, mm.
+    density_kg_per_m3 : kg/m3
+        Density ρ of the rubber, kg/m3.
+    prestretch
+        Axial stretch of the mounted tube: L0 over its free length; all dimensions are those of the mounted muscle.
+    temperature_degc : degC
+        Temperature T of the rubber; its moduli change like the absolute temperature, from 23 °C on, degC.
+    angle_deg : deg
+        Angle θ0 of the strands to the axis at rest, degrees.
+    insertion_mm : mm
+        Length of tube and braid clamped on each plug, mm.
+    seating_mm : mm
+        Seating: total displacement of both ends under load, mm.
+    slip_mm_per_n : mm/N
+        Slip of both ends together per newton of clamp load, mm/N.
+    grip_mm : mm
+        Length at each end, within L0, in which tube and braid are clamped, mm.
+    plug_diameter_mm : mm
+        Outer diameter of the plugs on which tube and braid are clamped; the bore of the tube where none is stated, mm, for the models fe and fe3d and
+        universal.
+    pull_off_n : N
+        Axial load at which a clamp lets go of tube and braid, N.
+    rated_pressure_mpa : MPa
+        Pressure for which plugs and fittings are rated, MPa.
+    end_factor
+        Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
+    cone_factor
+        Cone factor kc, for the model conical-ends.
+    stiffness_factor
+        Factor within which the stiffness of the strands is known.
+    strands
+        Number N of strands, both families together.
+    strand_area_mm2 : mm2
+        Cross-section A of one strand, mm2.
+    strand_modulus_mpa : MPa
+        Young's modulus E of the strands, MPa.
+    strand_strength_n : N
+        Force at which one strand breaks, N.
+    strands_per_carrier
+        Strands that lie side by side on a carrier of the braiding machine.
+    strand_length_mm : mm
+        Length of one strand measured on the muscle, mm, for the model belforte.
+    turns
+        Turns of that strand, for the model belforte.
+    braid_thickness_mm : mm
+        Thickness t of the braid, both layers of strands, mm.
+    braid_diameter_mm : mm
+        Inner diameter Ds of a sleeve wider than the tube, at its angle, mm.
+    crimp
+        Strain c1 at which the strands are straight.
+    crimp_stiffness
+        Share κ of their stiffness that the strands have before they are straight.
+    friction_coefficient
+        Coefficient C of the friction C·P^β, P in MPa.
+    friction_exponent
+        Exponent β of the friction C·P^β.
+    friction_lever_mm : mm
+        Coefficient of friction times lever of the strands' crossings, μw, mm.
+    friction_presliding_mm : mm
+        Presliding length xs, over which the friction builds up after a reversal, mm.
+    model
+        Name of the model, or of one of the formulas.
+    formulas
+        Files of fitted formulas, which are models by the names of their files.
+    mesh
+        Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
+        bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+    match
+        Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+    terminal
+        Terminal of `fe3d` that is a body; without it a rigid plane.
+    columns
+        Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
+    set
+        Constants of a whole table, such as pressure=3bar; a quantity that is given once for each of `data` has one value in each. {pressure}bar takes the
+        number from the name of the file; branch=velocity cuts rows in time order into branches by the sign of their velocity.
+    log
+        Pressures over time of another instrument, where `data` have times, contractions and pulls: joined by time.
+    log_offset_s : s
+        What the times of `log` lack to those of `data`, s; default: found where the pull follows the pressure.
+    formula
+        A published formula as data: the name of a model, or of one of `formulas`.
+    pressures_mpa : MPa
+        Pressures P of `formula` in MPa; default 0.05 to 0.25 by 0.05.
+    contractions
+        Contraction ratios ε of `formula`; default 0 to 0.2 by 0.05.
+    outer_diameters_mm : mm
+        Outer diameters D0 of `formula` in mm; default that of the muscle.
+    walls_mm : mm
+        Walls s of `formula` in mm; default that of the muscle.
+    weights
+        Weight of each of `data`, then of `formula`; default 1.
+    branches
+        Treatment of the branches of the hysteresis.
+    two_sided
+        Use points with a force of zero or below as measurements; by default the muscle counts as slack there.
+    free
+        Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH. Default: the modulus, and stiffness and friction if the data determine them.
+    fix
+        Fix a parameter: NAME=VALUE.
+    bounds
+        Bounds of free parameters: NAME=LOW:HIGH.
+    loss
+        Loss function of the residuals.
+    laws
+        Fit every rubber law, with all its constants free, together with the other free parameters.
+    progress
+        True for a line on standard error, or a function that is called with (done, total).
+
+    Returns
+    -------
+    Identification
+        Result of the identification.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered(Identification, "identify", locals(), "MPa")
+
+
+def fit_rubber(data: TableLike | Sequence[TableLike], *, columns: Mapping[str, str] | None = None, set: Sequence[str] | None = None, laws: Sequence[str] | None = None, terms: int | None = None, fit_modes: Sequence[Literal["uniaxial", "planar", "equibiaxial", "general"]] | None = None, up_to_stretch: Number | None = None, relative: bool = False, balance: bool = False, weights: Mapping[str, Number] | None = None, stable: bool = False, hoop_stretch: Number | None = None, relaxation: int | None = None, softening: bool = False, name: str | None = None, muscle: MuscleLike | None = None, progress: Progress = None) -> RubberFit:
+    """Tension tests, and the laws to fit.
+
+    Parameters
+    ----------
+    data
+        Tables of measured points: pressures, contractions (or shortenings, or lengths) and pulls; of tests of a rubber: stretches, strains or extensions
+        and stresses or forces. With their units, and more.
+    columns
+        Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
+    set
+        Constants of a whole table, such as pressure=3bar; a quantity that is given once for each of `data` has one value in each. {pressure}bar takes the
+        number from the name of the file; branch=velocity cuts rows in time order into branches by the sign of their velocity.
+    laws
+        Laws by name, or `all`; all that the points determine if none is named.
+    terms
+        Terms of `ogden`; default 1, 2 and 3.
+    fit_modes
+        Modes to fit; default: all. The others are held out, and the answer gives the errors of each law there.
+    up_to_stretch
+        Leave out points beyond this stretch.
+    relative
+        Minimise relative differences: small stretches count as much as large ones.
+    balance
+        Give every mode the same weight, whatever its number of points.
+    weights
+        Weights of the modes.
+    stable
+        Fit only laws that stay stable in a muscle.
+    hoop_stretch
+        Hoop stretch of the muscle up to which a law must be stable; default 3.
+    relaxation
+        Branches of a Prony series that is fitted as well, 1 to 8, from a column of times: one specimen, uniaxial, from rest on. Of the one law of `laws`,
+        else of the recommended one.
+    softening
+        Softening by Ogden and Roxburgh is fitted as well, from a column of times that begins with the first loading. Of the same law.
+    name
+        Name of the rubber in the muscle file; default that of the first table.
+    muscle
+        Muscle that receives the rubber; default: the prototype.
+    progress
+        True for a line on standard error, or a function that is called with (done, total).
+
+    Returns
+    -------
+    RubberFit
+        The laws of the tests.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered(RubberFit, "rubber", locals(), True)
+
+
+def fit(table: TableLike | None = None, *, campaign: str | None = None, method: Literal["paper", "global", "universal", "universal-small"] | None = None, hold_out_mm: Numbers | None = None, thin_rule: Literal["leave-out", "line", "whole"] | None = None, slack_rule: Literal["two-sided", "pull-only", "zero"] | None = None, name: str | None = None, rubber: RubberLike | None = None, stiffness: Number | None = None, muscle: MuscleLike | None = None, tables: bool = False, figures: bool = False, progress: Progress = None) -> Fit:
+    """A table of points, and how the formula is made.
+
+    Parameters
+    ----------
+    table
+        Table of points (CSV: outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa, contraction, force_n, status).
+    campaign
+        A campaign on disk in place of the table: its file, or its folder of parts.
+    method
+        Fitting method.
+    hold_out_mm : mm
+        Diameters D0 in mm to leave out of the fit, to test it.
+    thin_rule
+        Treatment of thick walls of thin muscles at low pressure, in the paper's method.
+    slack_rule
+        Treatment of points where the muscle would have to push, in the paper's method.
+    name
+        Name of the formula in answers; default: that of the method.
+    rubber
+        Rubber of the muscles, if the table does not state it; default `paper`.
+    stiffness : N/mm
+        Braid of the muscles, if the table does not state it; default `paper`.
+    muscle
+        Muscle file with the rubber and the braid.
+    tables
+        Add the intermediate tables of the paper's method to the answer.
+    figures
+        Add figures to the answer: figures 5 to 12 of the paper, or with `global` figure 12.
+    progress
+        True for a line on standard error, or a function that is called with (done, total).
+
+    Returns
+    -------
+    Fit
+        A formula with its data, as in its file.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered(Fit, "fit", locals())
+
+
+def parts(kind: Literal["tubes", "sleeves", "rubbers", "muscles", "models"], *, parts: FileLike | None = None) -> PartsListAnswer:
+    """Everything with a name.
+
+    Parameters
+    ----------
+    kind
+        Only one kind.
+    parts
+        Tubes and sleeves of your own (TOML, as the catalogues), in place of the catalogues'.
+
+    Returns
+    -------
+    PartsListAnswer
+        Everything with a name.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered(PartsListAnswer, "parts-list", locals())
+
+
+def part(name: str) -> PartShowAnswer:
+    """What has a name.
+
+    Parameters
+    ----------
+    name
+        Its name.
+
+    Returns
+    -------
+    PartShowAnswer
+        All that have this name.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered(PartShowAnswer, "parts-show", locals())
+
+
+def measures() -> MeasuresAnswer:
+    """The measures of a muscle.
+
+    Returns
+    -------
+    MeasuresAnswer
+        The measures of a muscle.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered(MeasuresAnswer, "measures", locals())
+
+
+def validate(*, all: bool = False, progress: Progress = None) -> ValidateAnswer:
+    """The cases.
+
+    Parameters
+    ----------
+    all
+        The finest meshes as well; some seconds more.
+    progress
+        True for a line on standard error, or a function that is called with (done, total).
+
+    Returns
+    -------
+    ValidateAnswer
+        The table of cases.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered(ValidateAnswer, "validate", locals())
+
+
+def measured(*, cases: FileLike | Sequence[FileLike] | None = None, model: FormulaLike | None = None, progress: Progress = None) -> MeasuredAnswer:
+    """Measured muscles and rubbers, each with its known data and its fits.
+
+    Parameters
+    ----------
+    cases
+        The folders; default: the built-in cases.
+    model
+        The model of the muscles; `fe` where none is named.
+    progress
+        True for a line on standard error, or a function that is called with (done, total).
+
+    Returns
+    -------
+    MeasuredAnswer
+        The validation reports of measured muscles and rubbers.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered(MeasuredAnswer, "measured", locals())
+
+
+def sweep(muscles: int = 100, *, seed: int | None = None, progress: Progress = None) -> SweepAnswer:
+    """Random muscles, one point each.
+
+    Parameters
+    ----------
+    muscles
+        How many.
+    seed
+        Seed of the random numbers.
+    progress
+        True for a line on standard error, or a function that is called with (done, total).
+
+    Returns
+    -------
+    SweepAnswer
+        The share of points with an answer. It does not depend on the machine.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered(SweepAnswer, "sweep", locals())
+
+
+def plan(plan: FileLike, *, progress: Progress = None) -> Plan:
+    """A plan to be computed.
+
+    Parameters
+    ----------
+    plan
+        The plan (TOML).
+    progress
+        True for a line on standard error, or a function that is called with (done, total).
+
+    Returns
+    -------
+    Plan
+        Its table.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered(Plan, "plan", locals())
+
+
+def fit_report(*, progress: Progress = None) -> FitReport:
+    """The paper's campaign computed anew.
+
+    Parameters
+    ----------
+    progress
+        True for a line on standard error, or a function that is called with (done, total).
+
+    Returns
+    -------
+    FitReport
+        All results.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered(FitReport, "fit-report", locals())
+
+
+def export_targets() -> ExportListAnswer:
+    """The targets of `export`.
+
+    Returns
+    -------
+    ExportListAnswer
+        The targets of `export`.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered(ExportListAnswer, "export-list", locals())
+
+
+def check_formula(file: FormulaLike, *, name: str | None = None, latex: bool = False) -> FormulaCheck:
+    """A formula to be checked.
+
+    Parameters
+    ----------
+    file
+        The formula's file.
+    name
+        A built-in formula in its place: `universal` or `universal-small`.
+    latex
+        Add the equation as LaTeX to the answer.
+
+    Returns
+    -------
+    FormulaCheck
+        A formula with its data.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered(FormulaCheck, "check-formula", locals())
