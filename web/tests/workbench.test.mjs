@@ -465,6 +465,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.reload();
     await alive(page);
     assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+    await page.locator("main svg.curves").first().waitFor();
     await page.setViewportSize({ width: 794, height: 1123 });
     await page.emulateMedia({ media: "print" });
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
