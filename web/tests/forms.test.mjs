@@ -56,9 +56,9 @@ test("fields of all forms are fields of their requests, with their quantity, the
   const page = (/** @type {string} */ name) => import(`../page/js/pages/${name}.js`);
   const of = (/** @type {string} */ command) => schema[command].request.properties;
   const [design, motion, data, rubber, formula, files] = await Promise.all(["design", "motion", "data", "rubber", "formula", "files"].map(page));
-  const tolerance = kinds(of("design").tolerance)[0].properties, step = kinds(of("motion").step)[0].properties;
+  const step = kinds(of("motion").step)[0].properties;
   /** @type {[string, Field[], any][]} */
-  const forms = [["design", [...design.WANTED, ...design.choices()], of("design")], ["tolerance", design.SPREADS, tolerance],
+  const forms = [["design", [...design.WANTED, ...design.choices()], of("design")],
     ["motion", motion.STEP.filter(({ field }) => field !== "model"), step], ["rubber", rubber.FIELDS, of("rubber")],
     ["identify", data.FIELDS.filter(({ field }) => field === "free"), of("identify")], ["compare", data.FIELDS.filter(({ field }) => field === "models"), of("compare")],
     ["fit", formula.HOW.filter(({ field }) => field !== "at"), of("fit")], ["build", files.TITLE, of("build")], ["export", files.BOX, of("export")]];

@@ -265,12 +265,9 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
-  test("a specification of several pulls with tolerances has the command line's winner and spread", async () => {
-    const { page, errors, context } = await open("#design?at=700N@15%25,1200N@5%25&ts=0.1mm&tp=0.1bar");
-    await page.getByRole("region", { name: "spread of the pull" }).waitFor({ timeout: 60_000 });
-    const said = ask("design", "--at", "700N@15%,1200N@5%", "--max-pressure", "2.5bar", "--tolerance", "wall=0.1mm,pressure=0.1bar");
-    const spread = page.getByRole("region", { name: "spread of the pull" });
-    for (const { low_n, high_n } of said.tolerance) for (const pull of [low_n, high_n]) await spread.filter({ hasText: `${Number(pull.toPrecision(4))} N` }).waitFor();
+  test("a specification of several pulls has the command line's winner", async () => {
+    const { page, errors, context } = await open("#design?at=700N@15%25,1200N@5%25");
+    const said = ask("design", "--at", "700N@15%,1200N@5%", "--max-pressure", "2.5bar");
     await page.locator(".middle h2").first().filter({ hasText: `${Number(said.candidates[0].outer_diameter_mm.toPrecision(4))} mm` }).waitFor();
     await page.goto(url() + "#design?joint=8Nm@45deg&pmax=2.5bar&D=30mm&s=1mm");
     await page.getByText("Pulley of radius").waitFor({ timeout: 60_000 });

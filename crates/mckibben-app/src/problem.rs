@@ -8,7 +8,7 @@ use mckibben::{
     units::short_numbers,
 };
 use mckibben_campaign::{campaign::CampaignError, fit::FitError};
-use mckibben_design::{SpecError, SpreadError, ToleranceError};
+use mckibben_design::SpecError;
 use mckibben_export::ExportError;
 use mckibben_fem::FemError;
 use mckibben_fit::identify::{IdentifyError, ParameterError};
@@ -60,8 +60,6 @@ pub enum ProblemKind {
     Cancelled,
     /// A specification that cannot be searched for.
     Specification,
-    /// Tolerances that no muscle can have.
-    Tolerance,
     /// A fit that cannot be made.
     Fit,
     /// A constant that cannot be identified in this way.
@@ -237,8 +235,6 @@ problems! {
     FormulaError: Formula;
     LibraryError: Rubber;
     ParameterError: Parameter;
-    SpreadError: Tolerance "take smaller tolerances";
-    ToleranceError: Quantity in "tolerance";
     FigureError: Output;
     StudyError: NoAnswer of Model Analysis Muscle;
     FitError: Fit of Cancelled;

@@ -5,10 +5,9 @@ use crate::{
     shown, spec::Kind, values,
 };
 use clap::ArgMatches;
+use mckibben::load::Load;
 use mckibben::units::{Dimension, Values};
-use mckibben::{load::Load, muscle::Measure, muscle::measures::fields};
 use mckibben_app::{Choice, Columns, MuscleFields, ProblemKind, TextFile, understood};
-use mckibben_design::Tolerances;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -210,7 +209,6 @@ impl Flag {
                 let expected = "torque at an angle; expected one such as 8Nm@45deg";
                 return texts.iter().map(|text| at(&flag, text, keys, expected)).collect();
             }
-            "tolerance" => return Ok(json!(tolerances(&flag, text)?)),
             // Screws are sold by their diameter.
             "bolt_mm" if text.trim().starts_with(['M', 'm']) => {
                 return Ok(quantity(&flag, text.trim().split_at(1).1, Dimension::Length)?.into());
@@ -344,32 +342,4 @@ fn at(flag: &str, text: &str, keys: [(&str, Dimension); 2], expected: &str) -> R
         check_contractions(flag, second, &[place])?;
     }
     Ok(json!({ (keys[0].0): quantity(flag, first.trim(), keys[0].1)?, (keys[1].0): place }))
-}
-
-fn tolerances(flag: &str, text: &str) -> Result<Tolerances, Problem> {
-    let mut out = Tolerances::default();
-    for part in text.split(',') {
-        let wrong = || {
-            let names: Vec<String> = fields().filter_map(|(_, measure)| measure.flag()).collect();
-            let message = format!(
-                "{flag}: \"{part}\" is not a valid tolerance; expected pressure, modulus, stiffness, {} with a half-width, such as wall=0.1mm, angle=1deg or modulus=10%",
-                names.join(", ")
-            );
-            Problem::new(ProblemKind::Quantity, message, "")
-        };
-        let (name, value) = part.split_once('=').ok_or_else(wrong)?;
-        let read = |dimension| quantity(flag, value, dimension);
-        match name.trim() {
-            "pressure" => out.pressure_mpa = read(Dimension::Pressure)?,
-            "modulus" => out.modulus = read(Dimension::Ratio)?,
-            "stiffness" => out.stiffness = read(Dimension::Ratio)?,
-            name => {
-                let name = if name == "diameter" { "outer-diameter" } else { name };
-                let named = |m: &Measure| m.flag().as_deref() == Some(name);
-                let (_, measure) = fields().find(|(_, m)| named(m)).ok_or_else(wrong)?;
-                out.measures.set(measure, read(measure.dimension)?);
-            }
-        }
-    }
-    Ok(out)
 }

@@ -31,7 +31,6 @@ mod relax;
 mod run;
 mod search;
 mod spec;
-mod tolerance;
 mod trial;
 pub mod tubes;
 
@@ -44,6 +43,5 @@ pub use reason::{Reason, Rejected};
 pub use relax::Relaxation;
 pub use run::{Closest, Outcome, design, design_with};
 pub use spec::{BraidChoice, Build, Limits, Models, Objective, SAFETY, SearchedMuscles, Spec, SpecError};
-pub use tolerance::{Spread, SpreadError, ToleranceError, Tolerances, spread};
 pub use trial::Below;
 pub use tubes::{TubeError, TubePart};

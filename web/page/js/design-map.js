@@ -136,7 +136,7 @@ function hovering(chart, of) {
  * @returns {Design["request"] & { outer_diameter_mm: number[], wall_mm: number[] }}
  */
 function asked(of, best, across = ACROSS, up = UP) {
-  const { figure, tolerance, ...rest } = of;
+  const { figure, ...rest } = of;
   const span = (/** @type {number} */ low, /** @type {number} */ high, /** @type {number} */ n) =>
     Array.from({ length: n }, (_, i) => Number((low + ((high - low) * i) / (n - 1)).toPrecision(4)));
   // Within the sleeve, where there is one.

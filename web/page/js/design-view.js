@@ -103,15 +103,11 @@ function head(answer, ask) {
 }
 
 /** Tables below that of the muscles. @param {Answer} answer */
-function details({ candidates: [best], tolerance: spread = [] }) {
+function details({ candidates: [best] }) {
   const points = best.points.map((p) => [withUncertainty("force", p.force_n, p.uncertainty_n),
     show("ratio", p.contraction, 3), show("pressure", p.pressure_mpa, 3)]);
-  const pulls = (spread ?? []).map((t) => [show("ratio", t.contraction, 3), show("pressure", t.pressure_mpa, 3),
-    show("force", t.low_n), show("force", t.high_n), `± ${show("force", t.likely_n, 2)}`]);
   return [
     points.length > 1 && table(["pull", "at", "set"], points, { text: [], label: "the operating points" }),
-    pulls.length > 0 && table(["within the tolerances, at", "and", "least pull", "largest pull", "likely"], pulls,
-      { text: [], label: "spread of the pull" }),
   ];
 }
 

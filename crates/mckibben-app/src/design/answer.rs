@@ -11,9 +11,7 @@ use crate::{
 use mckibben::analysis::Burst;
 use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::{liquid::Liquid, muscle::file::to_toml, warning::Warning};
-use mckibben_design::{
-    BraidChoice, Candidate, Demand, Lift, Limit, Outcome, Rejected, Spec, Spread, tubes::rubbers,
-};
+use mckibben_design::{BraidChoice, Candidate, Demand, Lift, Limit, Outcome, Rejected, Spec, tubes::rubbers};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -55,9 +53,6 @@ pub struct DesignAnswer {
     /// Warnings about the best muscle; if nothing fits, whether burst was checked.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// Spread of the pull of the best muscle under the tolerances, point by point.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub tolerance: Vec<Spread>,
     /// If none of the candidates is sure at a pressure that it may have: the best muscle whose lower end of the ± meets the requirement
     /// (`guaranteed`); none where the same search finds none.
     pub to_be_sure: Option<CandidateAnswer>,

@@ -24,8 +24,7 @@ use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben_design::{
-    Build, Candidate, CandidatePoint, Models, Outcome, SearchedMuscles, Spec, Spread, Tolerances,
-    design_joint, design_with, spread,
+    Build, Candidate, CandidatePoint, Models, Outcome, SearchedMuscles, Spec, design_joint, design_with,
 };
 use mckibben_report::Figure;
 use remedies::{RelaxationAnswer, of_parts};
@@ -36,9 +35,6 @@ const DRAWN: usize = 3;
 
 /// Ranked muscles that fit, the reasons why others do not, and, where nothing fits, what would have to give.
 pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<DesignAnswer> {
-    if let Some(tolerances) = &request.tolerance {
-        tolerances.check()?;
-    }
     let mut single = Searched::run(request, progress)?;
     let longer = request.longer().filter(|_| single.outcome.closest.is_some());
     if let Some(longer) = &longer {
@@ -51,7 +47,6 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     };
     let request = several.as_ref().unwrap_or(request);
     let decide = |m: &Muscle| policy.model.bound(m);
-    let tolerance = spreads(request.tolerance.as_ref(), &decide, &outcome)?;
     let winner = outcome.candidates.first();
     let figure = match &request.figure {
         Some(unit) if winner.is_some() => Some(draw(&spec, &decide, &outcome, unit)?),
@@ -116,7 +111,6 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         uncertainty_words: words(&spec, &decide, winner),
         rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
         warnings,
-        tolerance,
         to_be_sure,
         closest,
         bundle,
@@ -177,14 +171,6 @@ fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<U
     let mut model = Evaluation::new(&*model, workspace, spec.options());
     let parts = model.uncertainty(response.pressure_mpa, response.contraction, response.force_n);
     Some(UncertaintyWords::at(parts, &mut model, response.pressure_mpa))
-}
-
-fn spreads(tolerances: Option<&Tolerances>, build: &Build<'_>, outcome: &Outcome) -> Result<Vec<Spread>> {
-    let Some(tolerances) = tolerances else { return Ok(vec![]) };
-    let Some(winner) = outcome.candidates.first() else { return Ok(vec![]) };
-    let one =
-        |q: &CandidatePoint| spread(&winner.muscle, build, q.wanted, q.response.pressure_mpa, tolerances);
-    Ok(winner.points.iter().map(one).collect::<Result<Vec<_>, _>>()?)
 }
 
 fn draw(spec: &Spec, build: &Build<'_>, outcome: &Outcome, unit: &Units) -> Result<Figure> {

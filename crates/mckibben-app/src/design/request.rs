@@ -13,8 +13,7 @@ use mckibben::sleeve::SleeveEntry;
 use mckibben::{units::Values, warning::strand_strength_n};
 use mckibben_design::tubes::{self, TubePart};
 use mckibben_design::{
-    BraidChoice, Demand, JointDemand, Lift, Limits, SAFETY, SearchedMuscles, Spec, Tolerances,
-    VALIDATED_STRAND_STRAIN,
+    BraidChoice, Demand, JointDemand, Lift, Limits, SAFETY, SearchedMuscles, Spec, VALIDATED_STRAND_STRAIN,
 };
 pub use mckibben_design::{Objective as ObjectiveWord, OperatingPoint, TorqueWanted};
 use schemars::JsonSchema;
@@ -103,8 +102,6 @@ pub struct DesignRequest {
     pub stiffness: Option<Stiffness>,
     /// Lengths L0 between the terminals at rest, mm.
     pub length_mm: Option<Choice>,
-    /// Tolerances of the workshop and the supply, for the spread of the pull of the best muscle.
-    pub tolerance: Option<Tolerances>,
     /// The model.
     #[serde(flatten)]
     pub model: ModelFields,

@@ -73,8 +73,4 @@ fn units_are_those_of_the_names_and_shares_those_that_are_stated() {
     assert_eq!(force["answer"]["properties"]["force_per_pressure_n_per_mpa"][UNIT], "N/MPa");
     let design = mckibben_app::schema("design").unwrap();
     assert_eq!(design["request"]["properties"]["stiffness"][QUANTITY], "stiffness");
-    let tolerance = &design["request"]["$defs"]["ToleranceFields"]["properties"];
-    assert_eq!(tolerance["stiffness"][QUANTITY], "ratio");
-    assert_eq!(tolerance["modulus"][QUANTITY], "ratio");
-    assert!(tolerance["stiffness"].get(UNIT).is_none());
 }

@@ -6,7 +6,6 @@ use crate::{
 };
 use mckibben::units::rounded;
 use mckibben_app::{CandidateAnswer, ClosestAnswer, DesignAnswer, RejectedAnswer};
-use mckibben_design::Spread;
 use serde_json::Value;
 use std::path::Path;
 
@@ -58,7 +57,7 @@ fn as_text(answer: &DesignAnswer, file: Option<&Path>, all: bool, u: &Units) -> 
         out.extend(words.and_then(|w| w.text_in(u)).map(|text| format!("± of the first: {text}.\n")));
         out.extend(words.and_then(|w| w.bench_in(u)).map(|text| format!("{text}.\n")));
         let parts = [bundle(answer, u), joint(answer, file, u)];
-        out.extend(parts.into_iter().chain([spread_text(&answer.tolerance, u)]));
+        out.extend(parts);
     }
     row["each"] = answer.candidates.first().map(|c| c.count).filter(|n| *n > 1).into();
     if all {
@@ -202,13 +201,6 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, all: bool, u: &Units) -> 
         out.push_str(&format!("From the thick-wall model: {}.\n", first.from_thick_wall.join(", ")));
     }
     out
-}
-
-fn spread_text(spreads: &[Spread], u: &Units) -> String {
-    let keys = "force_n=required contraction=at:% pressure_mpa=P low_n=least high_n=largest likely_n=±:~";
-    let about = "least and largest: in the worst corners of the tolerances; ±: likely";
-    let table = headed("Tolerances of the first candidate", spreads, keys, u);
-    if table.is_empty() { table } else { table + about + "\n" }
 }
 
 fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {

@@ -5,14 +5,13 @@ use mckibben::analysis::{Evaluation, FailureMode};
 use mckibben::liquid::{Liquid, LiquidSupply};
 use mckibben::load::Load;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
-use mckibben::muscle::measures::{SEATING, WALL, fields};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, Strands};
 use mckibben::progress::Silent;
 use mckibben::units::Values;
 use mckibben_design::{
     Below, BraidChoice, Build, Check, Demand, JointDemand, Lift, Limit, Limits, Models, Objective,
-    OperatingPoint, Relaxation, SAFETY, Spec, SpecError, Tolerances, TorqueWanted, VALIDATED_STRAND_STRAIN,
-    design, design_joint, spread,
+    OperatingPoint, Relaxation, SAFETY, Spec, SpecError, TorqueWanted, VALIDATED_STRAND_STRAIN, design,
+    design_joint,
 };
 
 fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben::model::ModelError> {
@@ -261,48 +260,6 @@ fn a_muscle_is_used_up_to_its_allowed_pressure() {
     assert!(outcome.candidates.is_empty());
     let reason = outcome.closest.unwrap().rejected.reason;
     assert!(matches!(reason.check().unwrap().by, Some(Below::Failure(FailureMode::Strands, _))));
-}
-
-#[test]
-fn tolerances_spread_the_force_around_its_nominal_value() {
-    let muscle = Muscle::prototype();
-    let point = OperatingPoint { force_n: 300.0, contraction: 0.1 };
-    let nominal = ThickWall::new(&muscle).force_n(&mut Workspace::new(), 0.2, 0.1).unwrap();
-    let none = spread(&muscle, BUILD, point, 0.2, &Tolerances::default()).unwrap();
-    assert_eq!((none.low_n, none.high_n, none.likely_n), (nominal, nominal, 0.0));
-    let pressure = Tolerances { pressure_mpa: 0.01, ..Tolerances::default() };
-    let some = spread(&muscle, BUILD, point, 0.2, &pressure).unwrap();
-    let slope = ThickWall::new(&muscle)
-        .response(&mut Workspace::new(), 0.2, 0.1)
-        .unwrap()
-        .force_per_pressure_mm2
-        .unwrap();
-    assert!((some.likely_n / (0.01 * slope) - 1.0).abs() < 1e-2);
-    assert!((some.high_n - some.low_n) / (0.02 * slope) - 1.0 < 1e-2);
-}
-
-/// With one tolerance the corners are the muscles with that measure larger and smaller: an identity with [`Muscle::with`], for every measure
-/// that requests have.
-#[test]
-fn every_measure_may_have_a_tolerance() {
-    let muscle = Muscle::prototype().with(&SEATING, 1.0).unwrap();
-    let point = OperatingPoint { force_n: 300.0, contraction: 0.1 };
-    let pull = |m: &Muscle| BUILD(m).unwrap().force_n(&mut Workspace::new(), 0.2, 0.1).unwrap();
-    let mut changed = 0;
-    for (_, measure) in fields() {
-        let Some(value) = muscle.measure(measure).filter(|v| *v > 0.0) else { continue };
-        let half_width = 0.01 * value;
-        let tolerances = Tolerances { measures: [(measure, half_width)].into(), ..Tolerances::default() };
-        let found = spread(&muscle, BUILD, point, 0.2, &tolerances).unwrap();
-        let [more, less] =
-            [value + half_width, value - half_width].map(|v| pull(&muscle.with(measure, v).unwrap()));
-        assert_eq!((found.low_n, found.high_n), (more.min(less), more.max(less)), "{}", measure.key);
-        changed += usize::from(found.low_n < found.high_n);
-    }
-    // D0, s and θ0; the infinitely long muscle has no length, and at one length no seating.
-    assert_eq!(changed, 3);
-    let negative = Tolerances { measures: [(&WALL, -0.1)].into(), ..Tolerances::default() };
-    assert!(negative.check().unwrap_err().to_string().starts_with("the tolerance wall_mm is -0.1"));
 }
 
 #[test]

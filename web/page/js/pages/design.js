@@ -58,20 +58,11 @@ export const choices = () => [
   { key: "burst", field: "min_burst_margin", label: "Safety factor of strands and clamps", kind: "ratio", factor: true,
     hint: "4" },
 ];
-/** @type {Field[]} */
-export const SPREADS = [
-  { key: "ts", field: "wall_mm", label: "Wall ±", kind: "length", hint: "0.1 mm" },
-  { key: "tD", field: "outer_diameter_mm", label: "Outer diameter ±", kind: "length", hint: "0.3 mm" },
-  { key: "tL", field: "length_mm", label: "Length ±", kind: "length", hint: "2 mm" },
-  { key: "ta", field: "angle_deg", label: "Braid angle ±", kind: "angle", hint: "1 deg" },
-  { key: "tp", field: "pressure_mpa", label: "Pressure ±", kind: "pressure", hint: "0.1 bar" },
-  { key: "tm", field: "modulus", label: "Modulus of the rubber ±", kind: "ratio", hint: "10 %" },
-];
 
 /** The forms of a specification, and the request that they make. @param {() => void} submit */
 function specification(submit) {
-  const wanted = form(WANTED, submit), choice = form(choices(), submit), spread = form(SPREADS, submit),
-    forms = [wanted, choice, spread];
+  const wanted = form(WANTED, submit), choice = form(choices(), submit),
+    forms = [wanted, choice];
   const vary = el("details", {}, el("summary", {}, "Search space"), choice.element);
   /** What the sleeves need beside their names has a field. */
   const lacking = () => {
@@ -85,8 +76,7 @@ function specification(submit) {
   };
   choice.element.addEventListener("input", offer);
   return {
-    elements: [wanted.element, vary,
-      el("details", {}, el("summary", {}, "Tolerances of the workshop"), spread.element)],
+    elements: [wanted.element, vary],
     offer,
     put: (/** @type {string} */ key, /** @type {string} */ text) => wanted.put(key, text),
     options: (/** @type {string} */ key, /** @type {string[]} */ names) => choice.options(key, names),
@@ -94,14 +84,12 @@ function specification(submit) {
     set: (/** @type {URLSearchParams} */ params) => forms.forEach((f) => f.set(params)),
     /** Fields of the request, or nothing where a text cannot be read. @returns {Promise<Asked | undefined>} */
     async read() {
-      const [want, space, tolerance] = await Promise.all([wanted.read(), choice.read({ intervals: true }),
-        spread.read()]);
-      if (!want || !space || !tolerance) return undefined;
+      const [want, space] = await Promise.all([wanted.read(), choice.read({ intervals: true })]);
+      if (!want || !space) return undefined;
       // Several points or torques stand in place of the one pull; a load in place of its force.
       if (want.points || want.torques || want.load) delete want.force_n;
       if (want.points || want.torques || (want.load && want.stroke_mm)) delete want.contraction;
-      return { ...want, ...space, figure: unitName("pressure"),
-        ...(Object.keys(tolerance).length ? { tolerance } : {}) };
+      return { ...want, ...space, figure: unitName("pressure") };
     },
     /** @param {Problem} problem */
     at(problem) {
