@@ -34,7 +34,7 @@ Schema = Any
 FUNCTIONS: dict[str, tuple[str, list[str]]] = {
     "design": ("design", []), "identify": ("identify", ["muscle", "data"]), "rubber": ("fit_rubber", ["data"]), "fit": ("fit", ["table"]),
     "parts-list": ("parts", ["kind"]), "parts-show": ("part", ["name"]), "measures": ("measures", []), "validate": ("validate", []), "measured": ("measured", []),
-    "sweep": ("sweep", ["muscles"]), "plan": ("plan", ["plan"]), "fit-report": ("fit_report", []), "export-list": ("export_targets", []), "check-formula": ("check_formula", ["file"]),
+    "plan": ("plan", ["plan"]), "fit-report": ("fit_report", []), "export-list": ("export_targets", []), "check-formula": ("check_formula", ["file"]),
 }
 METHODS: dict[str, dict[str, tuple[str, list[str]]]] = {
     "MuscleCommands": {
@@ -47,7 +47,7 @@ METHODS: dict[str, dict[str, tuple[str, list[str]]]] = {
 }
 # Arguments that such an object has itself.
 OWN = {"MuscleCommands": {"muscle"}, "JointCommands": {"joint", "muscles"}, "DriveCommands": {"drive", "muscle", "joint", "muscles", "tables"}, "CampaignCommands": {"plan", "output", "campaign"}}
-DEFAULTS = {("curve", "test"): "isobaric", ("simulate", "test"): "isobaric", ("sweep", "muscles"): 100}
+DEFAULTS = {("curve", "test"): "isobaric", ("simulate", "test"): "isobaric"}
 # What must be given.
 NEEDED = {("identify", "muscle"), ("identify", "data"), ("rubber", "data"), ("parts-show", "name"), ("parts-list", "kind"), ("plan", "plan"), ("check-formula", "file"), ("fill", "volume_mm3")}
 # Answers with a name of their own, and what they inherit from.

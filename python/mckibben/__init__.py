@@ -13,13 +13,13 @@ in the place of a number.
 - find one: ``design``; from measurements: ``identify``, ``fit_rubber``, ``measured``
 - move it: ``Joint``, ``Drive``, ``Simulation``, ``rollout``
 - a formula: ``campaign``, ``plan``, ``fit``, ``Formula``
-- what is known: ``parts``, ``part``, ``measures``, ``validate``, ``sweep``, ``fit_report``, ``export_targets``
+- what is known: ``parts``, ``part``, ``measures``, ``validate``, ``fit_report``, ``export_targets``
 - files: ``load`` reads what ``.save`` of each object wrote; ``ask`` is JSON in and out
 - ``mckibben.units`` for pint, ``mckibben.jax`` for JAX, ``mckibben.answers`` for the types of answers
 """
 
 from ._errors import FileError, InputError, InternalError, MckibbenError, MuscleWarning, NoAnswerError, NotConvergedError, OutOfRangeError, UnitWarning
-from ._api import design, export_targets, fit, fit_report, fit_rubber, identify, measured, measures, part, parts, plan, sweep, validate
+from ._api import design, export_targets, fit, fit_report, fit_rubber, identify, measured, measures, part, parts, plan, validate
 from ._campaign import Campaign, campaign
 from ._drives import Drive, Joint
 from ._formula import Formula
@@ -33,5 +33,5 @@ from ._simulation import Simulation, rollout
 __all__ = [
     "__version__", "Campaign", "Drive", "FileError", "Formula", "InputError", "InternalError", "Joint", "MckibbenError", "Muscle", "MuscleWarning", "NoAnswerError", "NotConvergedError",
     "OutOfRangeError", "Rubber", "Simulation", "UnitWarning", "ask", "campaign", "design", "export_targets", "fit", "fit_report", "fit_rubber", "identify", "load", "measured",
-    "measures", "part", "parts", "plan", "rollout", "sweep", "validate",
+    "measures", "part", "parts", "plan", "rollout", "validate",
 ]

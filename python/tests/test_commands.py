@@ -45,7 +45,7 @@ CALLS: dict[str, Callable[[Path], Any]] = {
     "fit_report": lambda root: mk.fit_report(), "formula": lambda root: mk.fit(root / "data/campaign/paper.csv").formula.check(), "plan": lambda root: mk.plan(PLAN),
     "identify": lambda root: mk.identify(root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall"), "fit_rubber": lambda root: mk.fit_rubber(root / "data/treloar/tension.csv"),
     "joint": lambda root: mk.load(root / "examples/elbow.toml").solve(pressures_mpa=[[0.2, 0.1]], angles_deg=[0.0, 10.0], model="universal"),
-    "motion": lambda root: mk.load(root / "examples/drive.toml").motion(model="universal"), "measured": lambda root: mk.measured(cases=root / "examples/measured/bench"), "sweep": lambda root: mk.sweep(3),
+    "motion": lambda root: mk.load(root / "examples/drive.toml").motion(model="universal"), "measured": lambda root: mk.measured(cases=root / "examples/measured/bench"),
     "validate": lambda root: mk.validate(),
 }
 
@@ -274,7 +274,7 @@ def test_what_python_raises_itself_goes_through(tmp_path: Path) -> None:
     with pytest.raises(RuntimeError):
         mk.Simulation(mk.Drive(THIN, load={"mass_kg": 1}, valve="festo-mh2", command={"pressure_mpa": 0.1, "until_s": 1}), 0.01, model="ideal").step(raising)
     with pytest.raises(TypeError):
-        mk.sweep(2000, progress=lambda: None)  # type: ignore[arg-type, misc]
+        mk.validate(progress=lambda: None)  # type: ignore[arg-type, misc]
     (tmp_path / "a.toml").write_bytes(b"\xff\xfe\x00")
     for path in [tmp_path, tmp_path / "a.toml", "/dev/zero" if sys.platform != "win32" else tmp_path]:
         with pytest.raises(mk.MckibbenError):

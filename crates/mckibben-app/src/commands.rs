@@ -140,7 +140,6 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!(long "simulate", SimulateRequest => SimulateAnswer, |r, progress| simulate(&r, progress)),
         command!(long "validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
         command!(long "measured", MeasuredRequest => MeasuredAnswer, |r, progress| measured(&r, progress)),
-        command!(long "sweep", SweepRequest => SweepAnswer, |r, progress| sweep(&r, progress)),
         command!(long "compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
         command!(long "identify", IdentifyRequest => IdentifyAnswer, |r, progress| identify(&r, progress)),
         command!(long "fit", FitRequest => FitAnswer, |r, progress| fit(&r, progress)),

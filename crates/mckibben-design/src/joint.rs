@@ -98,7 +98,9 @@ pub fn design_joint(
             }
         }
         chosen = along_radius(&picks, radius_mm.bounds(), &with, models, quiet).unwrap_or(chosen);
-    } else if sections > 0 {
+    }
+    // Where nothing fits the remedies are those of the radius at which all limits together are missed by least.
+    if sections > 0 && !(by_parts && chosen.1.fits()) {
         let mut found = refine(&samples, i, sections, |t| t.1, &mut |r| tried(r, roughly));
         if coarse {
             let (low, high) = radius_mm.bounds();

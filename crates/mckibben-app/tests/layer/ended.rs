@@ -99,7 +99,6 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
             json!({ "test": "isometric", "model": "fe3d", "pressures_mpa": steps(0.01, 0.2, 3000), "contractions": [0.1] }),
         ],
         "validate" => vec![json!({ "all": true })],
-        "sweep" => vec![json!({ "muscles": 19_000 })],
         "measured" => {
             let case = "title = \"t\"\nsource = \"s\"\nterms = \"t\"\nknown = \"k\"\nunknown = \"u\"\n[[fit]]\nname = \"one\"\nfree = [\"mu\"]\n";
             let case = json!({ "name": LONG, "case": case, "muscle": text_file("bench.toml")["text"], "points": long()["text"] });

@@ -27,8 +27,7 @@ mod written;
 
 use mckibben::progress::{Progress, Silent};
 use mckibben_app::{
-    DesignRequest, ForceRequest, Problem, ProblemKind, SweepRequest, ValidateRequest, ask, design, force,
-    sweep, validate,
+    DesignRequest, ForceRequest, Problem, ProblemKind, ValidateRequest, ask, design, force, validate,
 };
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -59,13 +58,14 @@ fn a_panic_is_a_problem_that_asks_for_a_report() {
             assert!(done < 2, "two are too many");
         }
     }
-    let problem = ask("sweep", r#"{"muscles": 4}"#, &Faulty).unwrap_err();
+    let wanted = r#"{"force_n": 300, "contraction": 0.1, "model": "thick-wall"}"#;
+    let problem = ask("design", wanted, &Faulty).unwrap_err();
     assert_eq!(serde_json::to_value(problem.kind).unwrap(), "internal");
     let said = &problem.message;
     assert!(said.starts_with("internal error of mckibben") && said.contains(": two are too many"), "{said}");
     assert!(problem.hint.contains("report"), "{}", problem.hint);
     // The next request is answered.
-    assert!(ask("sweep", r#"{"muscles": 4}"#, &Silent).is_ok());
+    assert!(ask("design", wanted, &Silent).is_ok());
 }
 
 #[test]
@@ -279,8 +279,6 @@ fn long_work_can_be_cancelled() {
         ..Default::default()
     };
     assert_eq!(design(&wanted, &Impatient).unwrap_err().kind, ProblemKind::Cancelled);
-    let swept = sweep(&SweepRequest { muscles: 100, seed: 1 }, &Impatient);
-    assert_eq!(swept.unwrap_err().kind, ProblemKind::Cancelled);
     assert_eq!(validate(&ValidateRequest::default(), &Impatient).unwrap_err().kind, ProblemKind::Cancelled);
 }
 

@@ -1,26 +1,18 @@
 //! `validate`: verification and validation, each with its table.
 
 use crate::{
-    Args, Bar, NO_ANSWER, Problem, Units, files, headed, listed, number, output::width, pairs, plot, said,
-    shown, tabled, value,
+    Args, Bar, NO_ANSWER, Problem, Units, files, headed, listed, number, output::width, pairs, plot, shown,
+    tabled, value,
 };
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 use mckibben_app::{
     MeasuredAnswer, MeasuredBranch, MeasuredCase, MeasuredFolder, MeasuredRequest, MeasuredResult,
-    MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, SweepAnswer, SweepRequest, TextFile,
-    ValidateAnswer, in_one_line,
+    MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, TextFile, ValidateAnswer, in_one_line,
 };
 use mckibben_fit::validation::case::built_in;
 use std::path::Path;
 
 pub fn run(args: &Args) -> Result<u8, Problem> {
-    let number = |flag: &str| args.text(flag).and_then(|text| text.trim().parse::<u64>().ok());
-    if let Some(count) = number("sweep") {
-        let request = SweepRequest { muscles: count as usize, seed: number("seed").unwrap_or(1) };
-        let answer = mckibben_app::sweep(&request, &Bar::new("muscles"))?;
-        args.show(&answer, "", sweep_text)?;
-        return Ok(if answer.ok() { 0 } else { NO_ANSWER });
-    }
     if args.text("measured").is_some() {
         return run_measured(args);
     }
@@ -32,15 +24,6 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
     let answer = mckibben_app::validate(&args.request()?, &Bar::new("groups of cases"))?;
     args.show(&answer, "cases", as_text)?;
     Ok(if answer.ok() { 0 } else { NO_ANSWER })
-}
-
-/// Times are for people only: JSON and CSV hold nothing that depends on the machine.
-fn sweep_text(a: &SweepAnswer, u: &Units) -> String {
-    let (median, longest) = (1e3 * a.sweep.median_seconds(), 1e3 * a.sweep.longest_seconds());
-    let text = "{muscles} random muscles, one point each (seed {seed})\n\n  \
-        {required_answered} of {required} answered where the infinitely long muscle pulls and its strands stretch by less than 5 %\n  \
-        {others_answered} of {others} answered elsewhere; the others ended with a reason\n  at most {most_factorisations} factorisations; ";
-    said(&value(a), text, u) + &format!("median {median:.2} ms, longest {longest:.2} ms\n")
 }
 
 /// The cases of one kind, and what they are.

@@ -76,7 +76,7 @@ fn bytes_that_are_no_text_are_refused() {
 /// What every command does with its caller's flag stands in the tests of the application layer.
 #[test]
 fn a_signal_ends_a_command_within_a_second_with_130() {
-    for line in ["curve isobaric --mesh 2x512 -p 0..2.5:0.1bar -e 0..0.15:0.001", "validate --sweep 100000"] {
+    for line in ["curve isobaric --mesh 2x512 -p 0..2.5:0.1bar -e 0..0.15:0.001", "validate --all"] {
         let mut command = command(&root());
         let command = command.args(line.split(' ')).stdout(Stdio::null()).stderr(Stdio::null());
         let mut child = command.spawn().unwrap();
@@ -184,7 +184,6 @@ fn without_threads_the_answers_are_the_same_bytes() {
     for line in [
         "design --force 700N --contraction 15% --max-pressure 2.5bar --format json",
         "identify bench.toml --data bench.csv --format json",
-        "validate --sweep 5 --format json",
         "fit paper.csv --method paper --format json",
     ] {
         let (many, single) = (runs(dir, line, None).ok(), runs(dir, line, nobody).ok());

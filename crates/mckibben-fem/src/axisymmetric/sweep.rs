@@ -1,4 +1,4 @@
-//! A seeded sweep of random muscles: what share of the questions that have an answer is answered.
+//! Random muscles with a question each, from a seed.
 
 use super::model::Axisymmetric;
 use crate::FemError;
@@ -27,43 +27,6 @@ pub struct SweepRow {
     pub required: bool,
     /// The pull in N, or why there is none.
     pub answer: Result<f64, String>,
-    /// Factorisations spent.
-    pub factorisations: usize,
-    /// Seconds spent.
-    pub seconds: f64,
-}
-
-/// Result of a sweep.
-#[derive(Debug, Clone)]
-pub struct Sweep {
-    /// One row per muscle.
-    pub rows: Vec<SweepRow>,
-}
-
-impl Sweep {
-    /// How many of the questions that must have an answer, or of all others, are answered, and how many there are.
-    pub fn answered(&self, required: bool) -> (usize, usize) {
-        let rows = self.rows.iter().filter(|r| r.required == required);
-        (rows.clone().filter(|r| r.answer.is_ok()).count(), rows.count())
-    }
-
-    /// Largest of the factorisations.
-    pub fn most_factorisations(&self) -> usize {
-        self.rows.iter().map(|r| r.factorisations).max().unwrap_or(0)
-    }
-
-    /// Median seconds of the answered required questions.
-    pub fn median_seconds(&self) -> f64 {
-        let mut times: Vec<f64> =
-            self.rows.iter().filter(|r| r.required && r.answer.is_ok()).map(|r| r.seconds).collect();
-        times.sort_by(f64::total_cmp);
-        times.get(times.len() / 2).copied().unwrap_or(0.0)
-    }
-
-    /// Longest time of any question in seconds.
-    pub fn longest_seconds(&self) -> f64 {
-        self.rows.iter().map(|r| r.seconds).fold(0.0, f64::max)
-    }
 }
 
 /// The law number `kind` with a shear modulus at rest: Mooney–Rivlin with a share of C01 up to 0.3, neo-Hookean, Yeoh, Gent with a jm from
@@ -130,16 +93,12 @@ fn answer(case: SweepCase) -> SweepRow {
         r.braid_tension_n.map(|t| k.map_or(0.0, |k| t / (width * k)))
     });
     let required = endless.is_some_and(|r| r.force_n > 0.0) && strain.is_some_and(|s| s < 0.05);
-    let start = std::time::Instant::now();
     let solve = || {
         let model = Axisymmetric::new(&case.muscle)?;
         let workspace = &mut Workspace::new();
         let c = model.continuation(workspace)?;
-        let answer = c.reach(case.pressure_mpa, case.contraction).map(|()| c.pull());
-        Ok((answer, c.effort.factorisations))
+        c.reach(case.pressure_mpa, case.contraction).map(|()| c.pull())
     };
-    let (answer, factorisations) = solve().unwrap_or_else(|e: FemError| (Err(e), 0));
-    let answer = answer.map_err(|e| e.to_string());
-    let seconds = start.elapsed().as_secs_f64();
-    SweepRow { required, answer, factorisations, seconds, case }
+    let answer = solve().map_err(|e: FemError| e.to_string());
+    SweepRow { required, answer, case }
 }

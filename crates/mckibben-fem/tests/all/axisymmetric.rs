@@ -5,8 +5,9 @@ use mckibben::joint::{Joint, JointModel, JointMuscle, Link, Path, Turning};
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
+use mckibben::random::rounds;
 use mckibben_fem::FemError;
-use mckibben_fem::axisymmetric::sweep::{Sweep, question};
+use mckibben_fem::axisymmetric::sweep::{SweepRow, question};
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
 use mckibben_fem::simulation::{Detail, Given, Simulation, free_contraction};
 use mckibben_fem::solver::curve::Test;
@@ -83,12 +84,10 @@ fn the_chosen_mesh_is_within_a_twentieth_of_a_percent_on_the_papers_range() {
 /// A tenth of the full sweep of 2,000 muscles.
 #[test]
 fn sweep_of_200_random_muscles() {
-    let result = Sweep { rows: (0..200).filter_map(|i| question(1, i)).collect() };
-    assert_eq!(result.rows.len(), 200);
-    let (answered, questions) = result.answered(true);
-    assert!(questions > 100);
-    assert_eq!(answered, questions, "{:#?}", result.rows.iter().find(|r| r.required && r.answer.is_err()));
-    for row in &result.rows {
+    let rows: Vec<SweepRow> = (0..rounds(200)).filter_map(|i| question(1, i)).collect();
+    assert!(rows.len() >= 200 && rows.iter().filter(|r| r.required).count() > 100);
+    assert!(rows.iter().all(|r| !r.required || r.answer.is_ok()));
+    for row in &rows {
         assert!(row.answer.as_ref().is_ok_and(|f| f.is_finite()) || row.answer.is_err());
     }
 }
