@@ -218,13 +218,6 @@ class Found(Record):
 
         return np.array([np.nan if (v := getattr(p, name)) is None else v for p in self.parameters], dtype=np.float64)
 
-    def _words(self) -> list[str]:
-        def word(p: Any) -> str:
-            half, unit = getattr(p, "half_width_95", None), f" {p.unit}" if getattr(p, "unit", None) else ""
-            return f"{p.name} {p.value:.5g}{unit}" if half is None else f"{p.name} {p.value:.5g} ± {half:.3g}{unit}"
-
-        return [word(p) for p in self.parameters]
-
 
 class Identified(Found):
     """Constants found in measured points, with their errors."""
@@ -264,9 +257,10 @@ class Identified(Found):
 
     def summary(self) -> str:
         """What was found, in lines for reading."""
+        words = [f"  {p.name} {p.value:.5g}" + ("" if p.half_width_95 is None else f" ± {p.half_width_95:.3g}") + (f" {p.unit}" if p.unit else "") for p in self.parameters]
         head = f"{self.model}: {len(self.points)} points, rms {self.rms_n:.3g} N (before {self.rms_before_n:.3g} N), largest {self.max_n:.3g} N"
         errors = "± half width of 95 %, " + ("by the stated errors" if self.errors_stated else f"by the residuals, {self.degrees_of_freedom} degrees of freedom")
-        return "\n".join([head, *(f"  {word}" for word in self._words()), errors, *(f"note: {text}" for text in self.warnings)])
+        return "\n".join([head, *words, errors, *(f"note: {text}" for text in self.warnings)])
 
 
 class FittedLaws(Found):
@@ -275,8 +269,6 @@ class FittedLaws(Found):
     if TYPE_CHECKING:
         laws: list[Any]
         recommended: str | None
-        points: int
-        fitted_to_stretch: float
 
     def rubber(self, law: str | None = None) -> Rubber:
         """A law with its constants; the recommended one where none is named."""
@@ -297,12 +289,6 @@ class FittedLaws(Found):
                         constants[constant] = p.value
                 return Rubber(found.law, **constants)
         raise KeyError(name)
-
-    def summary(self) -> str:
-        """What was found, in lines for reading."""
-        head = f"{self.points} points to a stretch of {self.fitted_to_stretch:.3g}; recommended: {self.recommended or 'none'}"
-        laws = [f"  {law.name}: rms {law.rms_mpa:.3g} MPa, {'stable' if law.stable else 'not stable'}" for law in self.laws]
-        return "\n".join([head, *(f"  {word}" for word in self._words()), "laws:", *laws])
 
 
 class Designed(Record):

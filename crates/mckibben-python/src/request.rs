@@ -112,7 +112,6 @@ impl<'a> Reading<'a> {
                 let text = value.as_str().unwrap_or_default();
                 *value = match of {
                     "Choice" => json!(Choice::from(several(text, kind)?)),
-                    // A word.
                     "Stiffness" if ["paper", "inextensible"].contains(&text.trim()) => json!(text.trim()),
                     _ if is_list => json!(quantities(text, kind)?),
                     _ => json!(quantity(text, kind)?),

@@ -32,8 +32,7 @@ fn identity_steps_are_the_run_to_the_last_bit_and_so_are_those_of_a_copy() {
     let load = damped(&*model, 5.0, 100.0, (0.0, 90.0));
     for actuator in [regulator(0.01), valve()] {
         let drive = drive(&load, &*model, actuator);
-        let motion = ran(&drive);
-        let mut simulation = Simulation::new(&drive, &Silent).unwrap();
+        let (motion, mut simulation) = (ran(&drive), Simulation::new(&drive, &Silent).unwrap());
         stepped(&mut simulation, &drive, &COMMANDS[..4]);
         let mut copy = simulation.duplicate();
         stepped(&mut simulation, &drive, &COMMANDS[4..]);

@@ -152,7 +152,7 @@ fn a_muscle_beyond_its_free_contraction_hangs_slack() {
     let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
     let point = model.at(w, &[0.02, 0.2], 60.0, Turning::Mean).unwrap();
     assert!(point.muscles[0].answer.slack && !point.muscles[1].answer.slack, "{point:?}");
-    assert_eq!(point.torque_nm, -1e-3 * 25.0 * point.muscles[1].answer.response.force_n);
+    assert_eq!(point.torque_nm, 1e-3 * point.muscles[1].answer.response.force_n * -25.0);
     // Without pressure nothing acts over most of the range.
     let rests = model.rests(w, &[0.0, 0.0], 0.0).unwrap();
     let [Rest::Loose { from_deg, to_deg }] = rests[..] else { panic!("{rests:?}") };
