@@ -51,7 +51,7 @@ pub fn design_joint(
     };
     let (by_parts, quiet) = (!spec.tubes.is_empty() && sections > 0, &CancelOnly(progress));
     let coarse = models.settle.is_some() && sections > 0;
-    let total = places.len() + if coarse && !by_parts { 2 * sections + NEAR } else { sections } + 1;
+    let total = places.len() + sections + 1 + if coarse { sections + NEAR } else { 0 };
     let mut done = 0;
     let mut first_error = None;
     // The best radius hardly depends on the model: where another one settles, the infinitely long muscle says about where it lies.
