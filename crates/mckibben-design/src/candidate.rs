@@ -28,9 +28,6 @@ pub struct CandidatePoint {
     /// Liquid pushed in from rest to this point, measured at atmospheric pressure, mm³.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub liquid_volume_mm3: Option<f64>,
-    /// Mass of the liquid in muscle and dead volume, g.
-    #[serde(skip)]
-    pub liquid_mass_g: Option<f64>,
     /// 95 % half-width of the pull, N.
     pub uncertainty_n: Option<f64>,
 }
@@ -109,15 +106,13 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
         if helped {
             from_thick_wall.push(if spec.liquid.is_some() { "liquid volume" } else { "air" });
         }
-        let liquid = stroke.and_then(|s| s.liquid);
         points.push(CandidatePoint {
             force_at_max_pressure_n: available_n,
             margin: available_n / point.force_n - 1.0,
             response,
             wanted: *point,
-            air_normal_litres: stroke.filter(|s| s.liquid.is_none()).map(|s| s.amount),
-            liquid_volume_mm3: liquid.map(|l| l.volume_mm3),
-            liquid_mass_g: liquid.map(|l| l.mass_g),
+            air_normal_litres: stroke.filter(|_| spec.liquid.is_none()),
+            liquid_volume_mm3: stroke.filter(|_| spec.liquid.is_some()),
             uncertainty_n: trial.uncertainty_n((pressure_mpa, point.contraction), response.force_n),
         });
     }

@@ -168,7 +168,7 @@ pub(super) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe, M
                 checks.push(Check::new(Limit::Buckling, point.force_n.abs(), least_n));
             }
             if pumped {
-                let amount = trial.stroke(p, point.contraction).0.map(|s| s.amount);
+                let amount = trial.stroke(p, point.contraction).0;
                 if let Some(bound) = most_liquid {
                     let unknown = || ModelError::NoVolume(trial.model.info().name.to_string());
                     checks.push(Check::new(Limit::LiquidVolume, amount.ok_or_else(unknown)?, bound));

@@ -1,6 +1,6 @@
 //! Why a muscle does not fit.
 
-use crate::{Check, Limit};
+use crate::Check;
 use mckibben::model::ModelError;
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
@@ -27,11 +27,6 @@ impl Reason {
     /// The limit that is missed; `None` where there is no answer at all.
     pub fn check(&self) -> Option<&Check> {
         if let Self::Limit(check) = self { Some(check) } else { None }
-    }
-
-    /// The kind of limit that is missed; `None` where there is no answer at all.
-    pub fn limit(&self) -> Option<Limit> {
-        Some(self.check()?.limit)
     }
 }
 

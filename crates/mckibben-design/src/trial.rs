@@ -5,7 +5,6 @@ use mckibben::analysis::{
     AnalysisError, Burst, Evaluation, FailureMode, FailurePressure, NoBurst, bisect, burst_below, find_root,
 };
 use mckibben::cancel;
-use mckibben::load::LiquidStroke;
 use mckibben::model::{ForceModel, ModelError, ModelKind, Response, Result, Workspace};
 use mckibben::muscle::Muscle;
 
@@ -54,15 +53,6 @@ impl Below {
 const HALVINGS: usize = 40;
 /// The pressure of a pull that is guaranteed is known to this share of the highest.
 const SURE: f64 = 1e-6;
-
-/// What is pushed into a muscle from rest to a point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Stroke {
-    /// What muscles are compared by: normal litres of air, or mm³ of liquid.
-    pub(super) amount: f64,
-    /// `None`: of air.
-    pub(super) liquid: Option<LiquidStroke>,
-}
 
 impl<'a> Trial<'a> {
     pub(super) fn new(spec: &'a Spec, build: &Build<'_>, muscle: &'a Muscle) -> Result<Self> {
@@ -228,17 +218,15 @@ impl<'a> Trial<'a> {
         Ok((r, filled))
     }
 
-    /// What is pushed in from rest to a pressure and contraction, and whether the thick-wall model gave it.
-    pub(super) fn stroke(&mut self, p: f64, contraction: f64) -> (Option<Stroke>, bool) {
+    /// What is pushed in from rest to a pressure and contraction, normal litres of air or mm³ of liquid, and whether the thick-wall model gave it.
+    pub(super) fn stroke(&mut self, p: f64, contraction: f64) -> (Option<f64>, bool) {
         let (workspace, options) = (&mut self.workspace, self.spec.options());
-        let mut stroke = |model: &dyn ForceModel| -> Result<Stroke, AnalysisError> {
+        let mut stroke = |model: &dyn ForceModel| -> Result<f64, AnalysisError> {
             let mut model = Evaluation::new(model, workspace, options);
-            let Some(supply) = &self.spec.liquid else {
-                let amount = model.air_per_stroke(p, contraction)?.normal_litres;
-                return Ok(Stroke { amount, liquid: None });
-            };
-            let liquid = model.liquid_per_stroke(supply, p, contraction)?;
-            Ok(Stroke { amount: liquid.volume_mm3, liquid: Some(liquid) })
+            match &self.spec.liquid {
+                Some(supply) => model.liquid_per_stroke_mm3(supply, p, contraction),
+                None => Ok(model.air_per_stroke(p, contraction)?.normal_litres),
+            }
         };
         match stroke(&*self.model) {
             Ok(stroke) => (Some(stroke), false),

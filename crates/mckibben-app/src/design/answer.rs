@@ -142,9 +142,6 @@ pub struct CandidateAnswer {
     /// Largest liquid volume over the points that is pushed in from rest, measured at atmospheric pressure, mm³.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub liquid_volume_mm3: Option<f64>,
-    /// Mass of the liquid in muscle and dead volume at that point, g.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub liquid_mass_g: Option<f64>,
     /// Largest tension of one strand, N.
     pub strand_tension_n: Option<f64>,
     /// Largest tension of all strands together, N.
@@ -280,8 +277,6 @@ impl CandidateAnswer {
             stiffness_n_per_mm: c.points.first().and_then(|q| q.response.stiffness_n_per_mm),
             air_normal_litres: c.largest(|q| q.air_normal_litres),
             liquid_volume_mm3: c.largest(|q| q.liquid_volume_mm3),
-            // It grows with the volume.
-            liquid_mass_g: c.largest(|q| q.liquid_mass_g),
             strand_tension_n: c.largest(|q| q.response.strand_tension_n),
             braid_tension_n: c.largest(|q| q.response.braid_tension_n),
             max_stretch: c.largest(|q| q.response.max_stretch),
@@ -296,7 +291,7 @@ impl From<&Rejected> for RejectedAnswer {
         Self {
             muscle: r.clone(),
             reason: r.reason.describe(|kind, v| Units::default().show(kind, v)),
-            limit: r.reason.limit(),
+            limit: r.reason.check().map(|check| check.limit),
         }
     }
 }

@@ -13,9 +13,6 @@ use serde::Serialize;
 pub struct BundleAnswer {
     /// How many muscles.
     pub muscles: u32,
-    /// Diameter of the circle around them over that of one.
-    #[serde(skip)]
-    pub envelope_ratio: f64,
     /// Diameter of the circle around them at rest, mm.
     pub rest_envelope_mm: f64,
     /// The same at the largest bulged diameter, mm.
@@ -126,7 +123,6 @@ pub(super) fn of_winner(
     };
     Some(BundleAnswer {
         muscles,
-        envelope_ratio: ratio,
         rest_envelope_mm: ratio * winner.muscle.outer_diameter_mm(),
         envelope_mm: bulged.map(|mm| ratio * mm),
         row_mm: bulged.map(|mm| count * mm),

@@ -83,7 +83,7 @@ fn a_file_that_claims_72_gigabytes_is_refused() {
 const DESIGN: &str = "design -F 300 -e 10% --max-pressure 2.5bar -D 40 -s 2 --model paper -o ";
 
 /// What every command writes, and where: the flag with its folder or file, and the file that is in its way.
-const WRITERS: [(&str, &str, &str); 35] = [
+const WRITERS: [(&str, &str, &str); 36] = [
     ("design -F 300 -e 10% -p 2.5bar -D 40 -s 2 --model paper", "-o w.toml", "w.toml"),
     ("force -p 0.1 --model ideal", "-o t.json", "t.json"),
     ("pressure -F 100N -e 5% --model ideal", "-o t.json", "t.json"),
@@ -108,6 +108,7 @@ const WRITERS: [(&str, &str, &str); 35] = [
     ("campaign show c0.parquet", "-o t.txt", "t.txt"),
     ("campaign status parts", "-o t.txt", "t.txt"),
     ("campaign merge parts", "-o t.parquet", "t.parquet"),
+    ("validate --measured examples/measured --only bench", "-o t.txt", "t.txt"),
     ("compare --models ideal,paper", "-o t.csv", "t.csv"),
     (
         "identify examples/bench.toml --data examples/bench.csv --model thick-wall --free mu",

@@ -57,7 +57,7 @@ fn a_push_is_below_the_buckling_load_unless_the_muscle_is_guided() {
     // Thin tubes alone: the closest would do if it were guided.
     let thin = Spec { outer_diameter_mm: Values::List(vec![d0(&guided) + 0.5]), ..spec(-30.0, -0.1, limits) };
     let closest = design(&thin, BUILD).unwrap().closest.unwrap();
-    assert_eq!(closest.rejected.reason.limit(), Some(Limit::Buckling));
+    assert_eq!(closest.rejected.reason.check().unwrap().limit, Limit::Buckling);
     assert!(closest.rejected.misses_by.unwrap() > 0.0);
     let changes = closest.relaxations(&thin, Models { search: BUILD, settle: None }, &Silent);
     assert!(changes.contains(&Relaxation::Guided {}), "{changes:?}");

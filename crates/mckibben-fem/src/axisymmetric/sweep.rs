@@ -1,8 +1,5 @@
 //! Random muscles with a question each, from a seed.
 
-use super::model::Axisymmetric;
-use crate::FemError;
-use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::random::Random;
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
@@ -16,17 +13,6 @@ pub struct SweepCase {
     pub pressure_mpa: f64,
     /// Contraction.
     pub contraction: f64,
-}
-
-/// What became of a question.
-#[derive(Debug, Clone)]
-pub struct SweepRow {
-    /// The question.
-    pub case: SweepCase,
-    /// Whether the infinitely long muscle pulls with a strand strain under 5 %: then there must be an answer.
-    pub required: bool,
-    /// The pull in N, or why there is none.
-    pub answer: Result<f64, String>,
 }
 
 /// The law number `kind` with a shear modulus at rest: Mooney–Rivlin with a share of C01 up to 0.3, neo-Hookean, Yeoh, Gent with a jm from
@@ -52,7 +38,8 @@ pub fn law(kind: usize, mu: f64, least_jm: f64, unit: impl FnOnce() -> f64) -> L
     }
 }
 
-/// Question number `index` of a seed; `None` where the numbers that were thrown make no muscle.
+/// Question number `index` of a seed: log-uniform D0 5–80 mm, s/D0 0.02–0.20, L0/D0 3–25, θ0 15–45°, shear modulus 0.05–1.5 MPa, each law, braid
+/// stiffness 5–100·D0 N/mm or inextensible, pressure up to 0.8 MPa, contraction up to 95 % of the ideal maximum; `None` where these make no muscle.
 pub fn case(seed: u64, index: usize) -> Option<SweepCase> {
     let mut r = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ (index as u64) << 20);
     r.unit();
@@ -73,32 +60,4 @@ pub fn case(seed: u64, index: usize) -> Option<SweepCase> {
     let pressure_mpa = r.between(0.0, 0.8);
     let contraction = r.between(0.0, 0.95) * muscle.max_ideal_contraction();
     Some(SweepCase { muscle, pressure_mpa, contraction })
-}
-
-/// One random question to random muscle number `index` of a seed: log-uniform D0 5–80 mm, s/D0 0.02–0.20, L0/D0 3–25,
-/// θ0 15–45°, shear modulus 0.05–1.5 MPa, each law, braid stiffness 5–100·D0 N/mm or inextensible, pressure up to 0.8 MPa,
-/// contraction up to 95 % of the ideal maximum.
-pub fn question(seed: u64, index: usize) -> Option<SweepRow> {
-    case(seed, index).map(answer)
-}
-
-fn answer(case: SweepCase) -> SweepRow {
-    let endless = ThickWall::new(&case.muscle)
-        .response(&mut Workspace::new(), case.pressure_mpa, case.contraction)
-        .ok();
-    let strain = endless.and_then(|r| {
-        let k = case.muscle.family_stiffness_n_per_mm();
-        let (d0, cos) = (case.muscle.outer_diameter_mm(), case.muscle.braid().angle_rad().cos());
-        let width = 2.0 * std::f64::consts::PI * d0 * cos;
-        r.braid_tension_n.map(|t| k.map_or(0.0, |k| t / (width * k)))
-    });
-    let required = endless.is_some_and(|r| r.force_n > 0.0) && strain.is_some_and(|s| s < 0.05);
-    let solve = || {
-        let model = Axisymmetric::new(&case.muscle)?;
-        let workspace = &mut Workspace::new();
-        let c = model.continuation(workspace)?;
-        c.reach(case.pressure_mpa, case.contraction).map(|()| c.pull())
-    };
-    let answer = solve().map_err(|e: FemError| e.to_string());
-    SweepRow { required, answer, case }
 }

@@ -2,12 +2,12 @@
 
 use mckibben::cancel::{Cancel, Cancelled};
 use mckibben::joint::{Joint, JointModel, JointMuscle, Link, Path, Turning};
-use mckibben::model::{ForceModel, ModelError, Workspace};
+use mckibben::model::{ForceModel, ModelError, ThickWall, Workspace};
 use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
 use mckibben::random::rounds;
 use mckibben_fem::FemError;
-use mckibben_fem::axisymmetric::sweep::{SweepRow, question};
+use mckibben_fem::axisymmetric::sweep::{SweepCase, case};
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
 use mckibben_fem::simulation::{Detail, Given, Simulation, free_contraction};
 use mckibben_fem::solver::curve::Test;
@@ -81,15 +81,23 @@ fn the_chosen_mesh_is_within_a_twentieth_of_a_percent_on_the_papers_range() {
     assert!(errors[0].1 < 5e-4, "{errors:?}");
 }
 
-/// A tenth of the full sweep of 2,000 muscles.
+/// Where the infinitely long muscle pulls and its strands stretch by less than 5 % there is an answer. A tenth of 2,000 muscles.
 #[test]
 fn sweep_of_200_random_muscles() {
-    let rows: Vec<SweepRow> = (0..rounds(200)).filter_map(|i| question(1, i)).collect();
-    assert!(rows.len() >= 200 && rows.iter().filter(|r| r.required).count() > 100);
-    assert!(rows.iter().all(|r| !r.required || r.answer.is_ok()));
-    for row in &rows {
-        assert!(row.answer.as_ref().is_ok_and(|f| f.is_finite()) || row.answer.is_err());
+    let mut required = 0;
+    for SweepCase { muscle, pressure_mpa, contraction } in (0..rounds(200)).filter_map(|i| case(1, i)) {
+        let w = &mut Workspace::new();
+        let endless = ThickWall::new(&muscle).response(w, pressure_mpa, contraction).ok();
+        let strained = |tension_n| muscle.strand_strain(tension_n).is_none_or(|strain| strain < 0.05);
+        let pulls = endless.filter(|r| r.force_n > 0.0);
+        let answer = Axisymmetric::new(&muscle).unwrap().force_n(w, pressure_mpa, contraction);
+        assert!(answer.as_ref().is_ok_and(|f| f.is_finite()) || answer.is_err());
+        if pulls.and_then(|r| r.braid_tension_n).is_some_and(strained) {
+            assert!(answer.is_ok(), "{muscle:?} {pressure_mpa} {contraction}: {answer:?}");
+            required += 1;
+        }
     }
+    assert!(required > 100, "{required}");
 }
 
 #[test]

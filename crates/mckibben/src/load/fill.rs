@@ -5,7 +5,6 @@ mod stroke;
 mod way;
 
 pub use filling::Filling;
-pub use stroke::LiquidStroke;
 
 use super::Load;
 use crate::analysis::{AnalysisError, Evaluation, HIGHEST_PRESSURE_MPA, Options};

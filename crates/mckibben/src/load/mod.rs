@@ -13,7 +13,7 @@ mod table;
 
 pub use cycle::{Cycle, cycle};
 pub use equilibrium::{Balance, LoadError};
-pub use fill::{Fill, FillError, FillState, Filling, LiquidStroke};
+pub use fill::{Fill, FillError, FillState, Filling};
 pub use lever::Lever;
 pub use table::LoadTable;
 
