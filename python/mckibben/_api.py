@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 
-__all__ = ["Axis", "BoughtAnswer", "BraidDetails", "BraidPoint", "BraidSummary", "BranchAnswer", "Build", "BuildPart", "BuildSheet", "BuiltFile", "BundleAnswer", "BundlePoint", "CampaignOutcome", "CampaignStatus", "CampaignSummary", "CandidateAnswer", "CandidateJoint", "Case", "Characteristics", "CheckAnswer", "ClosestAnswer", "CompareAnswer", "ComparedModel", "Constants", "Curve", "Cut", "Cycle", "DemandAnswer", "Derived", "Design", "DesignPoint", "EndPowers", "EndTerm", "Equilibrium", "ErrorSummary", "Export", "ExportForm", "ExportListAnswer", "ExportTarget", "Extent", "Failed", "FailedPoint", "Figure", "FillAnswer", "Finding", "FindingAnswer", "Fit", "FitReport", "FormulaCheck", "FormulaErrors", "FormulaRange", "GlobalTerm", "HeldOut", "HeldOutError", "HeldOutRow", "Identification", "Identified", "IdentifiedPoint", "JointMap", "JointRow", "JointSolution", "LawAnswer", "LawRow", "LibraryAgreement", "LibraryDetails", "LibraryFit", "LibraryMuscle", "Liquid", "LoadAnswer", "LoadedAt", "Made", "MadeBraid", "MadeRubber", "MapGap", "MapPoint", "Mark", "MeasureEntry", "MeasuredAnswer", "MeasuredBin", "MeasuredBranch", "MeasuredCase", "MeasuredFit", "MeasuredResult", "MeasuredRubber", "MeasuredRubberFit", "MeasuredStress", "MeasuresAnswer", "ModeError", "ModelAbout", "ModelDetails", "ModelEntry", "Motion", "MotionRun", "MotionSeries", "MuscleFinding", "MuscleSummary", "NamedFigure", "OperatingPoint", "Panel", "PaperTerm", "Parameter", "PartShowAnswer", "PartsListAnswer", "Plan", "PointRow", "Powers", "ProfileRow", "PronyAnswer", "Provenance", "Recomputed", "RegionErrors", "RejectedAnswer", "Relaxation", "RelaxationAnswer", "RestPlace", "RubberDetails", "RubberFit", "RubberSummary", "Scales", "SearchedAnswer", "SectionFile", "SectionFile2", "SensitivityRow", "Series", "Shape", "ShardStatus", "SimulateAnswer", "SimulatedPoint", "SimulatedRow", "SleeveCut", "SofteningAnswer", "Spread", "SpreadAnswer", "StrandRow", "StudyAnswer", "StudyRow", "SweepAnswer", "Table", "TestPoint", "TextFile", "TorqueWanted", "TubeSummary", "UncertaintyParts", "UncertaintyWords", "UnderstoodColumn", "UnderstoodTable", "UniversalErrors", "UniversalFile", "UniversalRange", "UniversalSummary", "ValidateAnswer", "Verified", "VerifiedPoint", "Solution", "State"]
+__all__ = ["Axis", "BoughtAnswer", "BraidDetails", "BraidPoint", "BraidSummary", "BranchAnswer", "Build", "BuildPart", "BuildSheet", "BuiltFile", "BundleAnswer", "BundlePoint", "CampaignOutcome", "CampaignStatus", "CampaignSummary", "CandidateAnswer", "CandidateJoint", "Case", "Characteristics", "CheckAnswer", "ClosestAnswer", "CompareAnswer", "ComparedModel", "Constants", "Curve", "Cut", "Cycle", "DemandAnswer", "Derived", "Design", "DesignPoint", "EndPowers", "EndTerm", "Equilibrium", "ErrorSummary", "Export", "ExportForm", "ExportListAnswer", "ExportTarget", "Extent", "Failed", "FailedPoint", "Figure", "FillAnswer", "Finding", "FindingAnswer", "Fit", "FitReport", "FormulaCheck", "FormulaErrors", "FormulaRange", "GlobalTerm", "HeldOut", "HeldOutError", "HeldOutRow", "Identification", "Identified", "IdentifiedPoint", "JointMap", "JointRow", "JointSolution", "LawAnswer", "LawRow", "LibraryAgreement", "LibraryDetails", "LibraryFit", "LibraryMuscle", "Liquid", "LoadAnswer", "LoadedAt", "LogErrors", "Made", "MadeBraid", "MadeRubber", "MapGap", "MapPoint", "Mark", "MeasureEntry", "MeasuredAnswer", "MeasuredBin", "MeasuredBranch", "MeasuredCase", "MeasuredFit", "MeasuredResult", "MeasuredRubber", "MeasuredRubberFit", "MeasuredStress", "MeasuresAnswer", "ModeError", "ModelAbout", "ModelDetails", "ModelEntry", "Motion", "MotionRun", "MotionSeries", "MuscleFinding", "MuscleSummary", "NamedFigure", "OperatingPoint", "Panel", "PaperTerm", "Parameter", "PartShowAnswer", "PartsListAnswer", "Plan", "PointRow", "Powers", "ProfileRow", "PronyAnswer", "Provenance", "Recomputed", "RegionErrors", "RejectedAnswer", "Relaxation", "RelaxationAnswer", "RestPlace", "RubberDetails", "RubberFit", "RubberSummary", "Scales", "SearchedAnswer", "SectionFile", "SectionFile2", "SensitivityRow", "Series", "Shape", "ShardStatus", "SimulateAnswer", "SimulatedPoint", "SimulatedRow", "SleeveCut", "SofteningAnswer", "Spread", "StrandRow", "StudyAnswer", "StudyRow", "Table", "TestPoint", "TextFile", "TorqueWanted", "TubeSummary", "UncertaintyParts", "UncertaintyWords", "UnderstoodColumn", "UnderstoodTable", "UniversalErrors", "UniversalFile", "UniversalRange", "UniversalSummary", "ValidateAnswer", "Solution", "State"]
 # Keys of the muscle file, by field.
 KEYS = {"outer_diameter_mm": "tube.outer_diameter", "wall_mm": "tube.wall_thickness", "length_mm": "tube.length", "stiffness": "braid.stiffness", "density_kg_per_m3": "tube.density", "prestretch": "tube.prestretch", "temperature_degc": "tube.temperature", "angle_deg": "braid.angle", "insertion_mm": "terminals.insertion", "seating_mm": "terminals.seating", "slip_mm_per_n": "terminals.slip", "grip_mm": "terminals.grip", "plug_diameter_mm": "terminals.plug_diameter", "pull_off_n": "terminals.pull_off", "rated_pressure_mpa": "terminals.rated_pressure", "end_factor": "terminals.end_factor", "cone_factor": "terminals.cone_factor", "stiffness_factor": "braid.stiffness_factor", "strands": "braid.strands", "strand_area_mm2": "braid.strand_area", "strand_modulus_mpa": "braid.strand_modulus", "strand_strength_n": "braid.strand_strength", "strands_per_carrier": "braid.strands_per_carrier", "strand_length_mm": "braid.strand_length", "turns": "braid.turns", "braid_thickness_mm": "braid.thickness", "braid_diameter_mm": "braid.diameter", "crimp": "braid.crimp", "crimp_stiffness": "braid.crimp_stiffness", "friction_coefficient": "friction.coefficient", "friction_exponent": "friction.exponent", "friction_lever_mm": "friction.lever", "friction_presliding_mm": "friction.presliding"}
 
@@ -664,8 +664,6 @@ class CandidateAnswer(Record):
         Largest air per stroke over the points, normal litres; none with a liquid.
     liquid_volume_mm3 : mm3
         Largest liquid volume over the points that is pushed in from rest, measured at atmospheric pressure, mm³.
-    liquid_mass_g : g
-        Mass of the liquid in muscle and dead volume at that point, g.
     strand_tension_n : N
         Largest tension of one strand, N.
     braid_tension_n : N
@@ -718,7 +716,6 @@ class CandidateAnswer(Record):
     mass_g: float | None = None
     tube: str | None = None
     liquid_volume_mm3: float | None = None
-    liquid_mass_g: float | None = None
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
     allowed_pressure_mpa: float | None = None
     allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
@@ -1316,12 +1313,8 @@ class Design(_results.Designed):
         The ± of the best muscle in words, at the point where it is largest.
     rejected
         Near misses, or the muscles that come closest.
-    verification
-        With another model: the best muscle by finite elements.
     warnings
         Warnings about the best muscle; if nothing fits, whether burst was checked.
-    tolerance
-        Spread of the pull of the best muscle under the tolerances, point by point.
     to_be_sure
         If none of the candidates is sure at a pressure that it may have: the best muscle whose lower end of the ± meets the requirement (`guaranteed`);
         none where the same search finds none.
@@ -1352,8 +1345,6 @@ class Design(_results.Designed):
     load: str | None = None
     assumptions: list[str] | None = None
     uncertainty_words: UncertaintyWords | None = None
-    verification: Verified | None = None
-    tolerance: list[SpreadAnswer] | None = None
     to_be_sure: CandidateAnswer | None = None
     closest: ClosestAnswer | None = None
     bundle: BundleAnswer | None = None
@@ -1620,11 +1611,11 @@ class Export(_results.Files):
     force_95_ratio
         95 % of the points err by less, share of the blocked force.
     force_worst_ratio
-        Largest, share of the blocked force.
+        At most, share of the blocked force: 1.3 times the largest at the points.
     volume_rms
         Root mean square of the volume's error, share of the largest volume.
     volume_worst_ratio
-        Largest of the volume, share of the largest volume.
+        The same of the volume, share of the largest volume.
     points
         Number of points.
     blocked_force_n : N
@@ -1689,6 +1680,8 @@ class ExportForm(Record):
         v0 to v4, m³.
     friction_n : N
         Half-width of the hysteresis, N: h0 √q + h1 q; zeros where the muscle does not state its friction.
+    presliding_m : m
+        Way over which it builds up after a reversal, m; 0 where the muscle does not state its friction.
     """
     length_m: float
     supply_pa: float
@@ -1699,6 +1692,7 @@ class ExportForm(Record):
     b: list[list[float]]
     v: list[float]
     friction_n: list[float]
+    presliding_m: float
 
 
 class ExportListAnswer(Record):
@@ -2327,8 +2321,6 @@ class Identification(_results.Identified):
         Points less parameters that lie on no bound.
     spreads
         Residuals by branch, by measured quantity, and by table.
-    slack_points
-        Points that were left out because the muscle was slack.
     muscle
         The muscle with the identified values.
     muscle_file
@@ -2355,7 +2347,6 @@ class Identification(_results.Identified):
     errors_stated: bool
     degrees_of_freedom: int
     spreads: list[Spread]
-    slack_points: int
     muscle: MuscleSummary
     muscle_file: str
     points: list[IdentifiedPoint]
@@ -2381,16 +2372,12 @@ class Identified(Record):
         Standard error; infinite (null in JSON) where the data do not determine it at all, 0 on a bound.
     half_width_95
         Half-width of the 95 % interval; likewise.
-    limit
-        The half-width up to which it counts as identifiable.
     identifiable
         Whether the data determine it.
     at_bound
         Whether it lies on a bound.
     matters
         Whether the points change with it at all.
-    implausible
-        Whether it is an end whose displacement is more than that of any known muscle: 0.3 of the outer diameter.
     """
     name: str
     start: float
@@ -2398,11 +2385,9 @@ class Identified(Record):
     unit: str
     standard_error: float | None
     half_width_95: float | None
-    limit: float
     identifiable: bool
     at_bound: bool
     matters: bool
-    implausible: bool
 
 
 class IdentifiedPoint(Record):
@@ -2997,6 +2982,23 @@ class LoadedAt(Record):
     cause: str | None = None
 
 
+class LogErrors(Record):
+    """Root mean squares of model − log, in MPa, degrees or as a contraction ratio.
+
+    Attributes
+    ----------
+    of
+        The quantity.
+    rms
+        Of the first half of the log, to which the constants were fitted.
+    held_out_rms
+        Of the second half, which was predicted.
+    """
+    of: str
+    rms: float
+    held_out_rms: float
+
+
 class Made(Record):
     """What a formula's muscles have in common.
 
@@ -3567,10 +3569,8 @@ class Motion(Record):
         Likewise of its first fall, s.
     steps
         Every step of the command that moved it.
-    largest_speed
-        Largest speed, mm/s or °/s.
     largest_velocity_mm_per_s : mm/s
-        The same of a muscle's load, mm/s: of all that was integrated, not of the points of the series alone.
+        Largest speed of a muscle's load, mm/s: of all that was integrated, not of the points of the series alone.
     largest_velocity_deg_per_s : °/s
         The same of a joint, °/s.
     at_rest
@@ -3589,8 +3589,6 @@ class Motion(Record):
         Liquid from the supply, or pushed out of a syringe at the end, mm³ at atmospheric pressure.
     air_normal_litres_per_cycle : normal L
         The same over the last whole period of a periodic command.
-    loop_area
-        Area of the loop of position (mm or rad) over pressure in MPa, over that period.
     energies
         Energies, J.
     efficiency
@@ -3620,6 +3618,12 @@ class Motion(Record):
         fittings are rated.
     allowed_by
         The failure that it keeps its distance from; none where the fittings are rated for it.
+    parameters
+        Of a recorded motion: the constants, with value and error.
+    errors
+        Errors of the motion with them.
+    drive_file
+        The drive file with those that are identifiable.
     warnings
         Warnings.
     figure
@@ -3635,7 +3639,6 @@ class Motion(Record):
     fill_time_s: float | None
     vent_time_s: float | None
     steps: list[Any]
-    largest_speed: float
     at_rest: bool | None
     largest_power_w: float
     air_normal_litres: float
@@ -3651,7 +3654,6 @@ class Motion(Record):
     ended_early: str | None = None
     liquid_volume_mm3: float | None = None
     air_normal_litres_per_cycle: float | None = None
-    loop_area: float | None = None
     efficiency: float | None = None
     bandwidth_hz: float | None = None
     end_contraction_uncertainty: float | None = None
@@ -3662,6 +3664,9 @@ class Motion(Record):
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
     allowed_pressure_mpa: float | None = None
     allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    parameters: list[Identified] | None = None
+    errors: list[LogErrors] | None = None
+    drive_file: str | None = None
     figure: Figure | None = None
 
 
@@ -3686,10 +3691,8 @@ class MotionRun(Record):
         Likewise of its first fall, s.
     steps
         Every step of the command that moved it.
-    largest_speed
-        Largest speed, mm/s or °/s.
     largest_velocity_mm_per_s : mm/s
-        The same of a muscle's load, mm/s: of all that was integrated, not of the points of the series alone.
+        Largest speed of a muscle's load, mm/s: of all that was integrated, not of the points of the series alone.
     largest_velocity_deg_per_s : °/s
         The same of a joint, °/s.
     at_rest
@@ -3708,8 +3711,6 @@ class MotionRun(Record):
         Liquid from the supply, or pushed out of a syringe at the end, mm³ at atmospheric pressure.
     air_normal_litres_per_cycle : normal L
         The same over the last whole period of a periodic command.
-    loop_area
-        Area of the loop of position (mm or rad) over pressure in MPa, over that period.
     energies
         Energies, J.
     efficiency
@@ -3734,7 +3735,6 @@ class MotionRun(Record):
     fill_time_s: float | None
     vent_time_s: float | None
     steps: list[Any]
-    largest_speed: float
     at_rest: bool | None
     largest_power_w: float
     air_normal_litres: float
@@ -3748,7 +3748,6 @@ class MotionRun(Record):
     ended_early: str | None = None
     liquid_volume_mm3: float | None = None
     air_normal_litres_per_cycle: float | None = None
-    loop_area: float | None = None
     efficiency: float | None = None
     bandwidth_hz: float | None = None
     end_contraction_uncertainty: float | None = None
@@ -5202,32 +5201,6 @@ class Spread(Record):
     mean_n: float
 
 
-class SpreadAnswer(Record):
-    """The pull at one operating point under tolerances.
-
-    Attributes
-    ----------
-    force_n : N
-        Pull, N.
-    contraction
-        Contraction ratio.
-    pressure_mpa : MPa
-        See the documentation.
-    low_n : N
-        Least pull over all corners, N.
-    high_n : N
-        Largest pull over all corners, N.
-    likely_n : N
-        What to expect where the tolerances are independent, ± N: root sum of squares of the single effects.
-    """
-    force_n: float
-    contraction: float
-    pressure_mpa: float
-    low_n: float
-    high_n: float
-    likely_n: float
-
-
 class StrandRow(Record):
     """The strands at a place along the muscle.
 
@@ -5379,38 +5352,6 @@ class StudyRow(Record):
     warnings: list[str] | None = None
     wanted_force_n: float | None = None
     cause: str | None = None
-
-
-class SweepAnswer(Record):
-    """The share of points with an answer. It does not depend on the machine.
-
-    Attributes
-    ----------
-    muscles
-        How many muscles.
-    seed
-        Seed of the random numbers.
-    required
-        Points that must have an answer: the infinitely long muscle pulls and its strands stretch by less than 5 %.
-    required_answered
-        How many of them have one.
-    others
-        The other points.
-    others_answered
-        How many of them have an answer.
-    most_factorisations
-        Largest number of factorisations of a point.
-    unanswered
-        Reasons why required points have no answer.
-    """
-    muscles: int
-    seed: int
-    required: int
-    required_answered: int
-    others: int
-    others_answered: int
-    most_factorisations: int
-    unanswered: list[str]
 
 
 class Table(Record):
@@ -5609,8 +5550,6 @@ class UnderstoodTable(Record):
         Rows that were left out because what was measured is blank.
     heading_line
         The line of the heading, from 1; null where columns were chosen by number.
-    units_line
-        The line of units below it, where there is one.
     separator
         What is between fields: comma, semicolon, tab, bar or spaces.
     decimal
@@ -5629,7 +5568,6 @@ class UnderstoodTable(Record):
     columns: list[UnderstoodColumn]
     not_used: list[str]
     not_filled: int | None = None
-    units_line: int | None = None
 
 
 class UniversalErrors(Record):
@@ -5749,46 +5687,6 @@ class ValidateAnswer(Record):
     """
     _rows: ClassVar[str | None] = "cases"
     cases: list[Case]
-
-
-class Verified(Record):
-    """A winner computed again.
-
-    Attributes
-    ----------
-    model
-        By which model.
-    holds
-        Whether it meets the specification with all limits.
-    points
-        The operating points.
-    """
-    model: str
-    holds: bool
-    points: list[VerifiedPoint]
-
-
-class VerifiedPoint(Record):
-    """The winner at one operating point by finite elements.
-
-    Attributes
-    ----------
-    force_n : N
-        Pull, N.
-    contraction
-        Contraction ratio.
-    pressure_mpa : MPa
-        Pressure it takes, MPa, where there is one.
-    force_at_max_pressure_n : N
-        Pull at the maximum pressure, N.
-    cause
-        Why there is none.
-    """
-    force_n: float
-    contraction: float
-    pressure_mpa: float | None
-    force_at_max_pressure_n: float | None
-    cause: str | None
 
 
 class Solution(_results.Points):
@@ -6903,7 +6801,7 @@ class MuscleCommands:
         """
         return answered(Build, "build", locals())
 
-    def export(self, target: str | None = None, *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, pressure_mpa: Number | None = None, overpressure: bool = False, contraction_low: Number | None = None, contraction_high: Number | None = None, name: str | None = None, progress: Progress = None) -> Export:
+    def export(self, target: str | None = None, *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, pressure_mpa: Number | None = None, overpressure: bool = False, contraction_low: Number | None = None, contraction_high: Number | None = None, cord_mm: Number | None = None, name: str | None = None, progress: Progress = None) -> Export:
         """A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as files for a target.
 
         Parameters
@@ -6930,6 +6828,8 @@ class MuscleCommands:
             it.
         contraction_high
             Upper end of the box in the contraction; default the free contraction at the supply pressure.
+        cord_mm : mm
+            Length of a rope or rod between the muscle and what it pulls, mm: lengths of the files are those of both.
         name
             Name of the muscle in the files; default the name of the muscle file.
         progress
@@ -7002,7 +6902,7 @@ class JointCommands:
 class DriveCommands:
     """What the program answers of it, by command."""
 
-    def motion(self, *, step: Mapping[str, Plain] | None = None, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, sweep: Mapping[str, Plain] | None = None, rise_time_s: Number | None = None, progress: Progress = None) -> Motion:
+    def motion(self, *, step: Mapping[str, Plain] | None = None, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, sweep: Mapping[str, Plain] | None = None, log: TableLike | None = None, free: Sequence[str] | None = None, rise_time_s: Number | None = None, progress: Progress = None) -> Motion:
         """A drive: its file, and the files that it names.
 
         Parameters
@@ -7022,6 +6922,12 @@ class DriveCommands:
             Terminal of `fe3d` that is a body; without it a rigid plane.
         sweep
             A key of the drive file and values that take its place, one run each: `valve.sonic_conductance`.
+        log
+            A recorded motion of the drive: times, with pressures, contractions or shortenings, or angles. Constants are identified from the first half of its
+            time.
+        free
+            What `log` is to determine, keys of the drive file: NAME or NAME=START. Default: those of `valve.sonic_conductance`, `air.dead_volume`,
+            `load.damping` and `friction.coefficient` that the files state.
         rise_time_s : s
             Find the smallest valve with this rise time (10–90 %), s.
         progress
@@ -7100,7 +7006,7 @@ class CampaignCommands:
         return answered(CampaignSummary, "campaign-show", locals())
 
 
-def design(*, force_n: Number | None = None, contraction: Number | None = None, points: Sequence[Mapping[str, Plain]] | None = None, load: str | None = None, load_tables: TableLike | Sequence[TableLike] | None = None, torques: Sequence[Mapping[str, Plain]] | None = None, largest_angle_deg: Number | None = None, radius_mm: Choice | None = None, max_pressure_mpa: Number | None = None, dead_volume_mm3: Number | None = None, liquid: str | None = None, liquid_bulk_modulus_mpa: Number | None = None, gas_share: Number | None = None, stroke_mm: Number | None = None, max_bulged_diameter_mm: Number | None = None, max_liquid_volume_mm3: Number | None = None, count: int | None = None, max_envelope_mm: Number | None = None, pitch_mm: Number | None = None, min_burst_margin: Number | None = None, min_tube_margin: Number | None = None, max_stretch: Number | None = None, max_strand_strain: Number | None = None, guided: bool = False, guaranteed: Number | None = None, objective: Literal["diameter", "pressure", "air", "margin", "bulged-diameter", "length"] | None = None, muscle: MuscleLike | None = None, continuous: bool = False, tubes: Sequence[str] | None = None, parts: FileLike | None = None, outer_diameter_mm: Choice | None = None, wall_mm: Choice | None = None, angle_deg: Choice | None = None, strand_length_per_turn_mm: Numbers | None = None, braids: Sequence[str] | None = None, strand_diameter_mm: Number | None = None, strand_modulus_mpa: Number | None = None, rubbers: Sequence[str] | None = None, stiffness: Number | None = None, length_mm: Choice | None = None, tolerance: Mapping[str, Plain] | None = None, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, extrapolate: bool = False, verify: Literal["fe", "none"] | None = None, top: int | None = None, progress: Progress = None) -> Design:
+def design(*, force_n: Number | None = None, contraction: Number | None = None, points: Sequence[Mapping[str, Plain]] | None = None, load: str | None = None, load_tables: TableLike | Sequence[TableLike] | None = None, torques: Sequence[Mapping[str, Plain]] | None = None, largest_angle_deg: Number | None = None, radius_mm: Choice | None = None, max_pressure_mpa: Number | None = None, dead_volume_mm3: Number | None = None, liquid: str | None = None, liquid_bulk_modulus_mpa: Number | None = None, gas_share: Number | None = None, stroke_mm: Number | None = None, max_bulged_diameter_mm: Number | None = None, max_liquid_volume_mm3: Number | None = None, count: int | None = None, max_envelope_mm: Number | None = None, pitch_mm: Number | None = None, min_burst_margin: Number | None = None, min_tube_margin: Number | None = None, max_stretch: Number | None = None, max_strand_strain: Number | None = None, guided: bool = False, guaranteed: Number | None = None, objective: Literal["diameter", "pressure", "air", "margin", "bulged-diameter", "length"] | None = None, muscle: MuscleLike | None = None, continuous: bool = False, tubes: Sequence[str] | None = None, parts: FileLike | None = None, outer_diameter_mm: Choice | None = None, wall_mm: Choice | None = None, angle_deg: Choice | None = None, strand_length_per_turn_mm: Numbers | None = None, braids: Sequence[str] | None = None, strand_diameter_mm: Number | None = None, strand_modulus_mpa: Number | None = None, rubbers: Sequence[str] | None = None, stiffness: Number | None = None, length_mm: Choice | None = None, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, extrapolate: bool = False, top: int | None = None, progress: Progress = None) -> Design:
     """A specification: required pulls at contractions with a maximum pressure. All other fields have a default.
 
     Parameters
@@ -7190,8 +7096,6 @@ def design(*, force_n: Number | None = None, contraction: Number | None = None, 
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     length_mm : mm
         Lengths L0 between the terminals at rest, mm.
-    tolerance
-        Tolerances of the workshop and the supply, for the spread of the pull of the best muscle.
     model
         Name of the model, or of one of the formulas.
     formulas
@@ -7205,8 +7109,6 @@ def design(*, force_n: Number | None = None, contraction: Number | None = None, 
         Terminal of `fe3d` that is a body; without it a rigid plane.
     extrapolate
         Compute outside the model's range too, with a warning.
-    verify
-        Method that computes the best muscle again.
     top
         How many candidates and rejected muscles to report; default 5.
     progress
@@ -7225,7 +7127,7 @@ def design(*, force_n: Number | None = None, contraction: Number | None = None, 
     return answered(Design, "design", locals(), "MPa")
 
 
-def identify(muscle: MuscleLike, data: TableLike | Sequence[TableLike], *, rubber: RubberLike | None = None, rubber_file: FileLike | None = None, braid: str | None = None, strand_diameter_mm: Number | None = None, stiffness: Number | None = None, outer_diameter_mm: Number | None = None, wall_mm: Number | None = None, length_mm: Number | None = None, density_kg_per_m3: Number | None = None, prestretch: Number | None = None, temperature_degc: Number | None = None, angle_deg: Number | None = None, insertion_mm: Number | None = None, seating_mm: Number | None = None, slip_mm_per_n: Number | None = None, grip_mm: Number | None = None, plug_diameter_mm: Number | None = None, pull_off_n: Number | None = None, rated_pressure_mpa: Number | None = None, end_factor: Number | None = None, cone_factor: Number | None = None, stiffness_factor: Number | None = None, strands: Number | None = None, strand_area_mm2: Number | None = None, strand_modulus_mpa: Number | None = None, strand_strength_n: Number | None = None, strands_per_carrier: Number | None = None, strand_length_mm: Number | None = None, turns: Number | None = None, braid_thickness_mm: Number | None = None, braid_diameter_mm: Number | None = None, crimp: Number | None = None, crimp_stiffness: Number | None = None, friction_coefficient: Number | None = None, friction_exponent: Number | None = None, friction_lever_mm: Number | None = None, friction_presliding_mm: Number | None = None, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, columns: Mapping[str, str] | None = None, set: Sequence[str] | None = None, log: TableLike | None = None, log_offset_s: Number | None = None, formula: str | None = None, pressures_mpa: Numbers | None = None, contractions: Numbers | None = None, outer_diameters_mm: Numbers | None = None, walls_mm: Numbers | None = None, weights: Numbers | None = None, branches: Literal["both", "mean", "history"] | None = None, two_sided: bool = False, free: Sequence[str] | None = None, fix: Sequence[str] | None = None, bounds: Sequence[str] | None = None, loss: Literal["squares", "huber", "largest"] | None = None, laws: bool = False, progress: Progress = None) -> Identification:
+def identify(muscle: MuscleLike, data: TableLike | Sequence[TableLike], *, rubber: RubberLike | None = None, rubber_file: FileLike | None = None, braid: str | None = None, strand_diameter_mm: Number | None = None, stiffness: Number | None = None, outer_diameter_mm: Number | None = None, wall_mm: Number | None = None, length_mm: Number | None = None, density_kg_per_m3: Number | None = None, prestretch: Number | None = None, temperature_degc: Number | None = None, angle_deg: Number | None = None, insertion_mm: Number | None = None, seating_mm: Number | None = None, slip_mm_per_n: Number | None = None, grip_mm: Number | None = None, plug_diameter_mm: Number | None = None, pull_off_n: Number | None = None, rated_pressure_mpa: Number | None = None, end_factor: Number | None = None, cone_factor: Number | None = None, stiffness_factor: Number | None = None, strands: Number | None = None, strand_area_mm2: Number | None = None, strand_modulus_mpa: Number | None = None, strand_strength_n: Number | None = None, strands_per_carrier: Number | None = None, strand_length_mm: Number | None = None, turns: Number | None = None, braid_thickness_mm: Number | None = None, braid_diameter_mm: Number | None = None, crimp: Number | None = None, crimp_stiffness: Number | None = None, friction_coefficient: Number | None = None, friction_exponent: Number | None = None, friction_lever_mm: Number | None = None, friction_presliding_mm: Number | None = None, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, columns: Mapping[str, str] | None = None, set: Sequence[str] | None = None, log: TableLike | None = None, log_offset_s: Number | None = None, weights: Numbers | None = None, branches: Literal["both", "mean", "history"] | None = None, two_sided: bool = False, free: Sequence[str] | None = None, fix: Sequence[str] | None = None, bounds: Sequence[str] | None = None, loss: Literal["squares", "huber", "largest"] | None = None, laws: bool = False, progress: Progress = None) -> Identification:
     """Points, and the parameters of a muscle to identify from them.
 
     Parameters
@@ -7330,18 +7232,8 @@ def identify(muscle: MuscleLike, data: TableLike | Sequence[TableLike], *, rubbe
         Pressures over time of another instrument, where `data` have times, contractions and pulls: joined by time.
     log_offset_s : s
         What the times of `log` lack to those of `data`, s; default: found where the pull follows the pressure.
-    formula
-        A published formula as data: the name of a model, or of one of `formulas`.
-    pressures_mpa : MPa
-        Pressures P of `formula` in MPa; default 0.05 to 0.25 by 0.05.
-    contractions
-        Contraction ratios ε of `formula`; default 0 to 0.2 by 0.05.
-    outer_diameters_mm : mm
-        Outer diameters D0 of `formula` in mm; default that of the muscle.
-    walls_mm : mm
-        Walls s of `formula` in mm; default that of the muscle.
     weights
-        Weight of each of `data`, then of `formula`; default 1.
+        Weight of each of `data`; default 1.
     branches
         Treatment of the branches of the hysteresis.
     two_sided
@@ -7579,31 +7471,6 @@ def measured(*, cases: FileLike | Sequence[FileLike] | None = None, model: Formu
         One of its classes says why there is no answer.
     """
     return answered(MeasuredAnswer, "measured", locals())
-
-
-def sweep(muscles: int = 100, *, seed: int | None = None, progress: Progress = None) -> SweepAnswer:
-    """Random muscles, one point each.
-
-    Parameters
-    ----------
-    muscles
-        How many.
-    seed
-        Seed of the random numbers.
-    progress
-        True for a line on standard error, or a function that is called with (done, total).
-
-    Returns
-    -------
-    SweepAnswer
-        The share of points with an answer. It does not depend on the machine.
-
-    Raises
-    ------
-    MckibbenError
-        One of its classes says why there is no answer.
-    """
-    return answered(SweepAnswer, "sweep", locals())
 
 
 def plan(plan: FileLike, *, progress: Progress = None) -> Plan:
