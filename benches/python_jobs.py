@@ -77,11 +77,6 @@ def design() -> None:
     print(mk.design(force_n=700, contraction="15%", max_pressure_mpa="2.5 bar", model="universal").best)
 
 
-def tolerance() -> None:
-    """The same with the spread of its making"""
-    mk.design(force_n=700, contraction="15%", max_pressure_mpa="2.5 bar", model="universal", tolerance={"wall_mm": 0.1, "modulus": "10%"})
-
-
 def identify() -> None:
     """Constants of a measured muscle with error bars"""
     found = mk.identify("examples/bench.toml", "examples/bench.csv", model="universal")
@@ -165,7 +160,7 @@ def saved() -> None:
 
 FORMULA: Fit | None = None
 JOBS: list[Callable[[], None]] = [
-    number, uncertain, inverse, broadcast, universal, slopes, isobars, table, load, design, tolerance, identify, compare, rubber, formula, fit, elbow, motion, loop, rollout, jax_batch,
+    number, uncertain, inverse, broadcast, universal, slopes, isobars, table, load, design, identify, compare, rubber, formula, fit, elbow, motion, loop, rollout, jax_batch,
     optimise, export, build, saved,
 ]
 

@@ -64,5 +64,5 @@ test("fields of all forms are fields of their requests, with their quantity, the
     ["fit", formula.HOW.filter(({ field }) => field !== "at"), of("fit")], ["build", files.TITLE, of("build")], ["export", files.BOX, of("export")]];
   let count = 0;
   for (const [where, fields, properties] of forms) for (const field of fields) { check(field, properties, where); count++; }
-  assert.ok(count > 45, `${count} fields`);
+  assert.ok(count >= 45, `${count} fields`);
 });

@@ -270,7 +270,7 @@ inBrowser(({ name, url, open, blank }) => {
     const said = ask("design", "--at", "700N@15%,1200N@5%", "--max-pressure", "2.5bar");
     await page.locator(".middle h2").first().filter({ hasText: `${Number(said.candidates[0].outer_diameter_mm.toPrecision(4))} mm` }).waitFor();
     await page.goto(url() + "#design?joint=8Nm@45deg&pmax=2.5bar&D=30mm&s=1mm");
-    await page.getByText("Pulley of radius").waitFor({ timeout: 60_000 });
+    await page.getByText(/^Pulley of radius/).waitFor({ timeout: 60_000 });
     assert.deepEqual(errors, []);
     await context.close();
   });
