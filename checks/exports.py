@@ -185,7 +185,7 @@ int main(void) {
 
 def sketch():
     """The sketch of a closed loop on an ATmega2560 in simavr: a board whose pressure follows the valve in 0.1 s, the muscle 5 % contracted."""
-    folder, _, _ = export("c")
+    folder, answer, _ = export("c")
     begun = time.monotonic()
     (folder / "Arduino.h").write_text("""#pragma once
 enum { A0, A1, OUTPUT };
@@ -214,10 +214,11 @@ int main() {
 }
 """)
     flags = ["-mmcu=atmega2560", "-Os", "-DMCKIBBEN_FLOAT", "-ffunction-sections", "-fdata-sections"]
-    # As Arduino does: every source of the folder.
-    for source in folder.glob("*.c"):
-        run("avr-gcc", *flags, "-std=c99", "-DARDUINO=10819", "-c", source, cwd=folder)
-    run("avr-g++", *flags, "-Wl,--gc-sections", "-include", "Arduino.h", "-x", "c++", "muscle_prototype_loop.ino", "board.cpp", "-x", "none", *folder.glob("*.o"), "-lm", "-o", "loop.elf", cwd=folder)
+    # As Arduino does: every source that was exported.
+    sources = [file["name"][:-2] for file in answer["files"] if file["name"].endswith(".c")]
+    for source in sources:
+        run("avr-gcc", *flags, "-std=c99", "-DARDUINO=10819", "-c", source + ".c", cwd=folder)
+    run("avr-g++", *flags, "-Wl,--gc-sections", "-include", "Arduino.h", "-x", "c++", "muscle_prototype_loop.ino", "board.cpp", "-x", "none", *(source + ".o" for source in sources), "-lm", "-o", "loop.elf", cwd=folder)
     done = run("timeout", "60", "simavr", "-m", "atmega2560", "-f", "16000000", "loop.elf", cwd=folder, ok=False)
     share = int(re.search(r"V(\d+)", done.stdout + done.stderr).group(1)) / 1e6
     length = L0 * (1 - 0.3 * 171 / 1023)
