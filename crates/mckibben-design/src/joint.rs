@@ -1,11 +1,11 @@
 //! Two equal muscles and the pulley between them.
 
-use crate::limit::{Check, probe};
-use crate::line::{Merit, NO_SCORE, Sample, along, best_of, least, refine};
+use crate::limit::probe;
+use crate::line::{Merit, Sample, along, best_of, least, refine};
 use crate::run::searched;
 use crate::search::{COARSE_STEPS, Pick, Search, nice_steps};
 use crate::spec::THICK_WALL;
-use crate::{Build, Demand, JointDemand, Models, Outcome, Spec, SpecError, design_with};
+use crate::{Build, Demand, Models, Outcome, Spec, SpecError, design_with};
 use mckibben::cancel::Cancelled;
 use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
@@ -39,12 +39,7 @@ pub fn design_joint(
     models: Models<'_>,
     progress: &dyn Progress,
 ) -> Result<(Spec, Outcome), SpecError> {
-    let with = |radius_mm: f64| match &spec.wanted {
-        Demand::Joint(joint) => {
-            Spec { wanted: Demand::Joint(JointDemand { radius_mm, ..joint.clone() }), ..spec.clone() }
-        }
-        _ => spec.clone(),
-    };
+    let with = |radius_mm: f64| on_radius(spec, radius_mm);
     let (places, sections) = match radius_mm {
         Values::List(list) => (list.clone(), 0),
         Values::Interval(low, high) => (nice_steps(*low, *high, RADII.0), RADII.1),
@@ -97,7 +92,7 @@ pub fn design_joint(
                 picks.push(pick);
             }
         }
-        chosen = along_radius(&picks, radius_mm.bounds(), &with, models, quiet).unwrap_or(chosen);
+        chosen = along_radius(&picks, radius_mm.bounds(), spec, models, quiet).unwrap_or(chosen);
     }
     // Where nothing fits the remedies are those of the radius at which all limits together are missed by least.
     if sections > 0 && !(by_parts && chosen.1.fits()) {
@@ -117,24 +112,26 @@ pub fn design_joint(
     design_with(&spec, models, quiet).map(|outcome| (spec, outcome))
 }
 
+fn on_radius(spec: &Spec, radius_mm: f64) -> Spec {
+    let mut changed = spec.clone();
+    if let Demand::Joint(joint) = &mut changed.wanted {
+        joint.radius_mm = radius_mm;
+    }
+    changed
+}
+
 /// Each muscle alone over all radii, as its windows may be narrower than the step from sample to sample: the radius of the best one.
 fn along_radius(
     picks: &[Pick],
     (low, high): (f64, f64),
-    with: &(impl Fn(f64) -> Spec + Sync),
+    spec: &Spec,
     models: Models<'_>,
     progress: &dyn Progress,
 ) -> Option<Tried> {
-    let spec = with(low);
-    let search = Search::new(&spec, models, progress);
-    let at = |radius_mm: f64, build: &Build<'_>, muscle: &Muscle| -> Sample {
-        let none = Sample { x: radius_mm, excess: vec![], score: NO_SCORE };
-        let probe = probe(&searched(&with(radius_mm), models), build, muscle);
-        probe.map_or(none, |probe| Sample {
-            x: radius_mm,
-            excess: probe.checks.iter().map(Check::excess).collect(),
-            score: probe.score,
-        })
+    let search = Search::new(spec, models, progress);
+    let held = searched(&spec.without_parts(), models);
+    let at = |radius_mm: f64, build: &Build<'_>, muscle: &Muscle| {
+        Sample::new(radius_mm, probe(&on_radius(&held, radius_mm), build, muscle).ok())
     };
     let merit = |s: &Sample| Merit::new(s.violation(), s.score);
     let about = |pick: &Pick| {

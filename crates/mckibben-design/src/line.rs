@@ -3,7 +3,7 @@
 //! Each limit by itself varies slowly along the line, so that a few samples find all of its roots; their intersection may be much
 //! narrower than the step from sample to sample. Between neighbouring roots nothing changes: one muscle in the middle tells.
 
-use super::limit::Score;
+use super::limit::{Check, Probe, Score};
 use mckibben::analysis::{Abscissa, find_root, golden};
 use std::cmp::Ordering;
 
@@ -34,6 +34,13 @@ pub(super) struct Sample {
 }
 
 impl Sample {
+    /// Of a muscle that was held against a specification; `None`: without an answer.
+    pub(super) fn new(x: f64, probe: Option<Probe>) -> Self {
+        let held = |probe: Probe| (probe.checks.iter().map(Check::excess).collect(), probe.score);
+        let (excess, score) = probe.map_or((vec![], NO_SCORE), held);
+        Self { x, excess, score }
+    }
+
     fn answered(&self) -> bool {
         !self.excess.is_empty()
     }

@@ -3,7 +3,7 @@
 use crate::limit::{Probe, probe_with};
 use crate::search::{Pick, Search};
 use crate::trial::{Below, Trial};
-use crate::{BraidChoice, Build, Check, Limit, OperatingPoint, Spec, fits};
+use crate::{Build, Check, Limit, OperatingPoint, Spec, fits};
 use mckibben::analysis::{Evaluation, Options, bisect, find_root};
 use mckibben::model::ModelError;
 use mckibben::muscle::Muscle;
@@ -150,15 +150,12 @@ pub(super) struct Misses<'a> {
     pub(super) search: &'a Search<'a>,
     pub(super) build: &'a Build<'a>,
     pub(super) picks: &'a [Pick],
-    /// That of the search; what a muscle is chosen among is not copied with each change.
     pub(super) spec: Spec,
 }
 
 impl<'a> Misses<'a> {
     pub(super) fn new(search: &'a Search<'a>, build: &'a Build<'a>, picks: &'a [Pick]) -> Self {
-        let braid = BraidChoice::Sleeves(vec![]);
-        let spec = Spec { tubes: vec![], rubbers: vec![], braid, ..search.spec.clone() };
-        Self { search, build, picks, spec }
+        Self { search, build, picks, spec: search.spec.without_parts() }
     }
 
     /// The smallest change of each kind with which one of the muscles fits, those that ask for least first; where there is none, two or more together of the

@@ -176,7 +176,7 @@ impl<'a> Search<'a> {
 
     /// Holds one muscle of the search against the specification, by the model that `build` makes of it.
     fn sample(&self, pick: Pick, build: &Build<'_>, result: &mut SearchResult, scored: bool) -> Sample {
-        let none = Sample { x: pick.d0, excess: vec![], score: NO_SCORE };
+        let none = Sample::new(pick.d0, None);
         if self.progress.cancelled() {
             return none;
         }
@@ -189,9 +189,7 @@ impl<'a> Search<'a> {
             }
         };
         let trial = Trial::new(self.spec, build, &muscle);
-        let Ok(probe) = trial.and_then(|mut trial| probe_with(&mut trial, scored)) else { return none };
-        let excess = probe.checks.iter().map(super::limit::Check::excess).collect();
-        let sample = Sample { x: pick.d0, excess, score: probe.score };
+        let sample = Sample::new(pick.d0, trial.and_then(|mut trial| probe_with(&mut trial, scored)).ok());
         result.fitted += usize::from(sample.fits());
         sample
     }

@@ -175,6 +175,11 @@ impl Spec {
         Options { extrapolate: self.extrapolate, direction, friction_share, ..Options::default() }
     }
 
+    /// What it asks of a muscle, without what muscles are chosen among: a copy of it is small.
+    pub(super) fn without_parts(&self) -> Self {
+        Self { tubes: vec![], rubbers: vec![], braid: BraidChoice::Sleeves(vec![]), ..self.clone() }
+    }
+
     /// Half-widths of the pull that it must hold against: 1 for 95 %, none where the pull itself is meant.
     ///
     /// A share p of normal deviations lies within z(p) standard ones, and the ± is z(0.95) of them.

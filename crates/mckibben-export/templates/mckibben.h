@@ -2,7 +2,7 @@
  * Made by mckibben @{version}; the same for all muscles.
  *
  * Units: Pa (gauge), m, N, m3. All numbers are float with -DMCKIBBEN_FLOAT, and on an Arm core whose floating-point unit has single precision alone
- * (Cortex-M4F): there a double takes 28 times as long. Otherwise, and with -DMCKIBBEN_DOUBLE, they are double.
+ * (Cortex-M4F): there double is computed by software. Otherwise, and with -DMCKIBBEN_DOUBLE, they are double.
  * Licence: MIT OR Apache-2.0.
  */
 #ifndef MCKIBBEN_H

@@ -32,16 +32,12 @@ impl Decision<'_> {
         };
         let length = show(Dimension::Length, first.muscle.length_mm());
         let assumed = self.length_by.map_or_else(String::new, |by| format!(" (assumed: {by})"));
-        let pulley = match &self.spec.wanted {
-            Demand::Joint(joint) => {
-                format!(
-                    ", on a pulley of radius {}",
-                    Units::default().show(Dimension::Length, joint.radius_mm)
-                )
-            }
-            _ => String::new(),
-        };
-        format!("Take {many}{}, {length} between the terminals{assumed}{pulley}", parts(first))
+        let mut take = format!("Take {many}{}, {length} between the terminals{assumed}", parts(first));
+        if let Demand::Joint(joint) = &self.spec.wanted {
+            let radius = Units::default().show(Dimension::Length, joint.radius_mm);
+            take += &format!(", on a pulley of radius {radius}");
+        }
+        take
     }
 
     fn pulls(&self, first: &Candidate) -> String {
