@@ -1611,11 +1611,11 @@ class Export(_results.Files):
     force_95_ratio
         95 % of the points err by less, share of the blocked force.
     force_worst_ratio
-        At most, share of the blocked force: 1.3 times the largest at the points.
+        At most, share of the blocked force: 1.5 times the largest at the points, and 0.0002.
     volume_rms
         Root mean square of the volume's error, share of the largest volume.
     volume_worst_ratio
-        The same of the volume, share of the largest volume.
+        The same of the volume, share of the largest volume: twice the largest at the points, and 0.0002.
     points
         Number of points.
     blocked_force_n : N

@@ -135,24 +135,19 @@ with multiprocessing.get_context("fork").Pool(2) as pool:
     assert done.stdout.strip() == "True", done.stderr
 
 
-def test_the_import_and_the_first_number_are_quick() -> None:
-    """Best of five in fresh interpreters, in time of the processor."""
-    code = "import time; t = time.process_time(); import mckibben as mk; a = time.process_time() - t; mk.Muscle.prototype().force(0.2, 0.1); print(a, time.process_time() - t)"
-    times = [tuple(map(float, subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split())) for _ in range(5)]
-    assert min(a for a, _ in times) < 0.05 and min(b for _, b in times) < 0.1, times
-
-
 def test_a_number_costs_little_more_than_its_model() -> None:
-    """At most 3 µs beside the compiled half, best of seven; NumPy is not imported for numbers."""
+    """Beside the compiled half at most what 60 calls of an empty function cost (3 µs), best of seven; NumPy is not imported for numbers."""
     muscle = mk.Muscle.prototype()
-    for model, count in (("universal", 3000), ("fe", 20)):
-        muscle.force(0.2, 0.1, model=model)
-        native = muscle._bound({"model": model}).native
+    muscle.force(0.2, 0.1, model="universal")
+    native = muscle._bound({"model": "universal"}).native
 
-        def seconds(work: object) -> float:
-            return min(timeit.repeat(work, number=count, repeat=7)) / count  # type: ignore[arg-type]
+    def empty(pressure_mpa: float, contraction: float, *, model: str) -> None:
+        pass
 
-        own, alone = (seconds(work) for work in (lambda: muscle.force(0.2, 0.1, model=model), lambda: native.one("force", 0.2, 0.1, False)))
-        assert own - alone < 3e-6 + 0.2 * alone, (model, own, alone)
+    def seconds(work: Any) -> float:
+        return min(timeit.repeat(work, number=3000, repeat=7)) / 3000
+
+    own, alone = (seconds(work) for work in (lambda: muscle.force(0.2, 0.1, model="universal"), lambda: native.one("force", 0.2, 0.1, False)))
+    assert own - alone < 60 * seconds(lambda: empty(0.2, 0.1, model="universal"))
     code = "import sys, mckibben as mk; mk.Muscle.prototype().force(0.2, 0.1); print('numpy' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "False"

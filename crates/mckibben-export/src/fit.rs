@@ -37,11 +37,11 @@ pub struct FormErrors {
     pub force_rms: f64,
     /// 95 % of the points err by less, share of the blocked force.
     pub force_95_ratio: f64,
-    /// At most, share of the blocked force: 1.3 times the largest at the points.
+    /// At most, share of the blocked force: 1.5 times the largest at the points, and 0.0002.
     pub force_worst_ratio: f64,
     /// Root mean square of the volume's error, share of the largest volume.
     pub volume_rms: f64,
-    /// The same of the volume, share of the largest volume.
+    /// The same of the volume, share of the largest volume: twice the largest at the points, and 0.0002.
     pub volume_worst_ratio: f64,
     /// Number of points.
     pub points: usize,
@@ -67,8 +67,10 @@ pub(crate) struct Fitted {
 
 /// Halvings towards the end of a pull.
 const EDGE: usize = 8;
-/// What is stated as the largest error, over the largest at the points that the form was not fitted to: between them it is up to 1.2 times as large.
-const BETWEEN: f64 = 1.3;
+/// What is stated as the largest error of pull and volume: the largest at the points that the form was not fitted to, so many times, and a share. Of
+/// 200 random muscles at 2500 other points each none missed by more; the largest was 1.24 and 1.87 times that at the points.
+const BETWEEN: [f64; 2] = [1.5, 2.0];
+const BESIDE: f64 = 2e-4;
 /// Pressures at which the form is fitted, shares of the supply: more of them where the pull bends.
 const PRESSURES: [f64; 15] = [0.0, 0.02, 0.05, 0.075, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
 /// Contractions at which it is fitted, shares of the upper end.
@@ -106,8 +108,8 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: BoxRequest, low: f64) -> Resul
     held.extend(even(49, 0.0, high));
     let middles = PRESSURES.windows(2).map(|w| 0.5 * (w[0] + w[1]));
     let between: Vec<f64> = [0.0].into_iter().chain(middles).chain([1.0]).collect();
-    let mut held_out = sample(model, [&between, &held], supply, blocked_n)?;
-    held_out.extend(edges(model, &held_out, supply, blocked_n));
+    let held_out = sample(model, [&between, &held], supply, blocked_n)?;
+    let ends = edges(model, &held_out, supply, blocked_n);
     // A muscle without pressure at its length at rest pulls nothing, unless its tube is stretched: exactly.
     let at_rest = evaluation.force_n(0.0, 0.0).is_ok_and(|f| f.abs() < 1e-6 * blocked_n);
     let mut form = Form {
@@ -125,7 +127,7 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: BoxRequest, low: f64) -> Resul
     pulls(&mut form, &at, at_rest)?;
     form.a.iter_mut().chain(&mut form.b).flatten().for_each(|value| *value *= blocked_n);
     volumes(&mut form, &at, &model.info().name)?;
-    let errors = errors(&form, &held_out, blocked_n);
+    let errors = errors(&form, &held_out, &ends, blocked_n);
     Ok(Fitted { form, errors, blocked_n, held_out })
 }
 
@@ -363,26 +365,25 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<()> {
     Ok(())
 }
 
-fn errors(form: &Form, held_out: &[Sample], blocked_n: f64) -> FormErrors {
-    let mut force: Vec<f64> = vec![];
-    let mut volume: Vec<f64> = vec![];
+fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> FormErrors {
     let largest = held_out.iter().filter_map(|p| p.volume_m3).fold(0.0, f64::max);
-    for p in held_out {
-        let here = form.at(p.q * form.supply_pa, p.contraction);
-        force.push((here.force_n / blocked_n - p.pull.unwrap_or(0.0).max(0.0)).abs());
-        if let (Some(v), Some(true)) = (p.volume_m3, p.pull.map(|f| f > 0.0)) {
-            volume.push((here.volume_m3 - v).abs() / largest);
-        }
-    }
-    force.sort_by(f64::total_cmp);
-    let (forces, volumes) = (HostError::from_errors(&force), HostError::from_errors(&volume));
+    let here = |p: &Sample| form.at(p.q * form.supply_pa, p.contraction);
+    let force = |p: &Sample| (here(p).force_n / blocked_n - p.pull.unwrap_or(0.0).max(0.0)).abs();
+    let volume = |p: &Sample| {
+        let volume_m3 = p.volume_m3.filter(|_| p.pull.is_some_and(|pull| pull > 0.0))?;
+        Some((here(p).volume_m3 - volume_m3).abs() / largest)
+    };
+    let mut forces = Vec::from_iter(held_out.iter().map(force));
+    forces.sort_by(f64::total_cmp);
+    let volumes = HostError::from_errors(&Vec::from_iter(held_out.iter().filter_map(volume)));
+    let all = || held_out.iter().chain(ends);
     FormErrors {
-        force_rms: forces.rms,
-        force_95_ratio: force.get((0.95 * force.len() as f64) as usize).copied().unwrap_or(0.0),
-        force_worst_ratio: BETWEEN * forces.worst,
+        force_rms: HostError::from_errors(&forces).rms,
+        force_95_ratio: forces.get((0.95 * forces.len() as f64) as usize).copied().unwrap_or(0.0),
+        force_worst_ratio: BETWEEN[0] * all().map(force).fold(0.0, f64::max) + BESIDE,
         volume_rms: volumes.rms,
-        volume_worst_ratio: BETWEEN * volumes.worst,
-        points: force.len(),
+        volume_worst_ratio: BETWEEN[1] * all().filter_map(volume).fold(0.0, f64::max) + BESIDE,
+        points: forces.len(),
     }
 }
 
