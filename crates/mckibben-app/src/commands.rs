@@ -150,6 +150,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!(long "rubber", RubberFitRequest => RubberFitAnswer, |r, progress| rubber_fit(&r, progress)),
         command!(long "build", BuildRequest => BuildAnswer, |r, progress| build(&r, progress)),
         command!(long "export", ExportRequest => ExportAnswer, |r, _progress| export(&r)),
+        command!(long "export-joint", ExportJointRequest => ExportJointAnswer, |r, _progress| export_joint(&r)),
         command!("export-list", ExportListRequest => ExportListAnswer, |r, _progress| export_list(&r)),
     ];
     #[cfg(not(feature = "files"))]

@@ -1,12 +1,12 @@
-//! `export`: a muscle for a controller or a simulator.
+//! `export`: a muscle or a joint for a controller or a simulator.
 
 use crate::{
-    BuiltFile, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, Result,
-    above_zero, borne, burst_of, finite, said_of, usual_mpa,
+    BuiltFile, JointFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA,
+    Result, TextFile, above_zero, borne, burst_of, finite, said_of, usual_mpa,
 };
 use mckibben::analysis::{Evaluation, Options};
-use mckibben::model::Workspace;
-use mckibben_export::{BoxRequest, ExportedMuscle, Target};
+use mckibben::model::{ForceModel, Workspace};
+use mckibben_export::{BoxRequest, ExportedJoint, ExportedMuscle, Target};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -75,12 +75,7 @@ pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer> {
 
 /// A muscle as files.
 pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
-    let Some(target) = request.target.as_deref() else {
-        let message = "`target` is missing: what the muscle is exported for";
-        let hint = format!("one of {}", Target::names());
-        return Err(Problem::new(ProblemKind::Usage, message, hint).in_field("target"));
-    };
-    let target = Target::named(target).map_err(|e| Problem::from(e).in_field("target"))?;
+    let target = target_of(request.target.as_deref())?;
     let muscle = request.muscle.resolve()?;
     let choice = Model::choose(&request.model)?;
     let model = choice.bound(&muscle)?;
@@ -92,11 +87,7 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     Evaluation::new(model, &mut Workspace::new(), Options::default()).check_range(supply_mpa, 0.0)?;
     let contraction_low = request.contraction_low.map(|e| finite("contraction_low", e)).transpose()?;
     let contraction_high = request.contraction_high.map(|e| finite("contraction_high", e)).transpose()?;
-    let name = request.name.clone().unwrap_or_else(|| {
-        let file = request.muscle.named.muscle.as_ref().map(|file| Path::new(&file.name));
-        file.and_then(Path::file_stem)
-            .map_or_else(|| "muscle".into(), |stem| stem.to_string_lossy().into_owned())
-    });
+    let name = name_of(request.name.as_ref(), request.muscle.named.muscle.as_ref(), "muscle");
     let wanted = BoxRequest { supply_mpa, contraction_low, contraction_high };
     let mut exported = ExportedMuscle::fit(model, &name, wanted)?;
     exported.cord_m = 1e-3 * finite("cord_mm", request.cord_mm)?;
@@ -110,6 +101,91 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
         muscle: (&muscle).into(),
         needs: target.needs.into(),
         loses: target.loses.into(),
+        files: artefact.files.into_iter().map(BuiltFile::from).collect(),
+        exported,
+        warnings,
+    })
+}
+
+fn target_of(target: Option<&str>) -> Result<Target> {
+    let missing = || {
+        let message = "`target` is missing: what the muscle is exported for";
+        let hint = format!("one of {}", Target::names());
+        Problem::new(ProblemKind::Usage, message, hint).in_field("target")
+    };
+    Target::named(target.ok_or_else(missing)?).map_err(|e| Problem::from(e).in_field("target"))
+}
+
+/// The name that is given, or that of the file.
+fn name_of(given: Option<&String>, file: Option<&TextFile>, otherwise: &str) -> String {
+    let stem = file.and_then(|file| Path::new(&file.name).file_stem());
+    let stem = || stem.map_or_else(|| otherwise.to_owned(), |stem| stem.to_string_lossy().into_owned());
+    given.cloned().unwrap_or_else(stem)
+}
+
+/// A joint for a controller or a simulator: torque, stiffness and pressures from the closed forms of its muscles, as files for a target.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct ExportJointRequest {
+    /// The joint.
+    #[serde(flatten)]
+    pub joint: JointFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// The target: `c`, `python` or `mjcf`.
+    pub target: Option<String>,
+    /// Supply pressure of each muscle, MPa; default 0.25, or the lowest allowed pressure where that is lower.
+    pub pressure_mpa: Option<f64>,
+    /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
+    pub overpressure: bool,
+    /// Name of the joint in the files; default the name of the joint file.
+    pub name: Option<String>,
+}
+
+/// A joint as files for a target.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct ExportJointAnswer {
+    /// The target.
+    pub target: String,
+    /// What was fitted, and how well.
+    #[serde(flatten)]
+    pub exported: ExportedJoint,
+    /// What the target needs.
+    pub needs: String,
+    /// The files: the one to begin with first.
+    pub files: Vec<BuiltFile>,
+    /// Warnings, in sentences.
+    pub warnings: Vec<String>,
+}
+
+/// A joint as files.
+pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
+    let target = target_of(request.target.as_deref())?;
+    let joint = request.joint.resolve()?;
+    let choice = Model::choose(&request.model)?;
+    let models = joint.muscles().iter().map(|m| choice.bound(&m.muscle)).collect::<Result<Vec<_>, _>>()?;
+    let models: Vec<&dyn ForceModel> = models.iter().map(|model| &**model).collect();
+    let bursts = models.iter().map(|model| burst_of(&choice, *model)).collect::<Result<Vec<_>>>()?;
+    let usual = bursts.iter().map(usual_mpa).fold(f64::INFINITY, f64::min);
+    let supply_mpa = request.pressure_mpa.unwrap_or(usual);
+    above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
+    for (burst, model) in bursts.iter().zip(&models) {
+        borne(burst, supply_mpa, request.overpressure)?;
+        Evaluation::new(*model, &mut Workspace::new(), Options::default()).check_range(supply_mpa, 0.0)?;
+    }
+    let name = name_of(request.name.as_ref(), request.joint.joint.as_ref(), "joint");
+    let exported = ExportedJoint::fit(&joint, &models, &name, supply_mpa)?;
+    let artefact = exported.to(target)?;
+    let mut warnings: Vec<String> = exported.muscles.iter().flat_map(ExportedMuscle::warnings).collect();
+    warnings.extend(bursts.iter().flat_map(|b| said_of(b, supply_mpa, QUIET_MPA)).map(|w| w.to_string()));
+    warnings.extend(artefact.notes);
+    warnings.extend(joint.muscles().iter().flat_map(|m| m.muscle.warnings()));
+    let mut known = std::collections::BTreeSet::new();
+    warnings.retain(|warning| known.insert(warning.clone()));
+    Ok(ExportJointAnswer {
+        target: target.name.into(),
+        needs: target.needs.into(),
         files: artefact.files.into_iter().map(BuiltFile::from).collect(),
         exported,
         warnings,

@@ -1,5 +1,5 @@
 //! A muscle for controllers and simulators: one closed form of pull and volume ([`Form`]), fitted to a force model with its error
-//! ([`ExportedMuscle`]), and written for a host ([`Target`]).
+//! ([`ExportedMuscle`]), and written for a host ([`Target`]); a joint of one or two of them ([`ExportedJoint`]).
 //!
 //! Units at the hosts' interface: Pa, m, N, m³. Each artefact names muscle, version, hash, error and ±.
 
@@ -9,6 +9,7 @@
 mod error;
 mod fit;
 mod form;
+mod joint;
 mod muscle;
 mod targets;
 mod template;
@@ -17,6 +18,7 @@ pub use error::ExportError;
 pub(crate) use error::Result;
 pub use fit::{BoxRequest, FormErrors};
 pub use form::{CONTRACTION_OUTSIDE, Form, OK, PRESSURE_OUTSIDE, Point, SLACK};
+pub use joint::ExportedJoint;
 pub use mckibben_io::files::{Content, File};
 pub use muscle::{ExportBox, ExportedMuscle};
 pub use targets::Target;

@@ -154,8 +154,12 @@ impl ExportedMuscle {
                 None => "Model against a measured muscle: the error of this model is not known.".into(),
             },
         ];
-        if self.cord_m != 0.0 {
-            facts.push(format!("Lengths are those of the muscle and of a cord of {} m.", self.cord_m));
+        match self.cord_m {
+            0.0 => {}
+            m if m < 0.0 => {
+                facts.push(format!("At the length 0 the muscle is {} m long: its neutral position.", -m))
+            }
+            m => facts.push(format!("Lengths are those of the muscle and of a cord of {m} m.")),
         }
         facts
     }
@@ -175,10 +179,15 @@ impl ExportedMuscle {
 
     /// The name as a word of a programming language and of files: behind `muscle_`, so that no language, library or host has it.
     pub fn identifier(&self) -> String {
-        let one = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
-        let word: String = self.name.chars().map(one).take(40).collect();
+        let word = word(&self.name);
         if word.starts_with("muscle") { word } else { format!("muscle_{word}") }
     }
+}
+
+/// A name in small letters, digits and underscores.
+pub(crate) fn word(name: &str) -> String {
+    let one = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
+    name.chars().map(one).take(40).collect()
 }
 
 /// A text as a comment or a string of any language may have it.

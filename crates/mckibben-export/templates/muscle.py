@@ -27,7 +27,7 @@ class _Numbers:
     where = staticmethod(lambda condition, yes, no: yes if condition else no)
     asarray = staticmethod(lambda values: values)
     ones_like = staticmethod(lambda value: 1.0)
-    sqrt, abs = math.sqrt, abs
+    sqrt, sin, cos, abs = math.sqrt, math.sin, math.cos, abs
 
 
 def _arrays(*values):

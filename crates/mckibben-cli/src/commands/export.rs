@@ -1,7 +1,10 @@
 //! `export`: a folder with a muscle for a controller or a simulator.
 
-use crate::{Args, FLAT, Problem, Units, listed, pairs, place, save_all, tabled, value};
-use mckibben_app::{ExportAnswer, ExportListRequest, export, export_list};
+use super::joint;
+use crate::{Args, FLAT, Problem, Units, files, listed, pairs, place, save_all, tabled, value};
+use mckibben_app::{BuiltFile, ExportListRequest, export, export_joint, export_list, find, understood};
+use serde::Serialize;
+use serde_json::json;
 use std::path::Path;
 
 pub fn run(args: &Args) -> Result<u8, Problem> {
@@ -9,23 +12,48 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
         let answer = export_list(&ExportListRequest {})?;
         return args.print(&answer, "targets", |answer, u| tabled(&answer.targets, TARGETS, u));
     }
-    let answer = export(&args.request()?)?;
     let folder = args.path("output");
-    folder.as_deref().map_or(Ok(()), |folder| save_all(&answer.files, folder))?;
-    args.print(&answer, FLAT, |answer, u| text(answer, folder.as_deref(), u))
+    let save = |files: &[BuiltFile]| folder.as_deref().map_or(Ok(()), |folder| save_all(files, folder));
+    let file = args.path("file").map(|path| files::muscle(&path).map(|file| (path, file))).transpose()?;
+    if let Some((path, _)) = file.filter(|(_, file)| file.text.lines().any(|line| line.trim() == "[joint]")) {
+        let mut fields = args.fields_without(&["muscle"])?;
+        let joint = joint::fields(&path)?;
+        fields.extend([("joint".into(), json!(joint.joint)), ("muscles".into(), json!(joint.muscles))]);
+        // What only a muscle has is refused.
+        find("export-joint")?.read(fields.clone().into())?;
+        let answer = export_joint(&understood(&fields.into())?)?;
+        save(&answer.files)?;
+        return args.print(&answer, FLAT, |a, u| {
+            let keys = "target torque_error_nm=error_of_the_torque,_at_most stiffness_error_nm_per_rad=of_the_stiffness needs";
+            text(a, String::new(), keys, &a.files, &a.warnings, folder.as_deref(), u)
+        });
+    }
+    let answer = export(&args.request()?)?;
+    save(&answer.files)?;
+    args.print(&answer, FLAT, |a, u| {
+        text(a, a.muscle.line(u) + "\n", KEYS, &a.files, &a.warnings, folder.as_deref(), u)
+    })
 }
 
 const TARGETS: &str = "name=target about=what_it_is needs loses";
 const KEYS: &str = "model supply_pressure_mpa contraction_low=contraction_from:% contraction_high=to:% blocked_force_n+uncertainty_n force_rms=error_of_the_pull,_rms:2% force_95_ratio=at_95_%_of_points:2% force_worst_ratio=largest:2% volume_rms=error_of_the_volume,_rms:2% volume_worst_ratio=largest:2% needs loses";
 
-fn text(answer: &ExportAnswer, folder: Option<&Path>, u: &Units) -> String {
-    let mut out = answer.muscle.line(u) + "\n" + &pairs(&listed(&value(answer), KEYS, u)) + "\n";
-    out += &tabled(&answer.files, "name=file about=what_it_is", u);
-    for warning in &answer.warnings {
+fn text(
+    answer: &impl Serialize,
+    mut out: String,
+    keys: &str,
+    files: &[BuiltFile],
+    warnings: &[String],
+    folder: Option<&Path>,
+    u: &Units,
+) -> String {
+    out += &(pairs(&listed(&value(answer), keys, u)) + "\n");
+    out += &tabled(files, "name=file about=what_it_is", u);
+    for warning in warnings {
         out += &format!("\nnote: {warning}");
     }
     out += &match folder {
-        Some(folder) => format!("\n{} files are in {}.\n", answer.files.len(), place(folder)),
+        Some(folder) => format!("\n{} files are in {}.\n", files.len(), place(folder)),
         None => "\n-o DIR writes the files into a folder.\n".into(),
     };
     out

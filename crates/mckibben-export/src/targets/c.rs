@@ -2,14 +2,15 @@
 
 use super::common;
 use crate::template::{list, lists, number, render};
-use crate::{Artefact, ExportedMuscle, File, Result, Target};
+use crate::{Artefact, ExportedJoint, ExportedMuscle, File, Result, Target};
 
 pub(super) const TARGET: Target = Target {
     name: "c",
     about: "C99 header and source, double or float, for controllers and simulators",
-    needs: "a C99 compiler; of its library only sqrt",
+    needs: "a C99 compiler; of its library only sqrt, of a joint sin and cos too",
     loses: "nothing of the form",
     make,
+    joint: Some(joint),
 };
 
 /// Name, what it is, and template of a file.
@@ -45,8 +46,34 @@ const EXAMPLES: [Source; 4] = [
     ),
 ];
 
+const JOINT: [Source; 3] = [
+    ("@{id}.h", "the numbers of the joint", include_str!("../../templates/joint.h")),
+    ("mckibben_joint.h", "the functions of joints", include_str!("../../templates/mckibben_joint.h")),
+    (
+        "@{id}_example.c",
+        "an example that compiles as its first line says",
+        include_str!("../../templates/joint_example.c"),
+    ),
+];
+
 fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     Ok(Artefact { files: files(muscle, &[&SOURCES[..], &EXAMPLES].concat()), notes: vec![] })
+}
+
+/// The files of its muscles, and its own.
+fn joint(joint: &ExportedJoint) -> Result<Artefact> {
+    let names: Vec<String> = joint.muscles.iter().map(ExportedMuscle::identifier).collect();
+    let each =
+        |one: fn(&String) -> String, between: &str| names.iter().map(one).collect::<Vec<_>>().join(between);
+    let mut values = joint.values(["{", "}"], |v| format!("MCKIBBEN_R({})", number(v)));
+    values.push(("includes", each(|name| format!("#include \"{name}.h\""), "\n")));
+    values.push(("addresses", each(|name| format!("&{name}"), ", ")));
+    let own = JOINT.map(|(name, about, template)| {
+        let text = render(template, &joint.facts(), &values);
+        File::text(render(name, &[], &values).trim_end(), about, text)
+    });
+    let muscles = joint.muscles.iter().flat_map(|muscle| files(muscle, &SOURCES));
+    Ok(Artefact { files: own.into_iter().chain(muscles).collect(), notes: vec![] })
 }
 
 /// The functions with the muscle's numbers.

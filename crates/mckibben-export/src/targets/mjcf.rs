@@ -1,4 +1,4 @@
-//! MuJoCo: a scene in MJCF with native actuators, and the form itself as a plugin around the C target, with its scene.
+//! MuJoCo: a muscle of native actuators in MJCF, and the form itself as a plugin around the C target, each with a scene that includes it.
 //!
 //! MuJoCo has no actuator F(P, L). Two of its actuators on one tendon make one, with x = L/L0 and the pressure P as the control of both:
 //!
@@ -16,14 +16,16 @@ use super::c::{rendered, sources};
 use super::fit;
 use crate::muscle::LIMIT;
 use crate::template::{number, render};
-use crate::{Artefact, ExportError, ExportedMuscle, File, HostError, Result, Target};
+use crate::{Artefact, ExportError, ExportedJoint, ExportedMuscle, File, HostError, Result, Target};
+use mckibben::joint::{JointSpring, Path};
 
 pub(super) const TARGET: Target = Target {
     name: "mjcf",
-    about: "a MuJoCo scene of native actuators on a tendon, without plugin or callback; beside it the form itself as a plugin in C, with its scene",
+    about: "MuJoCo: native actuators on a tendon, without plugin or callback; beside them the form itself as a plugin in C; each as a part of any model, and a scene",
     needs: "MuJoCo 3.3.1 or later; for the plugin its headers (the Python package has them) and a C compiler",
     loses: "without the plugin friction and the form: pull is linear in the pressure and of second degree in the length, from the length at rest to the free contraction; no volume",
     make,
+    joint: Some(joint),
 };
 
 /// Lengths up to this share of that at rest lie on the parabola of the gain.
@@ -59,7 +61,8 @@ fn stiffness_error(muscle: &ExportedMuscle, k: &[f64; 6]) -> HostError {
     HostError::from_errors(&errors)
 }
 
-fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
+/// The muscle of native actuators as a part of any model, and what is to be known of it.
+fn native(muscle: &ExportedMuscle, way: Way<'_>) -> Result<(File, Vec<String>)> {
     let (f, blocked_n) = (&muscle.form, muscle.blocked_force_n);
     let refused = || {
         ExportError::Host("the pull of this muscle is not of the form that MuJoCo's actuators have; the targets c and python have all of it".into())
@@ -85,13 +88,9 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
         100.0 * slope.worst,
         blocked_n / (f.contraction_high * f.length_m)
     );
-    let mut facts = muscle.facts();
-    facts.extend([reach.clone(), slope.clone()]);
+    let notes = vec![reach, slope];
     let values = [
         ("id", muscle.identifier()),
-        ("supply", number(f.supply_pa)),
-        ("cord", number(muscle.cord_m)),
-        ("end", number(muscle.cord_m + span)),
         ("gain_square", number(gain_square)),
         ("gain_range", gain_range.into()),
         ("gain_ends", gain_ends.into()),
@@ -102,72 +101,216 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
         ("bias_0", number((k[4] * cord - k[3]) * blocked_n)),
         ("bias_1", number(-k[4] * blocked_n / length)),
     ];
-    let half = number(0.5 * f.supply_pa);
+    let actuators = include_str!("../../templates/muscle_native.xml");
     let places = [
-        ("also", String::new()),
-        (
-            "extension",
-            "  <!-- The limit of the tendon's force makes the muscle slack where it would push. -->".into(),
-        ),
-        (
-            "limit",
-            format!(" actuatorfrclimited=\"true\" actuatorfrcrange=\"{} 0\"", number(-STRONGEST * blocked_n)),
-        ),
-        ("actuators", render(include_str!("../../templates/muscle_native.xml"), &[], &values)),
-        ("half", format!("{half} {half}")),
+        ("limit", number(-STRONGEST * blocked_n)),
+        ("cord", number(muscle.cord_m)),
+        ("end", number(muscle.cord_m + span)),
     ];
-    let notes = vec![
-        reach,
-        slope,
-        "both actuators of a muscle take the same control: its gauge pressure in Pa".into(),
-    ];
-    let about = "a mass that hangs from the muscle, with native actuators";
-    let mut files = vec![File::text(muscle.identifier() + ".xml", about, scene(muscle, &facts, &places))];
-    files.extend(plugin(muscle));
-    Ok(Artefact { files, notes })
+    let facts = [muscle.facts(), notes.clone()].concat();
+    Ok((part(muscle, &facts, way, [NATIVE, &render(actuators, &[], &values)], &places), notes))
 }
 
-/// The form itself with one control for a muscle, and a scene that uses it.
-fn plugin(muscle: &ExportedMuscle) -> Vec<File> {
+/// The form itself with one control for a muscle, as a part of any model.
+fn plugin(muscle: &ExportedMuscle, way: Way<'_>) -> Vec<File> {
     let (id, supply) = (muscle.identifier(), number(muscle.form.supply_pa));
-    let actuator = include_str!("../../templates/muscle_plugin.xml");
-    let places = [
-        ("also", " and <extension>".to_owned()),
-        ("extension", format!("  <extension><plugin plugin=\"mckibben.{id}\"/></extension>")),
-        ("limit", String::new()),
-        ("actuators", render(actuator, &[], &[("id", id.clone()), ("supply", supply)])),
-        ("half", number(0.5 * muscle.form.supply_pa)),
-    ];
-    let mut files = vec![
-        File::text(
-            id.clone() + "_plugin.c",
+    let actuator = render(
+        include_str!("../../templates/muscle_plugin.xml"),
+        &[],
+        &[("id", id.clone()), ("supply", supply)],
+    );
+    let places = [("extension", String::new())];
+    let mut files = vec![part(muscle, &muscle.facts(), way, [PLUGIN, &actuator], &places)];
+    for (name, about, template) in [
+        (
+            id + "_plugin.c",
             "the plugin; its first lines have the commands to compile and load it",
-            rendered(include_str!("../../templates/muscle_plugin.c"), muscle),
+            include_str!("../../templates/muscle_plugin.c"),
         ),
-        File::text(
-            id + "_plugin.xml",
-            "the same mass by the plugin",
-            scene(muscle, &muscle.facts(), &places),
+        (
+            "mckibben_air.h".into(),
+            "a valve and the air, the same for all muscles",
+            include_str!("../../templates/air.c"),
         ),
-    ];
-    let air = rendered(include_str!("../../templates/air.c"), muscle);
-    files.push(File::text("mckibben_air.h", "a valve and the air, the same for all muscles", air));
+    ] {
+        files.push(File::text(name, about, rendered(template, muscle)));
+    }
     files.extend(sources(muscle));
     files
 }
 
+/// What the names of parts and scenes have behind that of the muscle.
+const NATIVE: &str = "";
+const PLUGIN: &str = "_plugin";
+
 /// A place in a template, and its text.
 type Place = (&'static str, String);
 
-/// A scene in which a mass hangs from the muscle, with the actuators of a target.
-fn scene(muscle: &ExportedMuscle, facts: &[String], places: &[Place]) -> String {
-    let (length, blocked_n) = (muscle.form.length_m, muscle.blocked_force_n);
-    let (mass_kg, stiffness) = (0.4 * blocked_n / 9.81, 6.0 * blocked_n / length);
+/// The path of a muscle about a joint, and the name of the hinge; none between two sites of any model.
+type Way<'a> = Option<(&'a Path, &'a str)>;
+
+/// A tendon: over a pulley it follows the hinge.
+fn tendon(name: &str, class: &str, way: Way<'_>) -> String {
+    match way {
+        Some((Path::Pulley { radius_mm }, hinge)) => format!(
+            "<fixed name=\"{name}\"{class}> <joint joint=\"{hinge}\" coef=\"{}\"/> </fixed>",
+            number(-1e-3 * radius_mm)
+        ),
+        _ => format!(
+            "<spatial name=\"{name}\"{class}> <site site=\"{name}_origin\"/> <site site=\"{name}_insertion\"/> </spatial>"
+        ),
+    }
+}
+
+/// Tendon and actuators as a file that a model includes.
+fn part(
+    muscle: &ExportedMuscle,
+    facts: &[String],
+    way: Way<'_>,
+    [kind, actuators]: [&str; 2],
+    places: &[Place],
+) -> File {
+    let id = muscle.identifier();
+    let file = format!("{id}{kind}_part.xml");
+    let (class, about) = match kind {
+        NATIVE => (format!(" class=\"{id}\""), "the muscle as a part of any model"),
+        _ => (String::new(), "the same by the plugin"),
+    };
+    let held = tendon(&id, &class, way);
+    let needs = if held.contains("<site") {
+        format!("; it has the sites {id}_origin and {id}_insertion")
+    } else {
+        String::new()
+    };
     let common = [
-        ("id", muscle.identifier()),
+        ("file", file.clone()),
+        ("needs", needs),
+        ("supply", number(muscle.form.supply_pa)),
+        ("tendon", held),
+        ("actuators", actuators.trim_end().to_owned()),
+        ("id", id),
+    ];
+    let text =
+        render(include_str!("../../templates/muscle_part.xml"), facts, &[&common[..], places].concat());
+    File::text(file, about, text)
+}
+
+fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
+    let (part, mut notes) = native(muscle, None)?;
+    let facts = [muscle.facts(), notes.clone()].concat();
+    notes.push("both actuators of a muscle take the same control: its gauge pressure in Pa".into());
+    let half = number(0.5 * muscle.form.supply_pa);
+    let mut files = vec![scene(muscle, &facts, NATIVE, &format!("{half} {half}")), part];
+    files.push(scene(muscle, &muscle.facts(), PLUGIN, &half));
+    files.extend(plugin(muscle, None));
+    Ok(Artefact { files, notes })
+}
+
+/// A scene in which a mass hangs from the muscle.
+fn scene(muscle: &ExportedMuscle, facts: &[String], kind: &str, half: &str) -> File {
+    let (length, blocked_n, id) = (muscle.form.length_m, muscle.blocked_force_n, muscle.identifier());
+    let (mass_kg, stiffness) = (0.4 * blocked_n / 9.81, 6.0 * blocked_n / length);
+    let places = [
+        ("part", format!("{id}{kind}_part.xml")),
         ("below", number(-length - muscle.cord_m)),
         ("mass", number(mass_kg)),
         ("damping", number(0.5 * 2.0 * (stiffness * mass_kg).sqrt())),
+        ("half", half.to_owned()),
+        ("id", id.clone()),
     ];
-    render(include_str!("../../templates/muscle.xml"), facts, &[&common[..], places].concat())
+    let about = match kind {
+        NATIVE => "a mass that hangs from the muscle, with native actuators",
+        _ => "the same mass by the plugin",
+    };
+    let text = render(include_str!("../../templates/muscle.xml"), facts, &places);
+    File::text(format!("{id}{kind}.xml"), about, text)
+}
+
+/// The joint as a hinge with its link, by native actuators and by the plugins of its muscles.
+fn joint(joint: &ExportedJoint) -> Result<Artefact> {
+    let (id, link, paths) = (joint.identifier(), joint.joint.link(), joint.paths());
+    let (mut parts, mut plugins, mut notes) = (vec![], vec![], vec![]);
+    for (muscle, path) in joint.muscles.iter().zip(&paths) {
+        let (part, said) = native(muscle, Some((path, &id)))?;
+        notes.extend(said.into_iter().map(|said| format!("{}: {said}", muscle.name)));
+        parts.push(part);
+        plugins.extend(plugin(muscle, Some((path, &id))));
+    }
+    let mass = link.mass_kg + link.payload_kg;
+    let moment = 1e-3 * (link.mass_kg * link.centre_mm + link.payload_kg * link.payload_at_mm);
+    let centre = if mass > 0.0 { moment / mass } else { 0.0 };
+    let (inertia, least) = (link.whole_inertia_kg_m2(), moment * centre);
+    if inertia < (1.0 - 1e-9) * least {
+        return Err(ExportError::Host(format!(
+            "[joint] inertia: {inertia:.3e} kg m2 with the payload is less than {least:.3e} kg m2, that of a point of this mass at its centre; MuJoCo has no such body"
+        )));
+    }
+    let along = link.inclination_deg.to_radians().sin_cos();
+    let at = |r: f64| format!("{:.9} {:.9} 0", r * along.1, r * along.0);
+    let spring = format!("{id}_spring");
+    let names: Vec<String> = joint.muscles.iter().map(ExportedMuscle::identifier).collect();
+    let ends = |end: usize| {
+        let of = |name: &str, path: &Path| match path {
+            Path::Pulley { .. } => String::new(),
+            Path::Points { origin_mm, insertion_mm } => {
+                let ([x, y], word) = ([origin_mm, insertion_mm][end], ["origin", "insertion"][end]);
+                format!(
+                    "<site name=\"{name}_{word}\" pos=\"{} {} 0\" size=\"0.005\"/>",
+                    number(1e-3 * x),
+                    number(1e-3 * y)
+                )
+            }
+        };
+        names
+            .iter()
+            .zip(&paths)
+            .map(|(name, path)| of(name, path))
+            .chain([of(&spring, &paths[2])])
+            .collect::<String>()
+    };
+    let mut places: Vec<Place> = vec![
+        ("range", joint.range_rad().map(number).join(" ")),
+        ("damping", number(link.damping_nm_s_per_rad)),
+        ("armature", number((inertia - least).max(0.0))),
+        ("mass", number(mass.max(1e-6))),
+        ("centre", at(centre)),
+        ("end", at(1e-3 * link.centre_mm.max(link.payload_at_mm).max(50.0))),
+    ];
+    places.extend(
+        [("fixed_sites", ends(0)), ("moving_sites", ends(1))].into_iter().filter(|p| !p.1.is_empty()),
+    );
+    let (torsion, rope) = joint.springs();
+    let bias = |k: [f64; 2]| ("bias", k.map(|v| number(-v)).join(" "));
+    match joint.joint.spring() {
+        None => {}
+        Some(JointSpring::Torsion { .. }) => {
+            places.extend([("spring", format!("joint=\"{id}\"")), bias(torsion)])
+        }
+        Some(JointSpring::Rope { .. }) => places.extend([
+            ("rope", tendon(&spring, "", Some((&paths[2], &id)))),
+            // It pulls or is slack.
+            ("spring", format!("tendon=\"{spring}\" forcelimited=\"true\" forcerange=\"-1e12 0\"")),
+            bias(rope),
+        ]),
+    }
+    places.push(("id", id.clone()));
+    let scene = |kind: &str, about: &'static str| {
+        let include = |name: &String| format!("<include file=\"{name}{kind}_part.xml\"/>");
+        let controls = if kind == NATIVE { 2 } else { 1 };
+        let half = |m: &ExportedMuscle| vec![number(0.5 * m.form.supply_pa); controls];
+        let mut halves: Vec<String> = joint.muscles.iter().flat_map(half).collect();
+        halves.extend(joint.joint.spring().map(|_| "0".into()));
+        let own = [("includes", names.iter().map(include).collect()), ("half", halves.join(" "))];
+        let text = include_str!("../../templates/joint.xml");
+        File::text(
+            format!("{id}{kind}.xml"),
+            about,
+            render(text, &joint.facts(), &[&own[..], &places].concat()),
+        )
+    };
+    let mut files = vec![scene(NATIVE, "the joint with its link, with native actuators")];
+    files.extend(parts);
+    files.push(scene(PLUGIN, "the same by the plugins"));
+    files.extend(plugins);
+    Ok(Artefact { files, notes })
 }

@@ -9,7 +9,7 @@ mod zip;
 
 use crate::fit::least_squares;
 use crate::template::number;
-use crate::{Artefact, ExportError, ExportedMuscle, HostError, Result};
+use crate::{Artefact, ExportError, ExportedJoint, ExportedMuscle, HostError, Result};
 use nalgebra::{DMatrix, DVector};
 
 /// A target of `export`.
@@ -26,6 +26,8 @@ pub struct Target {
     pub loses: &'static str,
     #[serde(skip)]
     make: fn(&ExportedMuscle) -> Result<Artefact>,
+    #[serde(skip)]
+    pub(crate) joint: Option<fn(&ExportedJoint) -> Result<Artefact>>,
 }
 
 impl Target {

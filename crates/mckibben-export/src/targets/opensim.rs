@@ -19,6 +19,7 @@ pub(super) const TARGET: Target = Target {
     needs: "OpenSim 4.6 or later",
     loses: "the form: pull is linear in the pressure, from the length at rest to the free contraction; a slack muscle can push; no volume",
     make,
+    joint: None,
 };
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact> {

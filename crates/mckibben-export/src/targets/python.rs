@@ -2,7 +2,7 @@
 
 use super::common;
 use crate::template::{list, lists, number, render};
-use crate::{Artefact, ExportedMuscle, File, Result, Target};
+use crate::{Artefact, ExportedJoint, ExportedMuscle, File, Result, Target};
 
 pub(super) const TARGET: Target = Target {
     name: "python",
@@ -10,9 +10,31 @@ pub(super) const TARGET: Target = Target {
     needs: "NumPy, or the library of the arrays that it is given",
     loses: "nothing of the form",
     make,
+    joint: Some(joint),
 };
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
+    Ok(Artefact { files: vec![module(muscle)], notes: vec![] })
+}
+
+/// The joint, and a module of each of its muscles beside it.
+fn joint(joint: &ExportedJoint) -> Result<Artefact> {
+    let modules: Vec<String> = joint.muscles.iter().map(ExportedMuscle::identifier).collect();
+    let mut values = joint.values(["(", ")"], number);
+    values.push((
+        "imports",
+        modules.iter().map(|name| format!("import {name}")).collect::<Vec<_>>().join("\n"),
+    ));
+    values.push(("modules", modules.join(", ")));
+    let text = render(include_str!("../../templates/joint.py"), &joint.facts(), &values);
+    let own = File::text(joint.identifier() + ".py", "torque, stiffness and pressures of the joint", text);
+    Ok(Artefact {
+        files: std::iter::once(own).chain(joint.muscles.iter().map(module)).collect(),
+        notes: vec![],
+    })
+}
+
+fn module(muscle: &ExportedMuscle) -> File {
     let (f, round) = (&muscle.form, ["(", ")"]);
     let mut values = common(muscle);
     values.extend([
@@ -23,8 +45,5 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
         ("py_friction", list(&f.friction_n, round, number)),
     ]);
     let file = render(include_str!("../../templates/muscle.py"), &muscle.facts(), &values);
-    Ok(Artefact {
-        files: vec![File::text(muscle.identifier() + ".py", "the functions", file)],
-        notes: vec![],
-    })
+    File::text(muscle.identifier() + ".py", "the functions of a muscle", file)
 }

@@ -25,7 +25,7 @@ fn write(muscle: &ExportedMuscle, target: &str, folder: &Path) {
 }
 
 /// What a program prints, compiled in a folder as C99 without a warning.
-fn compiled_and_run(folder: &Path, main: &str, arguments: &[&str]) -> String {
+pub fn compiled_and_run(folder: &Path, main: &str, arguments: &[&str]) -> String {
     std::fs::write(folder.join("main.c"), main).unwrap();
     let strict =
         ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-o", "main", "main.c"];
@@ -38,7 +38,7 @@ fn compiled_and_run(folder: &Path, main: &str, arguments: &[&str]) -> String {
 }
 
 /// What a script prints, where Python has a module.
-fn python(folder: &Path, module: &str, script: &str) -> Option<Vec<Vec<f64>>> {
+pub fn python(folder: &Path, module: &str, script: &str) -> Option<Vec<Vec<f64>>> {
     let run = |script: &str| Command::new("python3").args(["-c", script]).current_dir(folder).output();
     run(&format!("import {module}")).ok().filter(|out| out.status.success())?;
     let out = run(script).unwrap();
@@ -46,11 +46,11 @@ fn python(folder: &Path, module: &str, script: &str) -> Option<Vec<Vec<f64>>> {
     Some(numbers(&String::from_utf8(out.stdout).unwrap()))
 }
 
-fn numbers(text: &str) -> Vec<Vec<f64>> {
+pub fn numbers(text: &str) -> Vec<Vec<f64>> {
     text.lines().map(|line| line.split(' ').map(|v| v.parse().unwrap()).collect()).collect()
 }
 
-fn runs(program: &str) -> bool {
+pub fn runs(program: &str) -> bool {
     Command::new(program).arg("--version").output().is_ok_and(|o| o.status.success())
 }
 

@@ -4,6 +4,7 @@
 
 mod files;
 mod form;
+mod joint;
 mod refused;
 
 use mckibben::model::ForceModel;

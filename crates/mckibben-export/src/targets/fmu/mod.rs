@@ -19,6 +19,7 @@ pub(super) const TARGET: Target = Target {
     needs: "a tool that reads FMI 2.0 or 3.0, on Linux (x86-64, and with FMI 3.0 arm64), Windows (x86-64) or macOS (x86-64, arm64); no compiler",
     loses: "of a valve its lag, and hoses",
     make,
+    joint: None,
 };
 
 /// A version of FMI.

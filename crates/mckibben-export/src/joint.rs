@@ -1,0 +1,200 @@
+//! A joint for a controller or a simulator: its muscles in closed form, on their ways about the joint.
+
+use crate::muscle::plain;
+use crate::template::list;
+use crate::{Artefact, BoxRequest, ExportError, ExportedMuscle, MARK, Result, Target};
+use mckibben::analysis::{Evaluation, Options};
+use mckibben::joint::{Joint, JointSpring, Path};
+use mckibben::model::{ForceModel, Workspace};
+use mckibben::muscle::Direction;
+use serde::Serialize;
+
+/// Angles and pressures at which the stiffness is compared.
+const STATES: [i32; 2] = [24, 8];
+
+/// A joint whose muscles are fitted for export.
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+pub struct ExportedJoint {
+    /// Name of the joint in the files.
+    pub name: String,
+    /// Its muscles, in the order of the joint file; lengths of the hosts are those of their paths.
+    pub muscles: Vec<ExportedMuscle>,
+    /// Largest difference of the torque from that of `joint`, N m: the stated largest errors of the pulls on their largest arms.
+    pub torque_error_nm: f64,
+    /// The same of the stiffness, N m/rad, where each muscle is slack or pulls by more than 2 % of its blocked force: 1.5 times the largest at 200 states.
+    pub stiffness_error_nm_per_rad: f64,
+    #[serde(skip)]
+    pub(crate) joint: Joint,
+}
+
+impl ExportedJoint {
+    /// Fits each muscle over the contractions that it has in the range of the joint.
+    ///
+    /// # Errors
+    /// [`ExportError`] of a muscle; a range in which a muscle is stretched further than its form reaches.
+    pub fn fit(joint: &Joint, models: &[&dyn ForceModel], name: &str, supply_mpa: f64) -> Result<Self> {
+        let (low, high) = joint.range_deg();
+        let angles: Vec<f64> = (0..=STATES[0])
+            .map(|k| (low + (high - low) * f64::from(k) / f64::from(STATES[0])).to_radians())
+            .collect();
+        let (mut muscles, mut torque, mut stiffness) = (vec![], 0.0, 0.0);
+        for (i, (&model, held)) in models.iter().zip(joint.muscles()).enumerate() {
+            let all = angles.iter().filter_map(|&angle| joint.contraction(i, angle));
+            let least = all.clone().map(|(e, _)| e).fold(f64::INFINITY, f64::min);
+            let contraction_low = (least < BoxRequest::LOW).then_some(least - 1e-3);
+            let wanted = BoxRequest { supply_mpa, contraction_low, contraction_high: None };
+            let mut muscle = ExportedMuscle::fit(model, &format!("{name}_{}", i + 1), wanted)?;
+            if muscle.form.contraction_low > least {
+                return Err(ExportError::Host(format!(
+                    "muscle {}: in the range of the joint its contraction reaches {:.1} %, and its form is accurate from {:.1} %; a narrower [joint] range or a larger contraction_at_neutral keeps it shorter",
+                    i + 1,
+                    100.0 * least,
+                    100.0 * muscle.form.contraction_low
+                )));
+            }
+            let neutral_m = muscle.form.length_m * (1.0 - held.contraction_at_neutral);
+            muscle.cord_m = 1e-3 * held.path.length_mm(0.0) - neutral_m;
+            let arm_m = all.map(|(_, s)| 1e-3 * s.arm_mm.abs()).fold(0.0, f64::max);
+            torque += arm_m * muscle.errors.force_worst_ratio * muscle.blocked_force_n;
+            stiffness += 1.5 * stiffness_error(joint, i, model, &muscle, &angles);
+            muscles.push(muscle);
+        }
+        Ok(Self {
+            name: name.to_owned(),
+            muscles,
+            torque_error_nm: torque,
+            stiffness_error_nm_per_rad: stiffness,
+            joint: joint.clone(),
+        })
+    }
+
+    /// The files for a target.
+    pub fn to(&self, target: Target) -> Result<Artefact> {
+        let make = target.joint.ok_or_else(|| {
+            ExportError::Host(format!(
+                "{} has no joint of this kind: export its muscles one by one",
+                target.name
+            ))
+        })?;
+        let mut artefact = make(self)?;
+        // Muscles share files.
+        let mut names = std::collections::BTreeSet::new();
+        artefact.files.retain(|file| names.insert(file.name.clone()));
+        Ok(artefact)
+    }
+
+    /// The facts in every artefact, a line each.
+    pub fn facts(&self) -> Vec<String> {
+        let mut facts = vec![
+            format!(
+                "Joint {}, {MARK} {}. Licence of this file: MIT OR Apache-2.0.",
+                plain(&self.name),
+                env!("CARGO_PKG_VERSION")
+            ),
+            format!(
+                "Against the joint of the program: torque {:.3} N m at most; stiffness {:.3} N m/rad where each muscle is slack or pulls by more than 2 %.",
+                self.torque_error_nm, self.stiffness_error_nm_per_rad
+            ),
+        ];
+        facts.extend(self.muscles.iter().flat_map(|muscle| muscle.facts().into_iter().take(3)));
+        facts
+    }
+
+    /// The name as a word of a programming language and of files, as of a muscle.
+    pub fn identifier(&self) -> String {
+        let word = crate::muscle::word(&self.name);
+        if word.starts_with("joint") { word } else { format!("joint_{word}") }
+    }
+
+    pub(crate) fn range_rad(&self) -> [f64; 2] {
+        let (low, high) = self.joint.range_deg();
+        [low, high].map(f64::to_radians)
+    }
+
+    /// The ways of two muscles and of a spring; a pulley of 1 m where there is none.
+    pub(crate) fn paths(&self) -> [Path; 3] {
+        let none = Path::Pulley { radius_mm: 1e3 };
+        let of = |i: usize| self.joint.muscles().get(i).map_or(none, |m| m.path);
+        let spring = match self.joint.spring() {
+            Some(JointSpring::Rope { path, .. }) => *path,
+            _ => none,
+        };
+        [of(0), of(1), spring]
+    }
+
+    /// Torque and slope of a torsion spring; pull and slope of a spring on a rope, in the length of its path.
+    pub(crate) fn springs(&self) -> ([f64; 2], [f64; 2]) {
+        match self.joint.spring() {
+            None => ([0.0; 2], [0.0; 2]),
+            Some(&JointSpring::Torsion { rate_nm_per_rad, preload_nm }) => {
+                ([preload_nm, rate_nm_per_rad], [0.0; 2])
+            }
+            Some(&JointSpring::Rope { path, rate_n_per_mm, preload_n }) => {
+                ([0.0; 2], [preload_n - rate_n_per_mm * path.length_mm(0.0), 1e3 * rate_n_per_mm])
+            }
+        }
+    }
+
+    /// The values for templates whose lists are between these brackets.
+    pub(crate) fn values(
+        &self,
+        brackets: [&str; 2],
+        one: impl Fn(f64) -> String + Copy,
+    ) -> Vec<(&'static str, String)> {
+        let list = |values: &[f64]| list(values, brackets, one);
+        let [open, close] = brackets;
+        let path = |path: Path| {
+            let (radius, a, b) = match path {
+                Path::Pulley { radius_mm } => (radius_mm, [0.0; 2], [0.0; 2]),
+                Path::Points { origin_mm, insertion_mm } => (0.0, origin_mm, insertion_mm),
+            };
+            let [a, b] = [a, b].map(|point| list(&point.map(|v| 1e-3 * v)));
+            format!("{open}{}, {a}, {b}{close}", one(1e-3 * radius))
+        };
+        let link = self.joint.link();
+        let weight =
+            [-link.weight_nm(-link.inclination_deg.to_radians()).0, link.inclination_deg.to_radians()];
+        let (torsion, rope) = self.springs();
+        vec![
+            ("paths", format!("{open}{}{close}", self.paths().map(path).join(", "))),
+            ("torsion", list(&torsion)),
+            ("rope", list(&rope)),
+            ("weight", list(&weight)),
+            ("range", list(&self.range_rad())),
+            ("name", plain(&self.name)),
+            ("version", env!("CARGO_PKG_VERSION").into()),
+            ("ID", self.identifier().to_ascii_uppercase()),
+            ("id", self.identifier()),
+            ("count", self.muscles.len().to_string()),
+        ]
+    }
+}
+
+/// Largest difference of a muscle's part of the stiffness, N m/rad, where it pulls by more than 2 % of its blocked force.
+fn stiffness_error(
+    joint: &Joint,
+    i: usize,
+    model: &dyn ForceModel,
+    muscle: &ExportedMuscle,
+    angles: &[f64],
+) -> f64 {
+    let w = &mut Workspace::new();
+    let options = Options { extrapolate: true, direction: Direction::Mean, ..Options::default() };
+    let mut evaluation = Evaluation::new(model, w, options);
+    let mut largest = 0.0_f64;
+    for (contraction, s) in angles.iter().filter_map(|&angle| joint.contraction(i, angle)) {
+        for k in 1..=STATES[1] {
+            let pressure_mpa = 1e-6 * muscle.form.supply_pa * f64::from(k) / f64::from(STATES[1]);
+            let point = muscle.form.at(1e6 * pressure_mpa, contraction);
+            let Ok(r) = evaluation.response(pressure_mpa, contraction) else { continue };
+            if point.force_n.min(r.force_n) > 0.02 * muscle.blocked_force_n
+                && let Ok(n_per_mm) = evaluation.stiffness_n_per_mm(&r)
+            {
+                let more = (1e-3 * point.stiffness_n_per_m - n_per_mm) * s.arm_mm * s.arm_mm
+                    - (point.force_n - r.force_n) * s.arm_by_angle_mm;
+                largest = largest.max(1e-3 * more.abs());
+            }
+        }
+    }
+    largest
+}
