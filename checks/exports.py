@@ -288,7 +288,7 @@ def mjcf():
     settled = hung_mass(model)
     size = (folder / "muscle_prototype.xml").stat().st_size
     noted("mjcf", f"MuJoCo {mujoco.__version__}", f"{100 * rms:.2f} % rms, {100 * worst:.2f} % worst against fe; stiffness {100 * slope_rms:.0f} % rms of the mean; a hung mass within {100 * settled:.2f} % contraction", f"{size} B", seconds + time.monotonic() - begun)
-    warp((folder / "muscle_prototype.xml").read_text(), pair("muscle_prototype.xml", folder, worst))
+    warp(folder / "muscle_prototype.xml", *joint())
 
 
 def hung_mass(model):
@@ -309,15 +309,12 @@ def hung_mass(model):
 
 
 def mjcf_plugin():
-    """The plugin is the form itself; a hung mass and an antagonist pair with one control for each muscle."""
+    """The plugin is the form itself; a hung mass."""
     import mujoco
 
     folder, answer, seconds = export("mjcf", *CORD)
-    begun, place = time.monotonic(), pathlib.Path(mujoco.__file__).parent
-    (library,) = place.glob("libmujoco.so*")
-    strict = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-O2", "-shared", "-fPIC"]
-    run("gcc", *strict, "-isystem", place / "include", "muscle_prototype_plugin.c", "mckibben.c", library, "-lm", "-o", "muscle_plugin.so", cwd=folder)
-    mujoco.mj_loadPluginLibrary(str(folder / "muscle_plugin.so"))
+    begun = time.monotonic()
+    size = plugged(folder, "muscle_prototype").stat().st_size
     model = mujoco.MjModel.from_xml_path(str(folder / "muscle_prototype_plugin.xml"))
     data, errors = mujoco.MjData(model), []
     assert model.nu == 1
@@ -329,9 +326,7 @@ def mjcf_plugin():
     assert max(errors) < 1e-12, max(errors)
     settled, worst = hung_mass(model), answer["force_worst_ratio"]
     assert settled < worst, (settled, worst)  # steeper than the blocked force over L0 everywhere
-    size = (folder / "muscle_plugin.so").stat().st_size
     noted("mjcf", f"MuJoCo {mujoco.__version__}, plugin", f"{max(errors):.1e} of the form; a hung mass within {100 * settled:.3f} % contraction", f"{size} B", seconds + time.monotonic() - begun)
-    pair("muscle_prototype_plugin.xml", folder, worst)
 
 
 def states():
@@ -339,18 +334,16 @@ def states():
     import fmpy
     import mujoco
 
-    begun, place, muscle = time.monotonic(), pathlib.Path(mujoco.__file__).parent, work / "sticks.toml"
+    begun, muscle = time.monotonic(), work / "sticks.toml"
     muscle.write_text((ROOT / MUSCLE).read_text().replace("prototype", "sticks") + "[friction]\ncoefficient = 71.5\nexponent = 0.56\npresliding = '0.8 mm'\n")
     folder = work / "states"
     for target in ("mjcf", "fmu"):
         run(program, "export", muscle, "--as", target, "-o", folder, "--overwrite")
-    (library,) = place.glob("libmujoco.so*")
-    run("gcc", "-O2", "-shared", "-fPIC", "-isystem", place / "include", "muscle_sticks_plugin.c", "mckibben.c", library, "-lm", "-o", "sticks.so", cwd=folder)
-    mujoco.mj_loadPluginLibrary(str(folder / "sticks.so"))
-    text = (folder / "muscle_sticks_plugin.xml").read_text()
+    plugged(folder, "muscle_sticks")
+    part = folder / "muscle_sticks_plugin_part.xml"
     valve = '<plugin name="muscle_sticks" tendon="muscle_sticks" plugin="mckibben.muscle_sticks" ctrlrange="-1 1"><config key="sonic_conductance" value="2e-9"/><config key="dead_volume" value="1e-5"/></plugin>'
-    text = re.sub(r'<plugin name="muscle_sticks" [^>]*/>', valve, text)
-    model = mujoco.MjModel.from_xml_string(text)
+    part.write_text(re.sub(r'<plugin name="muscle_sticks" [^>]*/>', valve, part.read_text()))
+    model = mujoco.MjModel.from_xml_path(str(folder / "muscle_sticks_plugin.xml"))
     data, n = mujoco.MjData(model), 1600
     data.qpos[0] = 0.02 * L0
     signals = np.zeros(n, dtype=[("time", float), ("command", float), ("length", float)])
@@ -391,67 +384,119 @@ def states():
     noted("mjcf, fmu", "valve, air and friction with memory: plugin against unit along one motion", f"{error:.1e} of the blocked force; friction of {without:.0f} N", "", time.monotonic() - begun)
 
 
-def pair(name, folder, worst):
-    """An antagonist pair at a hinge, with copies of the tendon and the actuators: angle, torque and stiffness of `mckibben joint`."""
+def plugged(folder, *names):
+    """Compiles the plugins of muscles in a folder, without a warning, and loads them."""
     import mujoco
-    import xml.etree.ElementTree as ET
 
-    arm, rest, begun = 0.04, 0.9 * L0 + 0.06, time.monotonic()
-    scene = ET.parse(folder / name).getroot()
-    tendon, actuators = scene.find("tendon/spatial"), list(scene.find("actuator"))
-    out = ET.Element("mujoco")
-    out.extend(scene.findall("extension"))
-    ET.SubElement(out, "option", timestep="0.0005", integrator="implicitfast", gravity="0 0 0")
-    world = ET.SubElement(out, "worldbody")
-    body = ET.SubElement(world, "body", name="link")
-    ET.SubElement(body, "joint", name="angle", type="hinge", axis="0 -1 0", damping="1")
-    ET.SubElement(body, "geom", type="sphere", size="0.02", mass="5", contype="0", conaffinity="0")
-    tendons, acting = ET.SubElement(out, "tendon"), ET.SubElement(out, "actuator")
-    for k, x in enumerate((arm, -arm)):
-        ET.SubElement(world, "site", name=f"top_{k}", pos=f"{x} 0 {rest}")
-        ET.SubElement(body, "site", name=f"bottom_{k}", pos=f"{x} 0 0")
-        one = ET.SubElement(tendons, "spatial", {**tendon.attrib, "name": f"muscle_{k}"})
-        for end in ("top", "bottom"):
-            ET.SubElement(one, "site", site=f"{end}_{k}")
-        for actuator in actuators:
-            ET.SubElement(acting, actuator.tag, {**actuator.attrib, "name": f"{actuator.get('name')}_{k}", "tendon": f"muscle_{k}"})
-    text = ET.tostring(out, encoding="unicode")
-    (folder / "pair.xml").write_text(text)
-    shutil.copy(ROOT / MUSCLE, folder / "muscle.toml")
-    ends = "".join(f"[muscle_{k}]\nfile = 'muscle.toml'\ncontraction_at_neutral = 0.1\norigin = ['{x} m', '{rest} m']\ninsertion = ['{x} m', '0 m']\n" for k, x in ((1, arm), (2, -arm)))
-    (folder / "joint.toml").write_text("[joint]\nrange = '-30..30 deg'\n" + ends)
+    place = pathlib.Path(mujoco.__file__).parent
+    (library,) = place.glob("libmujoco.so*")
+    strict = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-O2", "-shared", "-fPIC"]
+    for name in names:
+        run("gcc", *strict, "-isystem", place / "include", f"{name}_plugin.c", "mckibben.c", library, "-lm", "-o", f"{name}_plugin.so", cwd=folder)
+        mujoco.mj_loadPluginLibrary(str(folder / f"{name}_plugin.so"))
+    return folder / f"{names[0]}_plugin.so"
 
-    def joint(*words):
-        return json.loads(run(program, "joint", folder / "joint.toml", "-p", "2.2bar,1.6bar", *words, "--format", "json").stdout)["points"]
 
-    model = mujoco.MjModel.from_xml_string(text)
+# An antagonist pair between points, a pulley against a torsion spring with a weight, and a finger with a spring on a rope.
+ARM = 0.04
+JOINTS = {
+    "pair": "[joint]\nrange = '-30..30 deg'\ndamping = '1 N m s/rad'\ninertia = '0.002 kg m2'\n" + "".join(
+        f"[muscle_{k}]\nfile = 'muscle.toml'\ncontraction_at_neutral = 0.1\norigin = ['{x} m', '{0.9 * L0 + 0.06} m']\ninsertion = ['{x} m', '0 m']\n" for k, x in ((1, ARM), (2, -ARM))),
+    "crane": "[joint]\nradius = '20 mm'\nrange = '0..60 deg'\ndamping = '1 N m s/rad'\n[link]\nmass = '1 kg'\ncentre = '100 mm'\ninclination = '20 deg'\npayload = '0.5 kg'\npayload_at = '250 mm'\n[muscle_1]\nfile = 'muscle.toml'\ncontraction_at_neutral = '1%'\n[spring]\nangular_rate = '3 N m/rad'\npreload_torque = '2 N m'\n",
+    "finger": "[joint]\nradius = '8 mm'\nrange = '0..70 deg'\ninertia = '0.002 kg m2'\ndamping = '1 N m s/rad'\n[muscle_1]\nfile = 'muscle.toml'\ncontraction_at_neutral = '2%'\n[spring]\nrate = '40 N/mm'\npreload = '300 N'\n",
+}
+
+
+def joint():
+    """Joints in MuJoCo, by native actuators and by plugins: torques and rest angles of `mckibben joint`; and derivatives of the Python module by JAX."""
+    import jax
+    import jax.numpy as jnp
+    import mujoco
+
+    scenes = []
+    for name, text in JOINTS.items():
+        begun, folder = time.monotonic(), work / name
+        folder.mkdir()
+        shutil.copy(ROOT / MUSCLE, folder / "muscle.toml")
+        (folder / f"{name}.toml").write_text(text)
+        for target in ("python", "mjcf"):
+            done = run(program, "export", folder / f"{name}.toml", "--as", target, "-o", folder, "--overwrite", "--format", "json")
+        answer = json.loads(done.stdout)
+        count = len(answer["muscles"])
+        pressures = [0.22, 0.16][:count]
+
+        def core(*words):
+            return json.loads(run(program, "joint", folder / f"{name}.toml", "-p", ",".join(f"{p} MPa" for p in pressures), *words, "--format", "json").stdout)["points"]
+
+        low, high = np.rad2deg([float(v) for v in re.search(r'range="(\S+) (\S+)" damping', (folder / f"joint_{name}.xml").read_text()).groups()])
+        low, high = (low, high) if count == 1 else (-16.0, 16.0)
+        points, rests = core("--angle", f"{low}..{high}:{(high - low) / 8} deg"), core()
+        library = plugged(folder, *(f"muscle_{name}_{k + 1}" for k in range(count)))
+        worst = [float(v) / 100 for v in re.findall(r"free contraction: .* ([\d.]+) % worst", "\n".join(answer["warnings"]))]
+        arm = ARM if name == "pair" else max(p["arm_1_mm"] for p in points) / 1e3
+        for kind, bound, each in (("", max(worst) * arm * sum(m["blocked_force_n"] for m in answer["muscles"]), 2), ("_plugin", answer["torque_error_nm"], 1)):
+            model = mujoco.MjModel.from_xml_path(str(folder / f"joint_{name}{kind}.xml"))
+            data = mujoco.MjData(model)
+            controls = np.append(np.repeat([1e6 * p for p in pressures], each), [0.0] * (name != "pair"))
+            assert model.nu == len(controls)
+
+            def torque(angle):
+                data.qpos[0], data.qvel[0], data.ctrl[:] = angle, 0, controls
+                mujoco.mj_forward(model, data)
+                return float(data.qfrc_actuator[0] + data.qfrc_passive[0] - data.qfrc_bias[0])
+
+            errors = [abs(torque(np.deg2rad(p["angle_deg"])) - p["torque_nm"]) for p in points]
+            assert max(errors) <= bound, (name, kind, errors, bound)
+            mujoco.mj_resetData(model, data)
+            data.ctrl[:] = controls
+            for _ in range(20000):
+                mujoco.mj_step(model, data)
+            off = min(abs(float(data.qpos[0]) - np.deg2rad(rest["angle_deg"])) for rest in rests)
+            assert off <= bound / min(rest["stiffness_nm_per_rad"] for rest in rests) + 1e-3, (name, kind, np.rad2deg(data.qpos[0]), rests)
+            noted("mjcf", f"joint_{name}{kind}.xml", f"torque {max(errors):.1e} of at most {bound:.1e} N m, rest angle {np.rad2deg(off):.2f} deg", f"{library.stat().st_size if kind else 0} B", time.monotonic() - begun)
+            if not kind:
+                scenes.append(folder / f"joint_{name}.xml")
+        sys.path.insert(0, str(folder))
+        module = __import__(f"joint_{name}")
+        at, q = np.deg2rad(points[3]["angle_deg"]), [1e6 * p for p in pressures]
+        wanted = [float(module.torque(q, at)), at, *([float(module.stiffness(q, at))] if count == 2 else [])]
+        found = jax.jit(module.pressures)(*map(jnp.asarray, wanted))
+        assert max(abs(a - b) for a, b in zip(found, q)) < 1e-3 * SUPPLY and int(module.pressures_status(*wanted)) == 0, (found, q)
+        many = jax.vmap(lambda t: module.pressures(t, *wanted[1:])[0])(jnp.asarray([wanted[0], 0.99 * wanted[0]]))
+        slopes = jax.jit(jax.grad(lambda *x: module.pressures(*x)[0], argnums=tuple(range(len(wanted)))))(*wanted)
+        for k, slope in enumerate(map(float, slopes)):
+            step = 1e-5 * abs(wanted[k])
+            up, down = (float(module.pressures(*(x + s * (i == k) for i, x in enumerate(wanted)))[0]) for s in (step, -step))
+            assert abs(slope - (up - down) / (2 * step)) <= 1e-3 * abs(slope) + 1e-6, (name, k, slope, (up - down) / (2 * step))
+        noted("python", f"joint_{name}.py in JAX", f"derivatives of pressures by differences to 1e-3; {float(jnp.abs(many[0] - found[0])):.0e} Pa between jit and vmap", "", time.monotonic() - begun)
+    return scenes
+
+
+def robot():
+    """Two muscles in one folder, in a robot of one's own by `include`, and in one C program."""
+    import mujoco
+
+    begun, folder = time.monotonic(), work / "robot"
+    for name, diameter in (("biceps", "25 mm"), ("triceps", "20 mm")):
+        for target in ("mjcf", "c"):
+            run(program, "export", MUSCLE, "-D", diameter, "--name", name, "--as", target, "-o", folder, "--overwrite")
+    blocks = re.findall(r"```xml\n(.*?)```", (ROOT / "docs/exports.md").read_text(), re.DOTALL)
+    (robot,) = (block for block in blocks if "muscle_biceps_part.xml" in block)
+    (folder / "robot.xml").write_text(robot)
+    model = mujoco.MjModel.from_xml_path(str(folder / "robot.xml"))
     data = mujoco.MjData(model)
-    controls = np.repeat([2.2e5, 1.6e5], len(actuators))
-
-    def torque(angle):
-        data.qpos[0], data.qvel[0], data.ctrl[:] = angle, 0, controls
-        mujoco.mj_forward(model, data)
-        return float(data.qfrc_actuator[0])
-
-    # Each muscle errs by at most `worst` of the blocked force on an arm of at most 40 mm.
-    bound = 2 * worst * blocked * arm
-    points = joint("--angle", "-16..16:4deg")
-    errors = [torque(np.deg2rad(p["angle_deg"])) - p["torque_nm"] for p in points]
-    assert np.abs(errors).max() <= bound, (errors, bound)
-    (exact,) = joint()
-    mujoco.mj_resetData(model, data)
-    data.ctrl[:] = controls
-    for _ in range(20000):
+    data.ctrl[:] = [1.5e5, 1.5e5, 5e4, 5e4]
+    for _ in range(4000):
         mujoco.mj_step(model, data)
-    angle, exact_angle = float(data.qpos[0]), np.deg2rad(exact["angle_deg"])
-    # The stiffness between -16 and 16 degrees: both ends of the secant err by `bound`.
-    span = np.deg2rad(32)
-    secant = (torque(-span / 2) - torque(span / 2)) / span
-    by_joint = (points[0]["torque_nm"] - points[-1]["torque_nm"]) / span
-    assert abs(angle - exact_angle) <= bound / min(p["stiffness_nm_per_rad"] for p in points), (angle, exact_angle)
-    assert abs(secant - by_joint) <= 2 * bound / span, (secant, by_joint)
-    noted("mjcf", f"{name}: an antagonist pair at a joint", f"angle {np.rad2deg(abs(angle - exact_angle)):.2f} deg, stiffness {100 * abs(secant / by_joint - 1):.2f} %, torque {np.abs(errors).max():.2f} of at most {bound:.2f} N m", f"{len(text)} B", time.monotonic() - begun)
-    return text
+    said = float(np.rad2deg(data.qpos[0]))
+    assert 1.0 < abs(said) < 60.0 and abs(data.qvel[0]) < 1e-3, (said, data.qvel)
+    (folder / "both.c").write_text("""#include "muscle_biceps.h"
+#include "muscle_triceps.h"
+int main(void) { return mckibben_force(&muscle_biceps, 1e5, muscle_biceps.length, 0) > mckibben_force(&muscle_triceps, 1e5, muscle_triceps.length, 0) ? 0 : 1; }
+""")
+    run("gcc", "-std=c99", "-Wall", "-Wextra", "-Werror", "both.c", "mckibben.c", "-lm", "-o", "both", cwd=folder)
+    run(folder / "both")
+    noted("mjcf, c", "two muscles in one robot, and in one program", f"the arm settles at {said:.1f} deg", "", time.monotonic() - begun)
 
 
 def warp(*scenes):
@@ -467,8 +512,8 @@ def warp(*scenes):
     begun, worst = time.monotonic(), 0.0
     wp.config.quiet = True
     with wp.ScopedDevice("cpu"):
-        for text in scenes:
-            model = mujoco.MjModel.from_xml_string(text)
+        for scene in scenes:
+            model = mujoco.MjModel.from_xml_path(str(scene))
             data = mujoco.MjData(model)
             data.ctrl[:] = 0.7 * SUPPLY
             data.qpos[0] = 0.02
@@ -492,4 +537,4 @@ def run_parts(*parts):
 
 
 if __name__ == "__main__":
-    run_parts(python, c, sketch, observer, mjcf, mjcf_plugin, states)
+    run_parts(python, c, sketch, observer, mjcf, mjcf_plugin, states, robot)

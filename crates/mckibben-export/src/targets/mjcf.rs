@@ -91,6 +91,8 @@ fn native(muscle: &ExportedMuscle, way: Way<'_>) -> Result<(File, Vec<String>)> 
     let notes = vec![reach, slope];
     let values = [
         ("id", muscle.identifier()),
+        ("cord", number(muscle.cord_m)),
+        ("end", number(muscle.cord_m + span)),
         ("gain_square", number(gain_square)),
         ("gain_range", gain_range.into()),
         ("gain_ends", gain_ends.into()),
@@ -102,11 +104,7 @@ fn native(muscle: &ExportedMuscle, way: Way<'_>) -> Result<(File, Vec<String>)> 
         ("bias_1", number(-k[4] * blocked_n / length)),
     ];
     let actuators = include_str!("../../templates/muscle_native.xml");
-    let places = [
-        ("limit", number(-STRONGEST * blocked_n)),
-        ("cord", number(muscle.cord_m)),
-        ("end", number(muscle.cord_m + span)),
-    ];
+    let places = [("limit", number(-STRONGEST * blocked_n))];
     let facts = [muscle.facts(), notes.clone()].concat();
     Ok((part(muscle, &facts, way, [NATIVE, &render(actuators, &[], &values)], &places), notes))
 }
