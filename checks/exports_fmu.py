@@ -19,7 +19,7 @@ import fmpy.fmi2
 import fmpy.fmi3
 import mach_o
 import numpy as np
-from exports import L0, MUSCLE, ROOT, SUPPLY, F, L, P, V, blocked, export, exported, inside, noted, program, run, run_parts, work
+from exports import JOINTS, L0, MUSCLE, ROOT, SUPPLY, F, L, P, V, blocked, export, exported, inside, noted, program, run, run_parts, work
 from fmpy.validation import validate_fmu
 from scipy.integrate import solve_ivp
 
@@ -62,7 +62,7 @@ def fmu():
     noted("fmu", f"FMPy {fmpy.__version__}: FMI 3.0, Model Exchange and Co-Simulation", f"{max(thirds):.1e}", f"{pathlib.Path(third).stat().st_size} B", seconds + time.monotonic() - begun)
     size = (folder / "muscle_prototype.fmu").stat().st_size
     noted("fmu", f"FMPy {fmpy.__version__}: FMI 2.0, Model Exchange and Co-Simulation", f"{max(errors):.1e}", f"{size} B", seconds + time.monotonic() - begun)
-    other_systems("fmu", path, "pressure", np.column_stack([P, L])[inside], np.column_stack([F, V])[inside])
+    other_systems("fmu", path, ("pressure", "length", "force", "volume"), np.column_stack([P, L])[inside], np.column_stack([F, V])[inside])
 
 
 def restored(path, inputs, force=None):
@@ -220,14 +220,52 @@ def valve():
         unit.setReal([at["command"], at["length"]], [command, length])
         unit.doStep(0.0, 0.05)
         expected.append(unit.getReal([at["force"], at["volume"]]))
-    other_systems("fmu on a valve", units[0], "command", points, np.array(expected))
+    other_systems("fmu on a valve", units[0], ("command", "length", "force", "volume"), points, np.array(expected))
 
 
-def other_systems(target, path, by, points, expected):
-    """The libraries for Windows and macOS: a step of 0.05 s with each pair of input (`by`) and length, then pull and volume."""
+def joint():
+    """Units of joints: the Python module's torque, stiffness and slopes in the pressures, in Model Exchange and Co-Simulation; derivatives by angle and pressure."""
+    for name in ("pair", "crane"):
+        begun, folder = time.monotonic(), work / f"unit {name}"
+        folder.mkdir()
+        shutil.copy(ROOT / MUSCLE, folder / "muscle.toml")
+        (folder / f"{name}.toml").write_text(JOINTS[name])
+        for target in ("fmu", "python"):
+            run(program, "export", folder / f"{name}.toml", "--as", target, "-o", folder, "--overwrite")
+        sys.path.insert(0, str(folder))
+        module = __import__(f"joint_{name}")
+        count = len(module.MUSCLES)
+        inputs = [*(f"pressure_{k + 1}" for k in range(count)), "angle"]
+        outputs = ["torque", "torque_stiffness", *(f"torque_per_pressure_{k + 1}" for k in range(count))]
+        n, random = 40, np.random.default_rng(3)
+        signals = np.zeros(n, dtype=[("time", float), *((word, float) for word in inputs)])
+        signals["time"] = np.arange(n) * 0.01
+        for word in inputs[:-1]:
+            signals[word] = SUPPLY * random.uniform(0, 1, n)
+        signals["angle"] = random.uniform(*module.RANGE, n)
+        errors = []
+        for version in ("", "_fmi3"):
+            path = str(folder / f"joint_{name}{version}.fmu")
+            problems = validate_fmu(path)
+            assert not problems, problems
+            for kind in ("ModelExchange", "CoSimulation"):
+                result = fmpy.simulate_fmu(path, fmi_type=kind, input=signals, output=[*inputs, *outputs, "status"], stop_time=0.39, output_interval=0.01, step_size=0.01)
+                p, angle = [result[word] for word in inputs[:-1]], result["angle"]
+                wanted = [module.torque(p, angle), module.stiffness(p, angle), *module.torque_per_pressure(p, angle)]
+                errors += [float(np.abs(result[word] - value).max() / np.abs(value).max()) for word, value in zip(outputs, wanted)]
+                assert (result["status"] == module.status(p, angle)).all()
+        assert max(errors) < 1e-12, errors
+        noted("fmu", f"joint_{name}.fmu in FMPy: FMI 2.0 and 3.0, Model Exchange and Co-Simulation", f"{max(errors):.1e}", f"{pathlib.Path(path).stat().st_size} B", time.monotonic() - begun)
+    pairs = np.column_stack([SUPPLY * random.uniform(0.1, 1, 60), random.uniform(*module.RANGE, 60)])
+    expected = np.column_stack([module.torque([pairs[:, 0]], pairs[:, 1]), module.stiffness([pairs[:, 0]], pairs[:, 1])])
+    other_systems("fmu of a joint", str(folder / "joint_crane.fmu"), ("pressure_1", "angle", "torque", "torque_stiffness"), pairs, expected)
+
+
+def other_systems(target, path, names, points, expected):
+    """The libraries for Windows and macOS: a step of 0.05 s with each pair of inputs, then two outputs (`names` of all four)."""
     description, scale = fmpy.read_model_description(path), np.abs(expected).max(axis=0)
     places = {v.name: v.valueReference for v in description.modelVariables}
-    references = [places[name] for name in (by, "length", "force", "volume")]
+    references = [places[name] for name in names]
     for system in ("Windows", "Linux on Arm"):
         elsewhere(system, target, path, description.guid, references, points, expected / scale, scale)
     begun, every = time.monotonic(), 3 if len(points) > 99 else 1
@@ -267,4 +305,4 @@ def elsewhere(system, target, path, token, references, points, expected, scale):
 
 
 if __name__ == "__main__":
-    run_parts(fmu, valve)
+    run_parts(fmu, valve, joint)

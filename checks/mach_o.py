@@ -96,8 +96,9 @@ class Library:
             if name == "_strncmp":
                 a, b = a.split(b"\0")[0], b.split(b"\0")[0]
             answer = (a > b) - (a < b) & 0xFFFFFFFF
-        elif name == "_pow":
-            self.write_floats(math.pow(*(struct.unpack("<d", (uc.reg_read(r) & (1 << 64) - 1).to_bytes(8, "little"))[0] for r in self.floats)))
+        elif name in ("_pow", "_sin", "_cos"):
+            x, y = (struct.unpack("<d", (uc.reg_read(r) & (1 << 64) - 1).to_bytes(8, "little"))[0] for r in self.floats[:2])
+            self.write_floats(math.pow(x, y) if name == "_pow" else getattr(math, name[1:])(x))
             return
         else:
             assert name in ("_free", "_fclose"), name

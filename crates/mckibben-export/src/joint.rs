@@ -11,12 +11,16 @@ use serde::Serialize;
 
 /// Angles and pressures at which the stiffness is compared.
 const STATES: [i32; 2] = [24, 8];
+/// How many numbers a joint has beside its muscles.
+pub(crate) const JOINT_NUMBERS: usize = 23;
 
 /// A joint whose muscles are fitted for export.
 #[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct ExportedJoint {
     /// Name of the joint in the files.
     pub name: String,
+    /// The first 16 digits of the SHA-256 of the joint and of the hashes of its muscles.
+    pub hash: String,
     /// Its muscles, in the order of the joint file; lengths of the hosts are those of their paths.
     pub muscles: Vec<ExportedMuscle>,
     /// Largest difference of the torque from that of `joint`, N m: the stated largest errors of the pulls on their largest arms.
@@ -59,8 +63,10 @@ impl ExportedJoint {
             stiffness += 1.5 * stiffness_error(joint, i, model, &muscle, &angles);
             muscles.push(muscle);
         }
+        let hashes: String = muscles.iter().map(|muscle| muscle.hash.as_str()).collect();
         Ok(Self {
             name: name.to_owned(),
+            hash: crate::muscle::hash(&format!("{joint:?}{hashes}")),
             muscles,
             torque_error_nm: torque,
             stiffness_error_nm_per_rad: stiffness,
@@ -87,9 +93,10 @@ impl ExportedJoint {
     pub fn facts(&self) -> Vec<String> {
         let mut facts = vec![
             format!(
-                "Joint {}, {MARK} {}. Licence of this file: MIT OR Apache-2.0.",
+                "Joint {}, {MARK} {}, hash {}. Licence of this file: MIT OR Apache-2.0.",
                 plain(&self.name),
-                env!("CARGO_PKG_VERSION")
+                env!("CARGO_PKG_VERSION"),
+                self.hash
             ),
             format!(
                 "Against the joint of the program: torque {:.3} N m at most; stiffness {:.3} N m/rad where each muscle is slack or pulls by more than 2 %.",
@@ -135,38 +142,42 @@ impl ExportedJoint {
         }
     }
 
+    /// The ways, springs, weight and range, as C has them, in SI units.
+    pub(crate) fn numbers(&self) -> Vec<f64> {
+        let path = |path: Path| match path {
+            Path::Pulley { radius_mm } => [radius_mm, 0.0, 0.0, 0.0, 0.0],
+            Path::Points { origin_mm: [x, y], insertion_mm: [u, v] } => [0.0, x, y, u, v],
+        };
+        let mut numbers = Vec::from_iter(self.paths().into_iter().flat_map(path).map(|mm| 1e-3 * mm));
+        let inclination = self.joint.link().inclination_deg.to_radians();
+        let (torsion, rope) = self.springs();
+        let weight = [-self.joint.link().weight_nm(-inclination).0, inclination];
+        numbers.extend([rope, torsion, weight, self.range_rad()].concat());
+        numbers
+    }
+
     /// The values for templates whose lists are between these brackets.
     pub(crate) fn values(
         &self,
-        brackets: [&str; 2],
+        [open, close]: [&str; 2],
         one: impl Fn(f64) -> String + Copy,
     ) -> Vec<(&'static str, String)> {
-        let list = |values: &[f64]| list(values, brackets, one);
-        let [open, close] = brackets;
-        let path = |path: Path| {
-            let (radius, a, b) = match path {
-                Path::Pulley { radius_mm } => (radius_mm, [0.0; 2], [0.0; 2]),
-                Path::Points { origin_mm, insertion_mm } => (0.0, origin_mm, insertion_mm),
-            };
-            let [a, b] = [a, b].map(|point| list(&point.map(|v| 1e-3 * v)));
-            format!("{open}{}, {a}, {b}{close}", one(1e-3 * radius))
-        };
-        let link = self.joint.link();
-        let weight =
-            [-link.weight_nm(-link.inclination_deg.to_radians()).0, link.inclination_deg.to_radians()];
-        let (torsion, rope) = self.springs();
-        vec![
-            ("paths", format!("{open}{}{close}", self.paths().map(path).join(", "))),
-            ("torsion", list(&torsion)),
-            ("rope", list(&rope)),
-            ("weight", list(&weight)),
-            ("range", list(&self.range_rad())),
+        let numbers = self.numbers();
+        let list = |values: &[f64]| list(values, [open, close], one);
+        let path = |p: &[f64]| format!("{open}{}, {}, {}{close}", one(p[0]), list(&p[1..3]), list(&p[3..5]));
+        let (paths, others) = numbers.split_at(15);
+        let paths: Vec<String> = paths.chunks_exact(5).map(path).collect();
+        let mut values = vec![
+            ("paths", format!("{open}{}{close}", paths.join(", "))),
             ("name", plain(&self.name)),
             ("version", env!("CARGO_PKG_VERSION").into()),
             ("ID", self.identifier().to_ascii_uppercase()),
             ("id", self.identifier()),
             ("count", self.muscles.len().to_string()),
-        ]
+        ];
+        values
+            .extend(["rope", "torsion", "weight", "range"].into_iter().zip(others.chunks_exact(2).map(list)));
+        values
     }
 }
 

@@ -95,10 +95,9 @@ impl ExportedMuscle {
         let half = Evaluation::new(model, w, Direction::Mean).uncertainty(wanted.supply_mpa, 0.0, blocked_n);
         let muscle_file = to_toml(model.muscle());
         let (version, model) = (env!("CARGO_PKG_VERSION"), model.info().name.to_string());
-        let digest = Sha256::digest(format!("{muscle_file}{model}{version}{form:?}"));
         Ok(Self {
             name: name.to_owned(),
-            hash: digest.iter().take(8).map(|byte| format!("{byte:02x}")).collect(),
+            hash: hash(&format!("{muscle_file}{model}{version}{form:?}")),
             bounds: ExportBox {
                 supply_pressure_mpa: wanted.supply_mpa,
                 contraction_low: form.contraction_low,
@@ -182,6 +181,11 @@ impl ExportedMuscle {
         let word = word(&self.name);
         if word.starts_with("muscle") { word } else { format!("muscle_{word}") }
     }
+}
+
+/// The first 16 digits of the SHA-256 of a text.
+pub(crate) fn hash(text: &str) -> String {
+    Sha256::digest(text).iter().take(8).map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// A name in small letters, digits and underscores.

@@ -1,5 +1,6 @@
-/* FMI 2.0, Model Exchange and Co-Simulation, around mckibben.c: a muscle whose pressure is an input, without states; or a muscle on a valve, with
- * the air of air.c as states. Which one, and its numbers, are read from resources/muscle.bin, so that one library serves all muscles.
+/* FMI 2.0, Model Exchange and Co-Simulation, around mckibben.c: a muscle whose pressure is an input, without states; a muscle on a valve, with
+ * the air of air.c as states; or a joint whose pressures and angle are inputs. Which one, and its numbers, are read from resources/muscle.bin, so
+ * that one library serves all muscles and joints.
  * Made by mckibben @{version}; the same for all muscles. Licence: MIT OR Apache-2.0.
  */
 #ifdef _WIN32
@@ -10,6 +11,7 @@
 #define FMI2_EXPORT __attribute__((visibility("default")))
 #endif
 #include "mckibben.c"
+#include "mckibben_joint.h"
 #include "mckibben_memory.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -52,8 +54,9 @@ typedef struct {
 /* Value references; modelDescription.xml has these names in small letters. First what is set or integrated. */
 enum {
     PRESSURE, LENGTH, FORCE_FACTOR, COMMAND, SUPPLY_PRESSURE, SONIC_CONDUCTANCE, CRITICAL_RATIO, EXHAUST_CONDUCTANCE, EXHAUST_CRITICAL_RATIO,
-    TEMPERATURE, DEAD_VOLUME, POLYTROPIC_EXPONENT, HEAT_CONDUCTANCE, INITIAL_PRESSURE, FRICTION_FACTOR, CORD, AIR, AIR_MASS,
-    FORCE, STIFFNESS, VOLUME, FORCE_PER_PRESSURE, STATUS, TIME, AIR_TEMPERATURE, AIR_RATE, AIR_FLOW, COMMAND_SIGN, COMMAND_LIMIT, TAUT
+    TEMPERATURE, DEAD_VOLUME, POLYTROPIC_EXPONENT, HEAT_CONDUCTANCE, INITIAL_PRESSURE, FRICTION_FACTOR, CORD, PRESSURE_1, PRESSURE_2, ANGLE, AIR, AIR_MASS,
+    FORCE, STIFFNESS, VOLUME, FORCE_PER_PRESSURE, STATUS, TIME, AIR_TEMPERATURE, AIR_RATE, AIR_FLOW, COMMAND_SIGN, COMMAND_LIMIT, TAUT,
+    TORQUE, TORQUE_STIFFNESS, TORQUE_PER_PRESSURE_1, TORQUE_PER_PRESSURE_2
 };
 #define KNOWN FORCE
 #define EVENTS 3 /* indicators, from COMMAND_SIGN on */
@@ -63,7 +66,7 @@ enum {
 /* What changes: plain numbers. */
 typedef struct {
     double value[KNOWN], time, begun;
-    mckibben_memory memory; /* of friction */
+    mckibben_memory memory[2]; /* of friction, of each muscle */
 } state;
 
 /* Of a variable that can be set: value at the start, range, size. Not a number where it cannot be. */
@@ -75,7 +78,8 @@ typedef struct {
     state now;
     int states;                   /* how many: 0, or 2 on a valve */
     variable variables[KNOWN];
-    mckibben_muscle read, muscle; /* as it was read; with its pull multiplied */
+    mckibben_muscle read[2], muscle[2]; /* as they were read; with their pull multiplied */
+    mckibben_joint joint;         /* of a unit of a muscle without muscles */
     logger log;
 } instance;
 
@@ -87,24 +91,38 @@ static void failed(logger to, const char *why)
         to.second->logger(to.second->environment, "muscle", fmi2Error, "logStatusError", "%s", why);
 }
 
+/* Length of a muscle as it is now. */
+static double length_of(const instance *c, int i)
+{
+    double arm, slope;
+    return c->joint.muscles ? mckibben_path_length(&c->joint.path[i], c->now.value[ANGLE], &arm, &slope) : c->now.value[LENGTH];
+}
+
+static int muscles_of(const instance *c) { return c->joint.muscles ? c->joint.muscles : 1; }
+
 /* All coefficients are multiplied, so that pull and volume keep one potential. Until the simulation begins, the air follows from the pressure. */
 static void set_state(instance *c, const state *s)
 {
     c->now = *s;
-    c->muscle = c->read;
-    c->muscle.cord = s->value[CORD];
-    for (int i = 0; i < MCKIBBEN_FUNCTIONS; i++) {
-        for (int j = 0; j < MCKIBBEN_NODES; j++) {
-            c->muscle.a[i][j] *= s->value[FORCE_FACTOR];
-            c->muscle.b[i][j] *= s->value[FORCE_FACTOR];
+    for (int n = 0; n < muscles_of(c); n++) {
+        mckibben_muscle *m = &c->muscle[n];
+        *m = c->read[n];
+        c->joint.muscle[n] = m;
+        if (!c->joint.muscles)
+            m->cord = s->value[CORD];
+        for (int i = 0; i < MCKIBBEN_FUNCTIONS; i++) {
+            for (int j = 0; j < MCKIBBEN_NODES; j++) {
+                m->a[i][j] *= s->value[FORCE_FACTOR];
+                m->b[i][j] *= s->value[FORCE_FACTOR];
+            }
         }
+        for (int i = 0; i < 2; i++)
+            m->friction[i] *= s->value[FRICTION_FACTOR];
+        if (!(s->begun > 0.0))
+            mckibben_rest(&c->now.memory[n], length_of(c, n));
     }
-    for (int i = 0; i < 2; i++)
-        c->muscle.friction[i] *= s->value[FRICTION_FACTOR];
-    if (!(s->begun > 0.0))
-        mckibben_rest(&c->now.memory, s->value[LENGTH]);
     if (c->states && !(s->begun > 0.0))
-        fill(&c->muscle, c->now.value, s->value[INITIAL_PRESSURE]);
+        fill(c->muscle, c->now.value, s->value[INITIAL_PRESSURE]);
 }
 
 static void begin(instance *c)
@@ -169,46 +187,76 @@ static FILE *opened(const char *path)
 #endif
 }
 
-/* muscle.bin: a mark, the token, and numbers of 64 bits in little-endian order, of which the first is 2. */
+/* muscle.bin: a mark, the token, and numbers of 64 bits in little-endian order, of which the first is 3. A joint has its own numbers; of a unit of a
+ * muscle they are zeros. */
+typedef struct {
+    double length, cord, supply, nodes, node[MCKIBBEN_NODES];
+    double a[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES], b[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES], v[MCKIBBEN_FUNCTIONS], friction[3];
+} numbers;
 typedef struct {
     char mark[8], token[32];
-    double two, states, length, supply, nodes, node[MCKIBBEN_NODES];
-    double a[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES], b[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES], v[MCKIBBEN_FUNCTIONS], friction[3];
+    double three, states, muscles;
     variable variables[KNOWN];
+    numbers muscle[2];
+    mckibben_path path[3];
+    double rope[2], torsion[2], weight[2], range[2];
 } resource;
+
+/* The numbers of an instance; why they are none of its, or 0. */
+static const char *understood(instance *c, const resource *r, const char *token)
+{
+    static const char *damaged = "resources/muscle.bin of the unit is damaged: export the muscle again";
+    if (memcmp(r->mark, "mckibben", 8) != 0 || !(r->three == 3.0 && r->muscles >= 0.0 && r->muscles <= 2.0))
+        return damaged;
+    if (!token || strncmp(token, r->token, sizeof(r->token)) != 0)
+        return "resources/muscle.bin is of another muscle than modelDescription.xml: export the muscle again";
+    c->joint.muscles = (int)r->muscles;
+    for (int i = 0; i < muscles_of(c); i++) {
+        mckibben_muscle *m = &c->read[i];
+        const numbers *from = &r->muscle[i];
+        if (!(from->nodes >= 2.0 && from->nodes <= MCKIBBEN_NODES))
+            return damaged;
+        memcpy(m->friction, from->friction, sizeof(from->friction));
+        m->beyond = 1;
+        m->length = from->length;
+        m->cord = from->cord;
+        m->supply = from->supply;
+        m->nodes = (int)from->nodes;
+        memcpy(m->node, from->node, sizeof(from->node));
+        memcpy(m->a, from->a, sizeof(from->a));
+        memcpy(m->b, from->b, sizeof(from->b));
+        memcpy(m->v, from->v, sizeof(from->v));
+    }
+    memcpy(c->joint.path, r->path, sizeof(r->path));
+    memcpy(c->joint.rope, r->rope, sizeof(r->rope));
+    memcpy(c->joint.torsion, r->torsion, sizeof(r->torsion));
+    memcpy(c->joint.weight, r->weight, sizeof(r->weight));
+    memcpy(c->joint.range, r->range, sizeof(r->range));
+    memcpy(c->variables, r->variables, sizeof(r->variables));
+    c->states = (int)r->states;
+    return 0;
+}
 
 /* Why the muscle cannot be read; 0 where it is. */
 static const char *read_muscle(instance *c, const char *location, const char *token)
 {
-    mckibben_muscle *m = &c->read;
     char path[PATH];
-    resource r;
+    resource *r;
     FILE *file;
-    size_t found;
+    const char *why = "memory is short";
     if (!location || !path_of(location, path))
         return "the location of the resources is missing or too long";
     file = opened(path);
     if (!file)
         return "resources/muscle.bin of the unit cannot be opened";
-    found = fread(&r, sizeof(r), 1, file);
+    r = (resource *)malloc(sizeof(*r));
+    if (r) {
+        const size_t found = fread(r, sizeof(*r), 1, file);
+        why = found == 1 ? understood(c, r, token) : "resources/muscle.bin of the unit is damaged: export the muscle again";
+    }
+    free(r);
     (void)fclose(file);
-    if (found != 1 || memcmp(r.mark, "mckibben", 8) != 0 || !(r.two == 2.0 && r.nodes >= 2.0 && r.nodes <= MCKIBBEN_NODES))
-        return "resources/muscle.bin of the unit is damaged: export the muscle again";
-    if (!token || strncmp(token, r.token, sizeof(r.token)) != 0)
-        return "resources/muscle.bin is of another muscle than modelDescription.xml: export the muscle again";
-    memcpy(m->friction, r.friction, sizeof(r.friction));
-    m->beyond = 1;
-    m->length = r.length;
-    m->cord = 0.0;
-    m->supply = r.supply;
-    m->nodes = (int)r.nodes;
-    memcpy(m->node, r.node, sizeof(r.node));
-    memcpy(m->a, r.a, sizeof(r.a));
-    memcpy(m->b, r.b, sizeof(r.b));
-    memcpy(m->v, r.v, sizeof(r.v));
-    memcpy(c->variables, r.variables, sizeof(r.variables));
-    c->states = (int)r.states;
-    return 0;
+    return why;
 }
 
 /* An instance; 0 where there is none, with the reason in the log. */
@@ -226,31 +274,49 @@ static instance *made(const char *location, const char *token, logger log)
     return c;
 }
 
-static double pressure_of(const instance *c) { return c->states ? air_pressure(&c->muscle, c->now.value) : c->now.value[PRESSURE]; }
+static double pressure_of(const instance *c) { return c->states ? air_pressure(c->muscle, c->now.value) : c->now.value[PRESSURE]; }
+
+/* A joint's torque, with the friction of its muscles; what it does per angle and per pressure; its status. The pressures are values one after the other. */
+static double torque_of(const instance *c, double *stiffness, double per_pressure[], unsigned *status)
+{
+    const double *x = c->now.value, *p = x + PRESSURE_1;
+    double torque = mckibben_joint_torque(&c->joint, p, x[ANGLE], stiffness, per_pressure, status);
+    for (int i = 0; i < c->joint.muscles; i++) {
+        double arm, slope;
+        const double length = mckibben_path_length(&c->joint.path[i], x[ANGLE], &arm, &slope);
+        torque += arm * mckibben_friction_after(&c->muscle[i], &c->now.memory[i], p[i], length, 0);
+    }
+    return torque;
+}
 
 /* A variable at the pressure in the muscle; 0 where there is none. */
 static int get(const instance *c, double p, fmi2ValueReference vr, double *out)
 {
     const double *x = c->now.value, l = x[LENGTH], command = x[COMMAND];
-    double rates[2];
+    double rates[2], sums[3];
     coefficients k;
-    if (vr > FORCE_PER_PRESSURE && vr != TIME && !c->states)
+    if (vr >= TORQUE ? !c->joint.muscles : vr > FORCE_PER_PRESSURE && vr != TIME && !c->states)
         return 0;
     switch (vr) {
     case PRESSURE: *out = p; return 1;
-    case FORCE: *out = mckibben_force(&c->muscle, p, l, 0) + mckibben_friction_after(&c->muscle, &c->now.memory, p, l, 0); return 1;
-    case STIFFNESS: *out = mckibben_stiffness(&c->muscle, p, l, 0); return 1;
-    case VOLUME: *out = mckibben_volume(&c->muscle, p, l, 0); return 1;
-    case FORCE_PER_PRESSURE: *out = mckibben_force_per_pressure(&c->muscle, p, l, 0); return 1;
+    case TORQUE: *out = torque_of(c, 0, 0, 0); return 1;
+    case TORQUE_STIFFNESS: case TORQUE_PER_PRESSURE_1: case TORQUE_PER_PRESSURE_2:
+        (void)torque_of(c, sums, sums + 1, 0);
+        *out = sums[vr - TORQUE_STIFFNESS];
+        return 1;
+    case FORCE: *out = mckibben_force(c->muscle, p, l, 0) + mckibben_friction_after(c->muscle, c->now.memory, p, l, 0); return 1;
+    case STIFFNESS: *out = mckibben_stiffness(c->muscle, p, l, 0); return 1;
+    case VOLUME: *out = mckibben_volume(c->muscle, p, l, 0); return 1;
+    case FORCE_PER_PRESSURE: *out = mckibben_force_per_pressure(c->muscle, p, l, 0); return 1;
     case TIME: *out = c->now.time; return 1;
-    case AIR_TEMPERATURE: *out = air_temperature(&c->muscle, x, p); return 1;
+    case AIR_TEMPERATURE: *out = air_temperature(c->muscle, x, p); return 1;
     case AIR_RATE: case AIR_FLOW:
-        air_rates(&c->muscle, x, p, rates);
+        air_rates(c->muscle, x, p, rates);
         *out = rates[vr == AIR_FLOW];
         return 1;
     case COMMAND_SIGN: *out = command; return 1;
     case COMMAND_LIMIT: *out = 1.0 - fabs(command); return 1;
-    case TAUT: *out = two_sided(&c->muscle, p, contraction_of(&c->muscle, l), &k, 0); return 1;
+    case TAUT: *out = two_sided(c->muscle, p, contraction_of(c->muscle, l), &k, 0); return 1;
     default: *out = vr < KNOWN ? x[vr] : 0.0; return vr < KNOWN;
     }
 }
@@ -300,7 +366,10 @@ FMI2_EXPORT fmi2Status fmi2GetInteger(fmi2Component c, const fmi2ValueReference 
 {
     const instance *of = (const instance *)c;
     unsigned status;
-    (void)mckibben_force(&of->muscle, pressure_of(of), of->now.value[LENGTH], &status);
+    if (of->joint.muscles)
+        (void)torque_of(of, 0, 0, &status);
+    else
+        (void)mckibben_force(of->muscle, pressure_of(of), of->now.value[LENGTH], &status);
     for (size_t i = 0; i < n; i++) {
         if (vr[i] != STATUS)
             return fmi2Error;
@@ -347,40 +416,56 @@ FMI2_EXPORT fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte b
     return fmi2OK;
 }
 
-/* Central differences, but of the pull by pressure and length. */
+/* A slope by central differences; `moved` is another instance. */
+static int slope_of(const instance *at, instance *moved, fmi2ValueReference of, fmi2ValueReference by, double *slope)
+{
+    const double step = 1e-6 * at->variables[by].nominal;
+    state to = at->now;
+    double up, down;
+    *moved = *at;
+    to.value[by] += step;
+    set_state(moved, &to);
+    if (!get(moved, pressure_of(moved), of, &up))
+        return 0;
+    to.value[by] -= 2.0 * step;
+    set_state(moved, &to);
+    (void)get(moved, pressure_of(moved), of, &down);
+    *slope = (up - down) / (2.0 * step);
+    return 1;
+}
+
+/* By differences, but of the pull by pressure and length. */
 FMI2_EXPORT fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReference of[], size_t n, const fmi2ValueReference by[], size_t m, const fmi2Real direction[], fmi2Real out[])
 {
     const instance *at = (const instance *)c;
+    instance *moved = (instance *)malloc(sizeof(*moved));
     const double p = pressure_of(at);
-    const int analytic = !at->states && !(at->muscle.friction[0] + at->muscle.friction[1] > 0.0);
+    const int analytic = !at->states && !(at->muscle->friction[0] + at->muscle->friction[1] > 0.0);
+    int known = moved != 0;
     for (size_t i = 0; i < n; i++) {
         out[i] = 0.0;
-        for (size_t j = 0; j < m; j++) {
-            double slope;
+        for (size_t j = 0; j < m && known; j++) {
+            double slope = 0.0;
             if (by[j] >= KNOWN)
-                return fmi2Error;
-            if (analytic && of[i] == FORCE && by[j] == LENGTH) {
+                known = 0;
+            else if (analytic && of[i] == FORCE && by[j] == LENGTH)
                 (void)get(at, p, STIFFNESS, &slope);
-            } else if (analytic && of[i] == FORCE && by[j] == PRESSURE) {
+            else if (analytic && of[i] == FORCE && by[j] == PRESSURE)
                 (void)get(at, p, FORCE_PER_PRESSURE, &slope);
-            } else {
-                instance moved = *at;
-                state to = at->now;
-                const double step = 1e-6 * at->variables[by[j]].nominal;
-                double up, down;
-                to.value[by[j]] += step;
-                set_state(&moved, &to);
-                if (!get(&moved, pressure_of(&moved), of[i], &up))
-                    return fmi2Error;
-                to.value[by[j]] -= 2.0 * step;
-                set_state(&moved, &to);
-                (void)get(&moved, pressure_of(&moved), of[i], &down);
-                slope = (up - down) / (2.0 * step);
-            }
+            else
+                known = slope_of(at, moved, of[i], by[j], &slope);
             out[i] += slope * direction[j];
         }
     }
-    return fmi2OK;
+    free(moved);
+    return known ? fmi2OK : fmi2Error;
+}
+
+/* The friction of each muscle follows its length. */
+static void moved(instance *c)
+{
+    for (int i = 0; i < muscles_of(c); i++)
+        mckibben_moved(&c->muscle[i], &c->now.memory[i], length_of(c, i));
 }
 
 /* Model Exchange. A kink of the equations is an event: the integrator begins anew, and nothing jumps. */
@@ -389,9 +474,8 @@ FMI2_EXPORT fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *inf
 FMI2_EXPORT fmi2Status fmi2EnterContinuousTimeMode(fmi2Component c) { (void)c; return fmi2OK; }
 FMI2_EXPORT fmi2Status fmi2CompletedIntegratorStep(fmi2Component c, fmi2Boolean final, fmi2Boolean *event, fmi2Boolean *stop) 
 {
-    instance *of = (instance *)c;
     (void)final;
-    mckibben_moved(&of->muscle, &of->now.memory, of->now.value[LENGTH]);
+    moved((instance *)c);
     *event = *stop = 0;
     return fmi2OK;
 }
@@ -435,8 +519,8 @@ FMI2_EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real at, fmi2Real step, f
     instance *of = (instance *)c;
     (void)final;
     of->now.time = at + step;
-    mckibben_moved(&of->muscle, &of->now.memory, of->now.value[LENGTH]);
-    if (!of->states || air_step(&of->muscle, of->now.value, step))
+    moved(of);
+    if (!of->states || air_step(of->muscle, of->now.value, step))
         return fmi2OK;
     failed(of->log, "the air changes too fast for the step: a smaller sonic conductance or step, or a larger dead volume");
     return fmi2Error;

@@ -133,7 +133,7 @@ static inline void mckibben_joint_pressures(const mckibben_joint *j, mckibben_re
                                             mckibben_real p[2], mckibben_real reached[2], unsigned *status)
 {
     mckibben_joint_place at;
-    mckibben_real ends[2], low, high, slope, near = MCKIBBEN_R(-1), best;
+    mckibben_real ends[2], low, high, slope, closest = MCKIBBEN_R(-1), best;
     unsigned found = angle >= j->range[0] && angle <= j->range[1] ? 0u : MCKIBBEN_ANGLE_OUTSIDE;
     at.needed = torque - mckibben_joint_passive(j, angle, &slope);
     for (int i = 0; i < j->muscles; i++) {
@@ -177,8 +177,8 @@ static inline void mckibben_joint_pressures(const mckibben_joint *j, mckibben_re
             a = between ? a : pull;
             before = between ? before : miss;
             miss = miss < MCKIBBEN_R(0) ? -miss : miss;
-            if (near < MCKIBBEN_R(0) || miss < near) {
-                near = miss;
+            if (closest < MCKIBBEN_R(0) || miss < closest) {
+                closest = miss;
                 best = pull;
             }
         }

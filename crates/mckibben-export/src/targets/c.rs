@@ -46,9 +46,13 @@ const EXAMPLES: [Source; 4] = [
     ),
 ];
 
+/// The functions of joints.
+pub(super) const MCKIBBEN_JOINT: Source =
+    ("mckibben_joint.h", "the functions of joints", include_str!("../../templates/mckibben_joint.h"));
+
 const JOINT: [Source; 3] = [
     ("@{id}.h", "the numbers of the joint", include_str!("../../templates/joint.h")),
-    ("mckibben_joint.h", "the functions of joints", include_str!("../../templates/mckibben_joint.h")),
+    MCKIBBEN_JOINT,
     (
         "@{id}_example.c",
         "an example that compiles as its first line says",

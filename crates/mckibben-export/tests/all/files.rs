@@ -132,8 +132,9 @@ fn libraries_of_the_fmu_have_the_hashes_recorded_with_those_of_their_sources() {
         assert_eq!(hash, recorded, "{name}: run checks/fmu-binaries.sh");
         names.push(name.to_owned());
     }
-    let templates = ["air.c", "fmu2.c", "fmu3.c", "mckibben.c", "mckibben.h", "mckibben_memory.h"]
-        .map(|name| format!("templates/{name}"));
+    let templates =
+        ["air.c", "fmu2.c", "fmu3.c", "mckibben.c", "mckibben.h", "mckibben_joint.h", "mckibben_memory.h"]
+            .map(|name| format!("templates/{name}"));
     let libraries = ["aarch64-darwin", "aarch64-linux", "x86_64-darwin", "x86_64-linux", "x86_64-windows"];
     assert_eq!(names, [&templates[..], &libraries.map(|name| format!("binaries/{name}"))[..]].concat());
     let size: u64 =

@@ -1,25 +1,26 @@
 //! FMI 2.0 and 3.0: Functional Mock-up Units around the C target, for Model Exchange and Co-Simulation, with their sources.
 //!
-//! The library of a unit is the same for all muscles, with a pressure as input or with a valve and air as states: it reads the numbers of its
+//! The library of a unit is the same for all muscles, with a pressure as input or with a valve and air as states, and for joints: it reads the numbers of its
 //! muscle from `resources/muscle.bin`. `checks/fmu-binaries.sh` makes it for each system, from the templates alone; a unit has all of them, so
 //! that its user needs no compiler.
 
 mod variables;
 
-use super::c::{rendered, sources};
+use super::c::{MCKIBBEN_JOINT, rendered, sources};
 use super::zip::zip;
 use crate::form::NODES;
+use crate::joint::JOINT_NUMBERS;
 use crate::template::render;
-use crate::{Artefact, ExportedMuscle, File, Result, Target};
+use crate::{Artefact, ExportedJoint, ExportedMuscle, File, Result, Target};
 use variables::{Variable, description, settings};
 
 pub(super) const TARGET: Target = Target {
     name: "fmu",
     about: "Functional Mock-up Units of FMI 2.0 and of FMI 3.0, with the pressure or a valve as input, Model Exchange and Co-Simulation, with libraries and their sources",
     needs: "a tool that reads FMI 2.0 or 3.0, on Linux (x86-64, and with FMI 3.0 arm64), Windows (x86-64) or macOS (x86-64, arm64); no compiler",
-    loses: "of a valve its lag, and hoses",
+    loses: "of a valve its lag, and hoses; of a joint valves",
     make,
-    joint: None,
+    joint: Some(joint),
 };
 
 /// A version of FMI.
@@ -35,6 +36,8 @@ enum Kind {
     Pressure,
     /// The command of a valve.
     Valve,
+    /// The pressures of so many muscles at a joint, and its angle.
+    Joint(usize),
 }
 
 /// A system: its folder in FMI 2.0 and in FMI 3.0, the ending of a library, and the library.
@@ -72,18 +75,28 @@ const MACOS: [&[u8]; 2] =
     [include_bytes!("../../../binaries/x86_64-darwin"), include_bytes!("../../../binaries/aarch64-darwin")];
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
-    let files = [units(muscle, Kind::Pressure)?, units(muscle, Kind::Valve)?].concat();
+    let files = [units(muscle, Kind::Pressure, None)?, units(muscle, Kind::Valve, None)?].concat();
     Ok(Artefact { files, notes: vec![] })
 }
 
+fn joint(joint: &ExportedJoint) -> Result<Artefact> {
+    let kind = Kind::Joint(joint.muscles.len());
+    let files = joint.muscles.first().map(|muscle| units(muscle, kind, Some(joint))).transpose()?;
+    Ok(Artefact { files: files.into_iter().flatten().collect(), notes: vec![] })
+}
+
 /// The unit of a kind in both versions of FMI.
-fn units(muscle: &ExportedMuscle, kind: Kind) -> Result<[File; 2]> {
-    let (id, facts) = (muscle.identifier(), muscle.facts());
+fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> Result<[File; 2]> {
+    let (id, facts, hash) = match joint {
+        Some(joint) => (joint.identifier(), joint.facts(), &joint.hash),
+        None => (muscle.identifier(), muscle.facts(), &muscle.hash),
+    };
     let (about, [second_ending, third_ending], what) = match kind {
         Kind::Pressure => ("", [".fmu", "_fmi3.fmu"], "the unit, FMI 2.0"),
+        Kind::Joint(_) => ("of-", [".fmu", "_fmi3.fmu"], "the unit of the joint, FMI 2.0"),
         Kind::Valve => ("air-", ["_valve.fmu", "_valve_fmi3.fmu"], "the muscle on a valve, FMI 2.0"),
     };
-    let token = format!("{{mckibben-{about}{}}}", muscle.hash);
+    let token = format!("{{mckibben-{about}{hash}}}");
     let variables = variables::variables(muscle, kind);
     let values = [
         ("id", id.clone()),
@@ -95,8 +108,9 @@ fn units(muscle: &ExportedMuscle, kind: Kind) -> Result<[File; 2]> {
     ];
     let source = |template: &str| rendered(template, muscle).into_bytes();
     let mut common = vec![
-        ("resources/muscle.bin".to_owned(), resource(muscle, &token, &variables)),
+        ("resources/muscle.bin".to_owned(), resource(muscle, joint, &token, &variables)),
         ("sources/air.c".to_owned(), source(include_str!("../../../templates/air.c"))),
+        ("sources/mckibben_joint.h".to_owned(), source(MCKIBBEN_JOINT.2)),
         ("sources/fmu2.c".to_owned(), source(include_str!("../../../templates/fmu2.c"))),
         ("sources/fmu3.c".to_owned(), source(include_str!("../../../templates/fmu3.c"))),
     ];
@@ -127,22 +141,36 @@ fn units(muscle: &ExportedMuscle, kind: Kind) -> Result<[File; 2]> {
 }
 
 /// `muscle.bin`, as fmu2.c reads it.
-fn resource(muscle: &ExportedMuscle, token: &str, variables: &[Variable]) -> Vec<u8> {
-    let form = &muscle.form;
+fn resource(
+    muscle: &ExportedMuscle,
+    joint: Option<&ExportedJoint>,
+    token: &str,
+    variables: &[Variable],
+) -> Vec<u8> {
     let mut out = b"mckibben".to_vec();
     out.extend(token.bytes().chain(std::iter::repeat(0)).take(32));
-    let padded = |values: &[f64]| values.iter().copied().chain(std::iter::repeat(0.0)).take(NODES).collect();
+    let muscles = joint.map_or(std::slice::from_ref(muscle), |joint| &joint.muscles);
     let states = variables.iter().filter(|v| v.is_state()).count() as f64;
-    let mut numbers = vec![2.0, states, form.length_m, form.supply_pa, form.contractions.len() as f64];
+    let mut numbers = vec![3.0, states, if joint.is_some() { muscles.len() as f64 } else { 0.0 }];
+    numbers.extend(settings(variables));
+    let begun = numbers.len();
+    numbers.extend(muscles.iter().flat_map(of_muscle));
+    numbers.resize(begun + 2 * of_muscle(muscle).len(), 0.0);
+    let of_joint = joint.map_or_else(|| vec![0.0; JOINT_NUMBERS], ExportedJoint::numbers);
+    out.extend(numbers.into_iter().chain(of_joint).flat_map(f64::to_le_bytes));
+    out
+}
+
+fn of_muscle(muscle: &ExportedMuscle) -> Vec<f64> {
+    let form = &muscle.form;
+    let mut numbers = vec![form.length_m, muscle.cord_m, form.supply_pa, form.contractions.len() as f64];
     for row in std::iter::once(&form.contractions).chain(&form.a).chain(&form.b) {
-        numbers.extend::<Vec<f64>>(padded(row));
+        numbers.extend(row.iter().copied().chain(std::iter::repeat(0.0)).take(NODES));
     }
     numbers.extend(form.v);
     numbers.extend(form.friction_n);
     numbers.push(form.presliding_m);
-    numbers.extend(settings(variables));
-    out.extend(numbers.into_iter().flat_map(f64::to_le_bytes));
-    out
+    numbers
 }
 
 /// A file of macOS with a library for each of several processors (mach-o/fat.h): big-endian header, then each at a page of 16 KiB.

@@ -47,9 +47,15 @@ pub(super) struct Variable {
     on: Vec<&'static str>,
 }
 
-/// The variables of a unit, by a table; `-` is none, `held` stands for pressure and length or what gives them.
+/// The variables of a unit, by a table; `-` is none, `held` stands for pressure and length, what gives them, or pressures and angle.
 pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
-    let (form, is_valve) = (&muscle.form, kind == Kind::Valve);
+    let form = &muscle.form;
+    let (rows, held) = match kind {
+        Kind::Pressure => (["any", "muscle", "pressure"], "pressure length"),
+        Kind::Valve => (["any", "muscle", "valve"], "length air"),
+        Kind::Joint(1) => (["any", "joint", ""], "pressure_1 angle"),
+        Kind::Joint(_) => (["any", "joint", "second"], "pressure_1 pressure_2 angle"),
+    };
     let volume_m3 = form.at(0.0, 0.0).volume_m3;
     let value = |text: &str| match text {
         "max" => f64::MAX,
@@ -62,7 +68,6 @@ pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
         "mass" => 1.2 * volume_m3,
         number => number.parse().unwrap_or(f64::NAN),
     };
-    let other = if is_valve { "pressure" } else { "valve" };
     let table = include_str!("../../../templates/fmu_variables.tsv").lines().skip(1);
     let one = |line: &'static str| {
         let cells: Vec<&str> = line.split('\t').collect();
@@ -70,11 +75,7 @@ pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
             return None;
         };
         let role = ROLES.iter().find(|role| role.0 == word)?.1;
-        let on = match on {
-            "held" if is_valve => "length air",
-            "held" => "pressure length",
-            on => on,
-        };
+        let on = if on == "held" { held } else { on };
         Some(Variable {
             name,
             role,
@@ -86,7 +87,7 @@ pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
             derivative_of: Some(state).filter(|state| *state != "-"),
             on: on.split(' ').filter(|name| *name != "-").collect(),
         })
-        .filter(|_| kind != other)
+        .filter(|_| rows.contains(&kind))
     };
     table.filter_map(one).collect()
 }
