@@ -41,7 +41,7 @@ METHODS: dict[str, dict[str, tuple[str, list[str]]]] = {
         "curve": ("curve", ["test"]), "simulate": ("simulate", ["test"]), "shape": ("shape", ["pressure_mpa", "contraction"]), "fill": ("fill", ["volume_mm3"]), "check": ("check", []),
         "compare": ("compare", []), "study": ("study", []), "build": ("build", ["pressure_mpa"]), "export": ("export", ["target"]),
     },
-    "JointCommands": {"joint": ("solve", [])},
+    "JointCommands": {"joint": ("solve", []), "export-joint": ("export", ["target"])},
     "DriveCommands": {"motion": ("motion", [])},
     "CampaignCommands": {"campaign": ("run", []), "campaign-status": ("status", []), "campaign-show": ("summary", [])},
 }
@@ -53,15 +53,15 @@ NEEDED = {("identify", "muscle"), ("identify", "data"), ("rubber", "data"), ("pa
 # Answers with a name of their own, and what they inherit from.
 NAMES = {
     "CurveAnswer": "Curve", "PlanAnswer": "Plan", "FitAnswer": "Fit", "IdentifyAnswer": "Identification", "RubberFitAnswer": "RubberFit", "DesignAnswer": "Design", "BuildAnswer": "Build",
-    "ExportAnswer": "Export", "ShapeAnswer": "Shape", "CheckFormulaAnswer": "FormulaCheck", "JointAnswer": "JointSolution", "MotionAnswer": "Motion", "Results": "FitReport",
+    "ExportAnswer": "Export", "ExportJointAnswer": "JointExport", "ShapeAnswer": "Shape", "CheckFormulaAnswer": "FormulaCheck", "JointAnswer": "JointSolution", "MotionAnswer": "Motion", "Results": "FitReport",
     "Summary": "CampaignSummary", "Outcome": "CampaignOutcome",
 }
 BASES = {
-    "Curve": "Curves", "Plan": "Planned", "Fit": "Fitting", "Identification": "Identified", "RubberFit": "FittedLaws", "Design": "Designed", "Build": "Files", "Export": "Files", "Shape": "Shaped",
+    "Curve": "Curves", "Plan": "Planned", "Fit": "Fitting", "Identification": "Identified", "RubberFit": "FittedLaws", "Design": "Designed", "Build": "Files", "Export": "Files", "JointExport": "Files", "Shape": "Shaped",
 }
 # The list of an answer that is its table, by command.
 ROWS = {
-    "build": "parts", "export": "files", "export-list": "targets", "simulate": "points", "design": "candidates", "joint": "points", "study": "points", "validate": "cases",
+    "build": "parts", "export": "files", "export-joint": "files", "export-list": "targets", "simulate": "points", "design": "candidates", "joint": "points", "study": "points", "validate": "cases",
     "measured": "results", "compare": "models", "identify": "parameters", "rubber": "laws", "measures": "measures", "motion": "series", "fit-report": "findings", "parts-list": "tubes",
     "curve": "points", "plan": "table",
 }

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 
-__all__ = ["Axis", "BoughtAnswer", "BraidDetails", "BraidPoint", "BraidSummary", "BranchAnswer", "Build", "BuildPart", "BuildSheet", "BuiltFile", "BundleAnswer", "BundlePoint", "CampaignOutcome", "CampaignStatus", "CampaignSummary", "CandidateAnswer", "CandidateJoint", "Case", "Characteristics", "CheckAnswer", "ClosestAnswer", "CompareAnswer", "ComparedModel", "Constants", "Curve", "Cut", "Cycle", "DemandAnswer", "Derived", "Design", "DesignPoint", "EndPowers", "EndTerm", "Equilibrium", "ErrorSummary", "Export", "ExportForm", "ExportListAnswer", "ExportTarget", "Extent", "Failed", "FailedPoint", "Figure", "FillAnswer", "Finding", "FindingAnswer", "Fit", "FitReport", "FormulaCheck", "FormulaErrors", "FormulaRange", "GlobalTerm", "HeldOut", "HeldOutError", "HeldOutRow", "Identification", "Identified", "IdentifiedPoint", "JointMap", "JointRow", "JointSolution", "LawAnswer", "LawRow", "LibraryAgreement", "LibraryDetails", "LibraryFit", "LibraryMuscle", "Liquid", "LoadAnswer", "LoadedAt", "LogErrors", "Made", "MadeBraid", "MadeRubber", "MapGap", "MapPoint", "Mark", "MeasureEntry", "MeasuredAnswer", "MeasuredBin", "MeasuredBranch", "MeasuredCase", "MeasuredFit", "MeasuredResult", "MeasuredRubber", "MeasuredRubberFit", "MeasuredStress", "MeasuresAnswer", "ModeError", "ModelAbout", "ModelDetails", "ModelEntry", "Motion", "MotionRun", "MotionSeries", "MuscleFinding", "MuscleSummary", "NamedFigure", "OperatingPoint", "Panel", "PaperTerm", "Parameter", "PartShowAnswer", "PartsListAnswer", "Plan", "PointRow", "Powers", "ProfileRow", "PronyAnswer", "Provenance", "Recomputed", "RegionErrors", "RejectedAnswer", "Relaxation", "RelaxationAnswer", "RestPlace", "RubberDetails", "RubberFit", "RubberSummary", "Scales", "SearchedAnswer", "SectionFile", "SectionFile2", "SensitivityRow", "Series", "Shape", "ShardStatus", "SimulateAnswer", "SimulatedPoint", "SimulatedRow", "SleeveCut", "SofteningAnswer", "Spread", "StrandRow", "StudyAnswer", "StudyRow", "Table", "TestPoint", "TextFile", "TorqueWanted", "TubeSummary", "UncertaintyParts", "UncertaintyWords", "UnderstoodColumn", "UnderstoodTable", "UniversalErrors", "UniversalFile", "UniversalRange", "UniversalSummary", "ValidateAnswer", "Solution", "State"]
+__all__ = ["Axis", "BoughtAnswer", "BraidDetails", "BraidPoint", "BraidSummary", "BranchAnswer", "Build", "BuildPart", "BuildSheet", "BuiltFile", "BundleAnswer", "BundlePoint", "CampaignOutcome", "CampaignStatus", "CampaignSummary", "CandidateAnswer", "CandidateJoint", "Case", "Characteristics", "CheckAnswer", "ClosestAnswer", "CompareAnswer", "ComparedModel", "Constants", "Curve", "Cut", "Cycle", "DemandAnswer", "Derived", "Design", "DesignPoint", "EndPowers", "EndTerm", "Equilibrium", "ErrorSummary", "Export", "ExportForm", "ExportListAnswer", "ExportTarget", "Extent", "Failed", "FailedPoint", "Figure", "FillAnswer", "Finding", "FindingAnswer", "Fit", "FitReport", "FormulaCheck", "FormulaErrors", "FormulaRange", "GlobalTerm", "HeldOut", "HeldOutError", "HeldOutRow", "Identification", "Identified", "IdentifiedPoint", "JointExport", "JointMap", "JointRow", "JointSolution", "LawAnswer", "LawRow", "LibraryAgreement", "LibraryDetails", "LibraryFit", "LibraryMuscle", "Liquid", "LoadAnswer", "LoadedAt", "LogErrors", "Made", "MadeBraid", "MadeRubber", "MapGap", "MapPoint", "Mark", "MeasureEntry", "MeasuredAnswer", "MeasuredBin", "MeasuredBranch", "MeasuredCase", "MeasuredFit", "MeasuredResult", "MeasuredRubber", "MeasuredRubberFit", "MeasuredStress", "MeasuresAnswer", "ModeError", "ModelAbout", "ModelDetails", "ModelEntry", "Motion", "MotionRun", "MotionSeries", "MuscleFinding", "MuscleSummary", "NamedFigure", "OperatingPoint", "Panel", "PaperTerm", "Parameter", "PartShowAnswer", "PartsListAnswer", "Plan", "PointRow", "Powers", "ProfileRow", "PronyAnswer", "Provenance", "Recomputed", "RegionErrors", "RejectedAnswer", "Relaxation", "RelaxationAnswer", "RestPlace", "RubberDetails", "RubberFit", "RubberSummary", "Scales", "SearchedAnswer", "SectionFile", "SectionFile2", "SensitivityRow", "Series", "Shape", "ShardStatus", "SimulateAnswer", "SimulatedPoint", "SimulatedRow", "SleeveCut", "SofteningAnswer", "Spread", "StrandRow", "StudyAnswer", "StudyRow", "Table", "TestPoint", "TextFile", "TorqueWanted", "TubeSummary", "UncertaintyParts", "UncertaintyWords", "UnderstoodColumn", "UnderstoodTable", "UniversalErrors", "UniversalFile", "UniversalRange", "UniversalSummary", "ValidateAnswer", "Solution", "State"]
 # Keys of the muscle file, by field.
 KEYS = {"outer_diameter_mm": "tube.outer_diameter", "wall_mm": "tube.wall_thickness", "length_mm": "tube.length", "stiffness": "braid.stiffness", "density_kg_per_m3": "tube.density", "prestretch": "tube.prestretch", "temperature_degc": "tube.temperature", "angle_deg": "braid.angle", "insertion_mm": "terminals.insertion", "seating_mm": "terminals.seating", "slip_mm_per_n": "terminals.slip", "grip_mm": "terminals.grip", "plug_diameter_mm": "terminals.plug_diameter", "pull_off_n": "terminals.pull_off", "rated_pressure_mpa": "terminals.rated_pressure", "end_factor": "terminals.end_factor", "cone_factor": "terminals.cone_factor", "stiffness_factor": "braid.stiffness_factor", "strands": "braid.strands", "strand_area_mm2": "braid.strand_area", "strand_modulus_mpa": "braid.strand_modulus", "strand_strength_n": "braid.strand_strength", "strands_per_carrier": "braid.strands_per_carrier", "strand_length_mm": "braid.strand_length", "turns": "braid.turns", "braid_thickness_mm": "braid.thickness", "braid_diameter_mm": "braid.diameter", "crimp": "braid.crimp", "crimp_stiffness": "braid.crimp_stiffness", "friction_coefficient": "friction.coefficient", "friction_exponent": "friction.exponent", "friction_lever_mm": "friction.lever", "friction_presliding_mm": "friction.presliding"}
 
@@ -2453,6 +2453,40 @@ class IdentifiedPoint(Record):
     model_contraction: float | None = None
     model_pressure_mpa: float | None = None
     model_volume_mm3: float | None = None
+
+
+class JointExport(_results.Files):
+    """A joint as files for a target.
+
+    Attributes
+    ----------
+    target
+        The target.
+    name
+        Name of the joint in the files.
+    hash
+        The first 16 digits of the SHA-256 of the joint and of the hashes of its muscles.
+    torque_error_nm : N m
+        Largest difference of the torque from that of `joint`, N m: the stated largest errors of the pulls on their largest arms.
+    stiffness_error_nm_per_rad : N m/rad
+        The same of the stiffness, N m/rad, where each muscle is slack or pulls by more than 2 % of its blocked force: 1.5 times the largest at 200
+        states.
+    needs
+        What the target needs.
+    files
+        The files: the one to begin with first.
+    warnings
+        Warnings, in sentences.
+    """
+    _rows: ClassVar[str | None] = "files"
+    target: str
+    name: str
+    hash: str
+    torque_error_nm: float
+    stiffness_error_nm_per_rad: float
+    needs: str
+    files: list[BuiltFile]
+    warnings: list[str]
 
 
 class JointMap(Record):
@@ -6897,6 +6931,45 @@ class JointCommands:
             One of its classes says why there is no answer.
         """
         return answered(JointSolution, "joint", locals(), "MPa")
+
+    def export(self, target: str | None = None, *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, pressure_mpa: Number | None = None, overpressure: bool = False, name: str | None = None, progress: Progress = None) -> JointExport:
+        """A joint for a controller or a simulator: torque, stiffness and pressures from the closed forms of its muscles, as files for a target.
+
+        Parameters
+        ----------
+        target
+            The target: `c`, `python`, `mjcf` or `fmu`.
+        model
+            Name of the model, or of one of the formulas.
+        formulas
+            Files of fitted formulas, which are models by the names of their files.
+        mesh
+            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
+            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body; without it a rigid plane.
+        pressure_mpa : MPa
+            Supply pressure of each muscle, MPa; default 0.25, or the lowest allowed pressure where that is lower.
+        overpressure
+            Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
+        name
+            Name of the joint in the files; default the name of the joint file.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+
+        Returns
+        -------
+        JointExport
+            A joint as files for a target.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer.
+        """
+        return answered(JointExport, "export-joint", locals())
 
 
 class DriveCommands:

@@ -45,6 +45,7 @@ CALLS: dict[str, Callable[[Path], Any]] = {
     "fit_report": lambda root: mk.fit_report(), "formula": lambda root: mk.fit(root / "data/campaign/paper.csv").formula.check(), "plan": lambda root: mk.plan(PLAN),
     "identify": lambda root: mk.identify(root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall"), "fit_rubber": lambda root: mk.fit_rubber(root / "data/treloar/tension.csv"),
     "joint": lambda root: mk.load(root / "examples/elbow.toml").solve(pressures_mpa=[[0.2, 0.1]], angles_deg=[0.0, 10.0], model="universal"),
+    "export of a joint": lambda root: mk.load(root / "examples/elbow.toml").export("c", model="thick-wall"),
     "motion": lambda root: mk.load(root / "examples/drive.toml").motion(model="universal"), "measured": lambda root: mk.measured(cases=root / "examples/measured/bench"),
     "validate": lambda root: mk.validate(),
 }

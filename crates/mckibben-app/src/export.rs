@@ -133,7 +133,7 @@ pub struct ExportJointRequest {
     /// The model.
     #[serde(flatten)]
     pub model: ModelFields,
-    /// The target: `c`, `python` or `mjcf`.
+    /// The target: `c`, `python`, `mjcf` or `fmu`.
     pub target: Option<String>,
     /// Supply pressure of each muscle, MPa; default 0.25, or the lowest allowed pressure where that is lower.
     pub pressure_mpa: Option<f64>,

@@ -22,6 +22,7 @@ pub struct ExportedJoint {
     /// The first 16 digits of the SHA-256 of the joint and of the hashes of its muscles.
     pub hash: String,
     /// Its muscles, in the order of the joint file; lengths of the hosts are those of their paths.
+    #[serde(skip)]
     pub muscles: Vec<ExportedMuscle>,
     /// Largest difference of the torque from that of `joint`, N m: the stated largest errors of the pulls on their largest arms.
     pub torque_error_nm: f64,

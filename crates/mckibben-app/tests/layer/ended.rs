@@ -158,6 +158,12 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
             ]
         }
         "export" => vec![json!({ "length_mm": 30000, "target": "c", "model": "fe", "mesh": "8x400" })],
+        "export-joint" => {
+            let joint = "[joint]\nradius = '25 mm'\n[muscle_1]\nfile = 'long.toml'\n[spring]\nangular_rate = '9 N m/rad'\n";
+            let muscle = json!({ "name": "long.toml", "text": "[tube]\nlength = '30 m'\n" });
+            let joint = json!({ "name": "arm.toml", "text": joint });
+            vec![json!({ "joint": joint, "muscles": [muscle], "target": "c", "mesh": "8x400" })]
+        }
         "export-list" | "check" | "check-formula" | "campaign-show" | "campaign-merge"
         | "campaign-status" | "measures" | "parts-list" | "parts-show" | "quantities" | "units" => vec![],
         other => panic!("say what a dear request of {other} is, or that there is none"),

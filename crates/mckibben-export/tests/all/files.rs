@@ -522,7 +522,7 @@ fn scenes_have_values_that_mujoco_reads() {
     let narrow = Muscle::new(Tube::new(27.3, 2.9, 269.0, rubber), braid, Terminals::default(), None).unwrap();
     for (muscle, supply_mpa) in [(narrow, 0.6), (super::form::prestretched(), 0.25)] {
         let made = exported(&muscle, supply_mpa).unwrap().to(Target::named("mjcf").unwrap()).unwrap();
-        let text = text_of(made.files[0].content.bytes());
+        let text = text_of(made.files[1].content.bytes());
         for (key, places) in [("gainprm=\"", &[3, 6, 7, 8][..]), ("biasprm=\"", &[3, 6, 7, 8])] {
             let numbers = text.split(key).nth(1).unwrap().split('"').next().unwrap();
             let numbers: Vec<f64> = numbers.split(' ').map(|n| n.parse().unwrap()).collect();
