@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 
-__all__ = ["Axis", "BoughtAnswer", "BraidDetails", "BraidPoint", "BraidSummary", "BranchAnswer", "Build", "BuildPart", "BuildSheet", "BuiltFile", "BundleAnswer", "BundlePoint", "CampaignOutcome", "CampaignStatus", "CampaignSummary", "CandidateAnswer", "CandidateJoint", "Case", "Characteristics", "CheckAnswer", "ClosestAnswer", "CompareAnswer", "ComparedModel", "Constants", "Curve", "Cut", "Cycle", "DemandAnswer", "Derived", "Design", "DesignPoint", "EndPowers", "EndTerm", "Equilibrium", "ErrorSummary", "Export", "ExportForm", "ExportListAnswer", "ExportTarget", "Extent", "Failed", "FailedPoint", "Figure", "FillAnswer", "Finding", "FindingAnswer", "Fit", "FitReport", "FormulaCheck", "FormulaErrors", "FormulaRange", "GlobalTerm", "HeldOut", "HeldOutError", "HeldOutRow", "Identification", "Identified", "IdentifiedPoint", "JointExport", "JointMap", "JointRow", "JointSolution", "LawAnswer", "LawRow", "LibraryAgreement", "LibraryDetails", "LibraryFit", "LibraryMuscle", "Liquid", "LoadAnswer", "LoadedAt", "LogErrors", "Made", "MadeBraid", "MadeRubber", "MapGap", "MapPoint", "Mark", "MeasureEntry", "MeasuredAnswer", "MeasuredBin", "MeasuredBranch", "MeasuredCase", "MeasuredFit", "MeasuredResult", "MeasuredRubber", "MeasuredRubberFit", "MeasuredStress", "MeasuresAnswer", "ModeError", "ModelAbout", "ModelDetails", "ModelEntry", "Motion", "MotionRun", "MotionSeries", "MuscleFinding", "MuscleSummary", "NamedFigure", "OperatingPoint", "Panel", "PaperTerm", "Parameter", "PartShowAnswer", "PartsListAnswer", "Plan", "PointRow", "Powers", "ProfileRow", "PronyAnswer", "Provenance", "Recomputed", "RegionErrors", "RejectedAnswer", "Relaxation", "RelaxationAnswer", "RestPlace", "RubberDetails", "RubberFit", "RubberSummary", "Scales", "SearchedAnswer", "SectionFile", "SectionFile2", "SensitivityRow", "Series", "Shape", "ShardStatus", "SimulateAnswer", "SimulatedPoint", "SimulatedRow", "SleeveCut", "SofteningAnswer", "Spread", "StrandRow", "StudyAnswer", "StudyRow", "Table", "TestPoint", "TextFile", "TorqueWanted", "TubeSummary", "UncertaintyParts", "UncertaintyWords", "UnderstoodColumn", "UnderstoodTable", "UniversalErrors", "UniversalFile", "UniversalRange", "UniversalSummary", "ValidateAnswer", "Solution", "State"]
+__all__ = ["Axis", "BoughtAnswer", "BraidDetails", "BraidPoint", "BraidSummary", "BranchAnswer", "Build", "BuildPart", "BuiltFile", "BundleAnswer", "BundlePoint", "CampaignOutcome", "CampaignStatus", "CampaignSummary", "CandidateAnswer", "CandidateJoint", "Case", "Characteristics", "CheckAnswer", "ClosestAnswer", "CompareAnswer", "ComparedModel", "Curve", "Cut", "Cycle", "DemandAnswer", "Derived", "Design", "DesignPoint", "EndPowers", "EndTerm", "Equilibrium", "ErrorSummary", "Export", "ExportForm", "ExportListAnswer", "ExportTarget", "Extent", "Failed", "FailedPoint", "Figure", "FillAnswer", "Finding", "FindingAnswer", "Fit", "FitReport", "FormulaCheck", "FormulaErrors", "FormulaRange", "GlobalTerm", "HeldOut", "HeldOutError", "HeldOutRow", "Identification", "Identified", "IdentifiedPoint", "JointExport", "JointMap", "JointRow", "JointSolution", "LawAnswer", "LawRow", "LibraryAgreement", "LibraryDetails", "LibraryFit", "LibraryMuscle", "Liquid", "LoadAnswer", "LoadedAt", "LogErrors", "Made", "MadeBraid", "MadeRubber", "MapGap", "MapPoint", "Mark", "MeasureEntry", "MeasuredAnswer", "MeasuredBin", "MeasuredBranch", "MeasuredCase", "MeasuredFit", "MeasuredResult", "MeasuredRubber", "MeasuredRubberFit", "MeasuredStress", "MeasuresAnswer", "ModeError", "ModelAbout", "ModelDetails", "ModelEntry", "Motion", "MotionRun", "MotionSeries", "MuscleFinding", "MuscleSummary", "NamedFigure", "OperatingPoint", "Panel", "PaperTerm", "Parameter", "PartShowAnswer", "PartsListAnswer", "Plan", "PointRow", "Powers", "ProfileRow", "PronyAnswer", "Provenance", "Recomputed", "RegionErrors", "RejectedAnswer", "Relaxation", "RelaxationAnswer", "RestPlace", "RubberDetails", "RubberFit", "RubberSummary", "Scales", "SearchedAnswer", "SectionFile", "SectionFile2", "SensitivityRow", "Series", "Shape", "ShardStatus", "SimulateAnswer", "SimulatedPoint", "SimulatedRow", "SleeveCut", "SofteningAnswer", "Spread", "StrandRow", "StudyAnswer", "StudyRow", "Table", "TestPoint", "TextFile", "TorqueWanted", "TubeSummary", "UncertaintyParts", "UncertaintyWords", "UnderstoodColumn", "UnderstoodTable", "UniversalErrors", "UniversalFile", "UniversalRange", "UniversalSummary", "ValidateAnswer", "Solution", "State"]
 # Keys of the muscle file, by field.
 KEYS = {"outer_diameter_mm": "tube.outer_diameter", "wall_mm": "tube.wall_thickness", "length_mm": "tube.length", "stiffness": "braid.stiffness", "density_kg_per_m3": "tube.density", "prestretch": "tube.prestretch", "temperature_degc": "tube.temperature", "angle_deg": "braid.angle", "insertion_mm": "terminals.insertion", "seating_mm": "terminals.seating", "slip_mm_per_n": "terminals.slip", "grip_mm": "terminals.grip", "plug_diameter_mm": "terminals.plug_diameter", "pull_off_n": "terminals.pull_off", "rated_pressure_mpa": "terminals.rated_pressure", "end_factor": "terminals.end_factor", "cone_factor": "terminals.cone_factor", "stiffness_factor": "braid.stiffness_factor", "strands": "braid.strands", "strand_area_mm2": "braid.strand_area", "strand_modulus_mpa": "braid.strand_modulus", "strand_strength_n": "braid.strand_strength", "strands_per_carrier": "braid.strands_per_carrier", "strand_length_mm": "braid.strand_length", "turns": "braid.turns", "braid_thickness_mm": "braid.thickness", "braid_diameter_mm": "braid.diameter", "crimp": "braid.crimp", "crimp_stiffness": "braid.crimp_stiffness", "friction_coefficient": "friction.coefficient", "friction_exponent": "friction.exponent", "friction_lever_mm": "friction.lever", "friction_presliding_mm": "friction.presliding"}
 
@@ -270,8 +270,6 @@ class Build(_results.Files):
         Pressure of the leak test, MPa.
     air_energy_j : J
         Energy of the air at the working pressure, J, at most: p V ln(p/p₀).
-    air_energy_at_proof_j : J
-        Energy that air would have at the proof pressure, J.
     burst_pressure_mpa : MPa
         Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
     burst_by
@@ -309,7 +307,6 @@ class Build(_results.Files):
     proof_pressure_mpa: float
     leak_pressure_mpa: float
     air_energy_j: float
-    air_energy_at_proof_j: float
     burst_pressure_mpa: float | None
     cut: Cut
     parts: list[BuildPart]
@@ -349,32 +346,6 @@ class BuildPart(Record):
     mass_g: float | None = None
     price: str | None = None
     source: str | None = None
-
-
-class BuildSheet(Record):
-    """What a workshop needs to build the muscle.
-
-    Attributes
-    ----------
-    tube_cut_mm : mm
-        Length of tube to cut, before it is stretched: L0/λp and what is clamped on both plugs, in mm.
-    braid_cut_mm : mm
-        Length of sleeve to cut, at the angle θ0, in mm (the same: it lies on the tube).
-    plug_diameter_mm : mm
-        Diameter of the plugs: the tube's bore, in mm.
-    strand_cut_mm : mm
-        Length of one strand over the whole cut, in mm.
-    strands
-        Number of strands, where it is known.
-    rubber_volume_mm3 : mm3
-        Volume of rubber in the cut tube, in mm³.
-    """
-    tube_cut_mm: float
-    braid_cut_mm: float
-    plug_diameter_mm: float
-    strand_cut_mm: float
-    strands: int | None
-    rubber_volume_mm3: float
 
 
 class BuiltFile(Record):
@@ -581,8 +552,6 @@ class CampaignSummary(Record):
         Number of muscles of the whole plan.
     points_per_muscle
         Points of each muscle.
-    muscles_per_part
-        Muscles of one part.
     """
     muscles: int
     points: int
@@ -602,7 +571,6 @@ class CampaignSummary(Record):
     seed: int | None
     muscles_wanted: int
     points_per_muscle: int
-    muscles_per_part: int
 
 
 class CandidateAnswer(Record):
@@ -916,8 +884,6 @@ class CheckAnswer(Record):
         Presliding length xs, over which the friction builds up after a reversal, mm, where it is stated.
     derived
         Derived quantities.
-    build_sheet
-        Build sheet.
     warnings
         Warnings, in sentences.
     characteristics
@@ -940,7 +906,6 @@ class CheckAnswer(Record):
     bulk_modulus_mpa: float | None
     stiffness_n_per_mm: float | None
     derived: Derived
-    build_sheet: BuildSheet
     warnings: list[str]
     findings: list[MuscleFinding]
     sleeve: str | None = None
@@ -1099,23 +1064,6 @@ class ComparedModel(Record):
     fitted_stiffness_n_per_mm: float | None = None
 
 
-class Constants(Record):
-    """C10 and k = k₄₀ (D0/40)ⁿ.
-
-    Attributes
-    ----------
-    c10_mpa : MPa
-        C10 in MPa.
-    stiffness_at_40_n_per_mm : N/mm
-        k at D0 40 mm in N/mm.
-    exponent
-        n
-    """
-    c10_mpa: float
-    stiffness_at_40_n_per_mm: float
-    exponent: float
-
-
 class Curve(_results.Curves):
     """A family of curves.
 
@@ -1196,10 +1144,6 @@ class Cycle(Record):
         Lower pressure in MPa.
     to_pressure_mpa : MPa
         Higher pressure in MPa.
-    from_contraction
-        Contraction at the lower pressure; 0 where the load is not lifted there.
-    to_contraction
-        Contraction at the higher pressure.
     stroke_mm : mm
         How far the load moves, mm.
     work_j : J
@@ -1213,8 +1157,6 @@ class Cycle(Record):
     """
     from_pressure_mpa: float
     to_pressure_mpa: float
-    from_contraction: float
-    to_contraction: float
     stroke_mm: float
     work_j: float
     air_normal_litres: float | None = None
@@ -1616,8 +1558,6 @@ class Export(_results.Files):
         Root mean square of the volume's error, share of the largest volume.
     volume_worst_ratio
         The same of the volume, share of the largest volume: twice the largest at the points, and 0.0002.
-    points
-        Number of points.
     blocked_force_n : N
         Blocked force at the supply, N.
     uncertainty_n : N
@@ -1647,7 +1587,6 @@ class Export(_results.Files):
     force_worst_ratio: float
     volume_rms: float
     volume_worst_ratio: float
-    points: int
     blocked_force_n: float
     muscle: MuscleSummary
     needs: str
@@ -1876,8 +1815,6 @@ class FillAnswer(Record):
         Cavity at the start, mm³.
     compressed_volume_mm3 : mm3
         What of the volume the liquid's own compression takes, mm³: (V0 + Vd + ΔV)(1 − φ).
-    liquid_mass_g : g
-        Mass of the liquid in muscle and dead volume, g.
     effective_bulk_modulus_mpa : MPa
         Bulk modulus of liquid and gas together at this pressure, MPa.
     shut_stiffness_n_per_mm : N/mm
@@ -1921,7 +1858,6 @@ class FillAnswer(Record):
     stroke_mm: float
     rest_volume_mm3: float
     compressed_volume_mm3: float
-    liquid_mass_g: float
     effective_bulk_modulus_mpa: float
     shut_stiffness_n_per_mm: float
     pump_work_j: float
@@ -2084,17 +2020,11 @@ class FitReport(Record):
     ----------
     findings
         The comparisons.
-    fitted_constants
-        The fitted constants of the paper's finite elements.
-    global_terms
-        Terms of the `global` formula.
     random_muscles
         Models on random muscles that no fit has seen.
     """
     _rows: ClassVar[str | None] = "findings"
     findings: list[Finding]
-    fitted_constants: Constants
-    global_terms: int
     random_muscles: list[HeldOutRow]
 
 
@@ -2471,8 +2401,6 @@ class JointExport(_results.Files):
     stiffness_error_nm_per_rad : N m/rad
         The same of the stiffness, N m/rad, where each muscle is slack or pulls by more than 2 % of its blocked force: 1.5 times the largest at 200
         states.
-    needs
-        What the target needs.
     files
         The files: the one to begin with first.
     warnings
@@ -2484,7 +2412,6 @@ class JointExport(_results.Files):
     hash: str
     torque_error_nm: float
     stiffness_error_nm_per_rad: float
-    needs: str
     files: list[BuiltFile]
     warnings: list[str]
 

@@ -7,7 +7,7 @@ use crate::{
     rows::said, said_of, usual_mpa,
 };
 use mckibben::analysis::{Burst, FailurePressure};
-use mckibben::muscle::{BuildSheet, Bulk, Muscle, MuscleKind};
+use mckibben::muscle::{Bulk, Muscle, MuscleKind};
 use mckibben::rubber::{RubberLaw, library};
 use mckibben::warning::{Warning, is_of_burst};
 use mckibben::{muscle::file::to_toml, uncertainty::UncertaintyParts};
@@ -56,8 +56,6 @@ pub struct CheckAnswer {
     pub stated: MeasureValues,
     /// Derived quantities.
     pub derived: Derived,
-    /// Build sheet.
-    pub build_sheet: BuildSheet,
     /// Warnings, in sentences.
     pub warnings: Vec<String>,
     /// Its values at the working pressure.
@@ -185,7 +183,6 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
             reach,
             volume_mm3: rest_volume_mm3.unwrap_or_else(|| muscle.rest_volume_mm3()),
         },
-        build_sheet: muscle.build_sheet(),
         warnings: said
             .into_iter()
             .chain(muscle.warnings())

@@ -151,8 +151,6 @@ pub struct ExportJointAnswer {
     /// What was fitted, and how well.
     #[serde(flatten)]
     pub exported: ExportedJoint,
-    /// What the target needs.
-    pub needs: String,
     /// The files: the one to begin with first.
     pub files: Vec<BuiltFile>,
     /// Warnings, in sentences.
@@ -185,7 +183,6 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     warnings.retain(|warning| known.insert(warning.clone()));
     Ok(ExportJointAnswer {
         target: target.name.into(),
-        needs: target.needs.into(),
         files: artefact.files.into_iter().map(BuiltFile::from).collect(),
         exported,
         warnings,

@@ -308,7 +308,7 @@ fn understood(answer: &CheckAnswer, u: &Units) -> Vec<Row> {
 fn build_rows(answer: &CheckAnswer, u: &Units) -> Vec<Row> {
     let m = &answer.muscle;
     let mm = |v: f64| u.length.show(v);
-    let sheet = &answer.build_sheet;
+    let sheet = m.build_sheet();
     let assumed = if m.terminals().insertion_mm.is_none() { ", assumed" } else { "" };
     let fit = if m.terminals().plug_diameter_mm.is_none() { ", and what a tight fit adds" } else { "" };
     let clamp = mm(m.terminals().insertion_mm()) + assumed;

@@ -62,6 +62,7 @@ pub struct Safety {
     /// Energy of the air at the working pressure, J, at most: p V ln(p/p₀).
     pub air_energy_j: f64,
     /// Energy that air would have at the proof pressure, J.
+    #[serde(skip)]
     pub air_energy_at_proof_j: f64,
 }
 

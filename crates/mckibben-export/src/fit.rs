@@ -43,8 +43,6 @@ pub struct FormErrors {
     pub volume_rms: f64,
     /// The same of the volume, share of the largest volume: twice the largest at the points, and 0.0002.
     pub volume_worst_ratio: f64,
-    /// Number of points.
-    pub points: usize,
 }
 
 /// A sampled point of the model: q, ε, pull over the blocked force, volume in m³. A pull that is negative, or that the model cannot find behind
@@ -383,7 +381,6 @@ fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> 
         force_worst_ratio: BETWEEN[0] * all().map(force).fold(0.0, f64::max) + BESIDE,
         volume_rms: volumes.rms,
         volume_worst_ratio: BETWEEN[1] * all().filter_map(volume).fold(0.0, f64::max) + BESIDE,
-        points: forces.len(),
     }
 }
 

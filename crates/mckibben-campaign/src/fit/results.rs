@@ -2,12 +2,11 @@
 //!
 //! Errors are shares of the finite elements' blocked force of the same muscle at .25 MPa, over points where they pull.
 
-use super::constants::{Constants, fit_constants, table_1};
+use super::constants::{fit_constants, table_1};
 use super::data::{FitPoint, Grid, pressure_steps, same};
 use super::errors::{Errors, compared, errors};
 use super::universal::{HeldOutRow, held_out, held_out_samples};
 use super::{FitError, Method, Result, Rules, SlackRule, ThinRule, fitted};
-use mckibben::formula::Body;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use serde::Serialize;
@@ -32,11 +31,6 @@ pub struct Finding {
 pub struct Results {
     /// The comparisons.
     pub findings: Vec<Finding>,
-    /// The fitted constants of the paper's finite elements.
-    #[serde(rename = "fitted_constants")]
-    pub constants: Constants,
-    /// Terms of the `global` formula.
-    pub global_terms: usize,
     /// Models on random muscles that no fit has seen.
     pub random_muscles: Vec<HeldOutRow>,
 }
@@ -144,7 +138,6 @@ pub fn results(progress: &dyn Progress) -> Result<Results> {
     add(out, "paper's method on our FE vs FE, D0 35", None, &held, |p| p.difference_n(&ours))?;
     step(5)?;
     let random_muscles = held_out(&held_out_samples(RANDOM.0, RANDOM.1));
-    let global_terms = if let Body::Global(sum) = &global.body { sum.terms.len() } else { 0 };
     step(STEPS)?;
-    Ok(Results { findings: std::mem::take(out), constants, global_terms, random_muscles })
+    Ok(Results { findings: std::mem::take(out), random_muscles })
 }

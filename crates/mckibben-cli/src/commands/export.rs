@@ -24,7 +24,7 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
         let answer = export_joint(&understood(&fields.into())?)?;
         save(&answer.files)?;
         return args.print(&answer, FLAT, |a, u| {
-            let keys = "target torque_error_nm=error_of_the_torque,_at_most stiffness_error_nm_per_rad=of_the_stiffness needs";
+            let keys = "target torque_error_nm=error_of_the_torque,_at_most stiffness_error_nm_per_rad=of_the_stiffness";
             text(a, String::new(), keys, &a.files, &a.warnings, folder.as_deref(), u)
         });
     }

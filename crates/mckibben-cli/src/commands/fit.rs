@@ -7,8 +7,8 @@ use crate::{
 use mckibben::formula::Document;
 use mckibben_app::{FitAnswer, FitReportRequest, FitRequest, NamedFigure, TextFile, fit_report};
 use mckibben_campaign::fit::results::Results;
+use mckibben_campaign::fit::signs::signs;
 use mckibben_campaign::fit::{FittedFormula, PaperMethod};
-use mckibben_campaign::{fit::constants::Constants, fit::signs::signs};
 use mckibben_report::FigureError;
 use serde_json::{Map, Value, json};
 use std::path::Path;
@@ -157,11 +157,6 @@ fn report_text(r: &Results, _: &Units) -> String {
         "In % of the finite elements' blocked force of the same muscle at 0.25 MPa, over points where they pull\n\n",
     );
     out.push_str(&tabled(&r.findings, FINDINGS, &u));
-    let (c, shipped) = (&r.constants, Constants::shipped());
-    out += &format!("\nFitted constants: C10 {:.4} MPa, k {:.0} N/mm", c.c10_mpa, c.stiffness_at_40_n_per_mm);
-    out += &format!(" at D0 40, growing like D0^{:.2} (shipped: ", c.exponent);
-    let (c10, k, exponent) = (shipped.c10_mpa, shipped.stiffness_at_40_n_per_mm, shipped.exponent);
-    out += &format!("{c10}, {k}, {exponent})\nglobal has {} terms\n\n", r.global_terms);
-    out += "Random muscles of any size and material, where they pull, in % of the blocked force at the same pressure\n\n";
+    out += "\nRandom muscles of any size and material, where they pull, in % of the blocked force at the same pressure\n\n";
     out + &tabled(&r.random_muscles, &format!("model {ERRORS}"), &u)
 }

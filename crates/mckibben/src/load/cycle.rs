@@ -16,10 +16,6 @@ pub struct Cycle {
     pub from_pressure_mpa: f64,
     /// Higher pressure in MPa.
     pub to_pressure_mpa: f64,
-    /// Contraction at the lower pressure; 0 where the load is not lifted there.
-    pub from_contraction: f64,
-    /// Contraction at the higher pressure.
-    pub to_contraction: f64,
     /// How far the load moves, mm.
     pub stroke_mm: f64,
     /// Work on the load, J.
@@ -47,8 +43,6 @@ pub fn cycle(load: &Load, length_mm: f64, low: (f64, f64, Option<f64>), high: &B
     Cycle {
         from_pressure_mpa,
         to_pressure_mpa: there.pressure_mpa,
-        from_contraction,
-        to_contraction: there.contraction,
         stroke_mm: high.shortening_mm - from_contraction * length_mm,
         work_j,
         air_normal_litres: air.map(crate::analysis::normal_litres),
@@ -79,7 +73,7 @@ mod tests {
         assert!((cycle.work_j - 1e-3 * 98.0665 * cycle.stroke_mm).abs() < 1e-9);
         // ∫P dV by the rule of Simpson over the way of the weight.
         let n = 200;
-        let (a, b) = (cycle.from_contraction, cycle.to_contraction);
+        let (a, b) = (r.contraction, high.answer.response.contraction);
         let power = |e: f64, w: &mut Workspace| {
             let p = model.pressure_at_pull(&mut Workspace::new(), 98.0665, e).unwrap();
             p * model.response(w, p, e).unwrap().volume_per_contraction_mm3.unwrap()

@@ -43,8 +43,6 @@ pub struct Fill {
     pub rest_volume_mm3: f64,
     /// What of the volume the liquid's own compression takes, mm³: (V0 + Vd + ΔV)(1 − φ).
     pub compressed_volume_mm3: f64,
-    /// Mass of the liquid in muscle and dead volume, g.
-    pub liquid_mass_g: f64,
     /// Bulk modulus of liquid and gas together at this pressure, MPa.
     pub effective_bulk_modulus_mpa: f64,
     /// Stiffness of the muscle with the liquid shut in, N/mm: K + F_P V_ε/(L0 (V_P + C)), C = −(V0 + Vd + ΔV) dφ/dP.
@@ -203,7 +201,6 @@ impl Evaluation<'_> {
             stroke_mm,
             rest_volume_mm3: rest_mm3,
             compressed_volume_mm3: whole_mm3 * (1.0 - liquid.relative_volume(pressure_mpa)),
-            liquid_mass_g: liquid.mass_g(whole_mm3),
             effective_bulk_modulus_mpa: liquid.effective_bulk_modulus_mpa(pressure_mpa),
             shut_stiffness_n_per_mm,
             pump_work_j: cavity_j + liquid_energy_j,

@@ -1,11 +1,10 @@
 //! What follows from a muscle's measures.
 
 use super::{Muscle, StrandLay};
-use serde::Serialize;
 use std::f64::consts::PI;
 
 /// What a workshop needs to build the muscle.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct BuildSheet {
     /// Length of tube to cut, before it is stretched: L0/λp and what is clamped on both plugs, in mm.
     pub tube_cut_mm: f64,

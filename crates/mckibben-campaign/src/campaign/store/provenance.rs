@@ -29,7 +29,7 @@ pub struct Provenance {
     /// Points of each muscle.
     pub points_per_muscle: u64,
     /// Muscles of one part.
-    #[serde(rename = "muscles_per_part")]
+    #[serde(skip)]
     pub block: u64,
     #[serde(skip)]
     pub(crate) layout: Layout,
