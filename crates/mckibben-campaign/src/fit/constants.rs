@@ -18,7 +18,6 @@ use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::compare::MeasuredPoint;
 use mckibben_fit::identify::{DataPoint, Parameter, Request, Section, Target, identify};
 use mckibben_fit::least_squares::Loss;
-use serde::Serialize;
 
 /// Table 1 of the paper: P in MPa, and a, b, c in N of F = a ε² + b ε + c at D0 50, s 1.
 pub const TABLE_1: [[f64; 4]; 5] = [
@@ -39,7 +38,7 @@ pub fn table_1(pressure_mpa: f64, contraction: f64) -> Option<f64> {
 }
 
 /// C10 and k = k₄₀ (D0/40)ⁿ.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Constants {
     /// C10 in MPa.
     pub c10_mpa: f64,
@@ -50,13 +49,6 @@ pub struct Constants {
 }
 
 impl Constants {
-    /// Those of the rubber and braid `paper`.
-    pub fn shipped() -> Self {
-        let c10_mpa = Rubber::paper().law.values().first().copied().unwrap_or(0.0);
-        let (stiffness_at_40_n_per_mm, exponent) = (Braid::PAPER_AT_40_N_PER_MM, Braid::PAPER_EXPONENT);
-        Self { c10_mpa, stiffness_at_40_n_per_mm, exponent }
-    }
-
     /// The paper's muscle with these constants; `None` where they make none.
     pub fn muscle(&self, outer_diameter_mm: f64, wall_mm: f64) -> Option<Muscle> {
         let base = Muscle::prototype().with_section(outer_diameter_mm, wall_mm).ok()?;

@@ -1,6 +1,6 @@
 //! Formulas from tables of points: the paper's method, `global`, and what is refused.
 
-use mckibben::formula::{Coefficients, Formula, Made, Provenance};
+use mckibben::formula::{Body, Coefficients, Formula, Made, Provenance};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
 use mckibben::status::Status;
@@ -163,7 +163,6 @@ fn what_must_come_out_comes_out() {
         assert!(f.ok, "{}: {} of {:?}", f.comparison, f.errors.summary.max, f.at_most);
     }
     assert!(r.findings.iter().filter(|f| f.at_most.is_some()).count() >= 5);
-    assert!(r.global_terms <= 48);
 }
 
 #[test]
@@ -236,6 +235,8 @@ fn the_shipped_campaign_is_what_is_computed() {
 fn no_pull_is_promised_where_the_muscle_lies_slack() {
     let base = Muscle::prototype();
     let f = fitted(&Grid::PAPER.points(&base), Method::Global, &[]).unwrap();
+    // Not more than the paper's formula has.
+    assert!(matches!(&f.body, Body::Global(sum) if sum.terms.len() <= 48));
     let contractions: Vec<f64> = (0..=8).map(|i| 0.025 * f64::from(i)).collect();
     let (diameters, walls) = (&[30.0, 35.0, 42.5, 50.0], &[2.5, 4.0, 5.0]);
     let grid = Grid { diameters, walls, contractions: &contractions, pressures: &pressure_steps(5) };
