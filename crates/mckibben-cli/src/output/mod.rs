@@ -2,7 +2,6 @@
 
 pub mod keyed;
 pub mod loaded;
-mod parquet;
 mod stream;
 mod table;
 pub mod text;
@@ -62,7 +61,7 @@ fn made(
             width::broken(&clean::lines(&text())).into_bytes()
         }
         Format::Json => format!("{:#}\n", json()?).into_bytes(),
-        form => {
+        Format::Csv => {
             let mut value = json()?;
             // A table has no place for it.
             let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
@@ -76,7 +75,7 @@ fn made(
             };
             let columns = table::with_others(table::columns(&schema(), rows), &list);
             let table = table::Table { columns, rows: list };
-            if form == Format::Csv { table::csv(&table)? } else { parquet::rows(&table)? }
+            table::csv(&table)?
         }
     };
     emit(&out, target)?;
@@ -91,10 +90,9 @@ pub fn form(path: Option<&Path>, format: Format) -> Result<Format, Problem> {
         "txt" | "md" => Format::Text,
         "json" => Format::Json,
         "csv" => Format::Csv,
-        "parquet" => Format::Parquet,
         other => {
             let message = format!("--output: .{other} is not a supported file ending");
-            let hint = "the endings are .txt, .json, .csv and .parquet";
+            let hint = "the endings are .txt, .json and .csv";
             return Err(Problem::new(ProblemKind::Output, message, hint));
         }
     };

@@ -89,7 +89,7 @@ const WRITERS: [(&str, &str, &str); 36] = [
     ("pressure -F 100N -e 5% --model ideal", "-o t.json", "t.json"),
     ("contraction -F 100N -p 0.1 --model ideal", "-o t.json", "t.json"),
     ("fill --liquid water --volume 20mL --model ideal", "-o t.txt", "t.txt"),
-    ("curve isobaric --model ideal -p 0.1 -e 0,0.1", "-o c.parquet", "c.parquet"),
+    ("curve isobaric --model ideal -p 0.1 -e 0,0.1", "-o t.csv", "t.csv"),
     ("curve isobaric --model ideal -p 0.1 -e 0,0.1", "-o t.txt", "t.txt"),
     ("curve isobaric --model ideal -p 0.1 -e 0,0.1", "-o t.json", "t.json"),
     ("curve isobaric --model ideal -p 0.1 -e 0,0.1", "--plot t.svg", "t.svg"),
