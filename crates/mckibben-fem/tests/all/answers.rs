@@ -6,15 +6,15 @@ use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::random::{Random, rounds};
-use mckibben_fem::axisymmetric::{Axisymmetric, sweep};
+use mckibben_fem::axisymmetric::Axisymmetric;
 
 /// P and ε for which a muscle that was thrown pulls, with its model.
 fn pulling(count: usize) -> Vec<(Axisymmetric, f64, f64)> {
-    let cases = (0..).filter_map(|i| sweep::case(11, i));
-    let pulls = cases.filter_map(|case| {
-        let model = Axisymmetric::new(&case.muscle).ok()?;
-        let pull = model.force_n(&mut Workspace::new(), case.pressure_mpa, case.contraction).ok()?;
-        (pull > 1.0).then_some((model, case.pressure_mpa, case.contraction))
+    let cases = (0..).filter_map(|i| super::sweep::case(11, i));
+    let pulls = cases.filter_map(|(muscle, p, e)| {
+        let model = Axisymmetric::new(&muscle).ok()?;
+        let pull = model.force_n(&mut Workspace::new(), p, e).ok()?;
+        (pull > 1.0).then_some((model, p, e))
     });
     pulls.take(count).collect()
 }

@@ -6,7 +6,7 @@ use mckibben::muscle::file::read_muscle;
 use mckibben::random::rounds;
 use mckibben::status::Status;
 use mckibben_fem::FemError;
-use mckibben_fem::axisymmetric::{Axisymmetric, sweep};
+use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::simulation::{Detail, Given, Simulation};
 use std::f64::consts::PI;
 
@@ -81,8 +81,8 @@ fn random_muscles_have_the_same_answers_on_two_grids_in_two_orders_and_two_tests
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let muscles = rounds(MUSCLES);
     let of_thread = |thread: usize| {
-        let mine = (0..muscles).filter(|i| i % threads == thread).filter_map(|i| sweep::case(7, i));
-        mine.flat_map(|case| differences(&case.muscle)).collect::<Vec<_>>()
+        let mine = (0..muscles).filter(|i| i % threads == thread).filter_map(|i| super::sweep::case(7, i));
+        mine.flat_map(|(muscle, ..)| differences(&muscle)).collect::<Vec<_>>()
     };
     let differences: Vec<String> = std::thread::scope(|scope| {
         let handles: Vec<_> = (0..threads).map(|thread| scope.spawn(move || of_thread(thread))).collect();
