@@ -3,7 +3,7 @@
 use super::body::{Body, Control};
 use super::continuation::Continuation;
 use super::newton::Effort;
-use super::trail::Along;
+use super::trail::{Along, Trail};
 use crate::results::Sensitivity;
 use crate::{FemError, Result};
 use mckibben::cancel::{self, Cancelled};
@@ -88,14 +88,13 @@ pub(crate) fn isometric<B: Body>(
         let before = c.effort;
         let followed = running && follow_trail(c, contraction, pressure_mpa);
         let point = if followed { Ok(()) } else { c.reach(pressure_mpa, contraction) };
-        if followed {
-            c.trail_here();
-        } else {
+        if !followed {
             // Where strands are slack the next point is none of this path.
             running = point.is_ok() && (B::SETTINGS.take_unstable || c.body.certain());
-            if running {
-                c.begin_trail();
-            }
+            c.trail = Trail::default();
+        }
+        if running {
+            c.trail.push(c.body.state());
         }
         out[i] = point.and_then(|()| {
             let mut here = CurvePoint::here(c, before);

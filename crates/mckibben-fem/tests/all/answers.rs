@@ -3,8 +3,8 @@
 use mckibben::analysis::Evaluation;
 use mckibben::answer::Options;
 use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::Muscle;
+use mckibben::muscle::file::parse_muscle;
 use mckibben::random::rounds;
 use mckibben_fem::axisymmetric::Axisymmetric;
 
