@@ -2,13 +2,11 @@
 
 pub mod keyed;
 pub mod loaded;
-mod stream;
 mod table;
 pub mod text;
 pub mod width;
 mod write;
 
-pub use stream::streamed;
 pub use table::FLAT;
 pub use write::{
     burst_first, check, check_ending, check_named, complain, emit, ending, overwrite, save, save_all,
@@ -24,8 +22,11 @@ use serde_json::Value;
 use std::path::Path;
 
 pub fn json<T: Serialize>(answer: &T) -> Result<Value, Problem> {
-    serde_json::to_value(answer)
-        .map_err(|e| Problem::new(ProblemKind::Output, format!("cannot make JSON: {e}"), ""))
+    serde_json::to_value(answer).map_err(|e| no_json(&e))
+}
+
+pub fn no_json(error: &serde_json::Error) -> Problem {
+    Problem::new(ProblemKind::Output, format!("cannot make JSON: {error}"), "")
 }
 
 /// The file that a result goes to; else standard output.
