@@ -2,8 +2,8 @@
 
 use crate::output::loaded::loaded as text_of_load;
 use crate::{
-    Args, Bar, Format, Problem, Units, burst_first, columns, emit, exit_code, half_width, output::form,
-    output::no_json, output::text::aligned, output::text::within, percent, percents, warn,
+    Args, Bar, Format, Problem, Units, burst_first, columns, exit_code, half_width, output::emit_json,
+    output::form, output::text::aligned, output::text::within, percent, percents, warn,
 };
 use mckibben::curve::{Curve, Test};
 use mckibben::{answer::Answer, muscle::Direction, study::StudyPanel};
@@ -26,9 +26,7 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
     answer.figure = None;
     let target = args.path("output");
     if form(target.as_deref(), args.format)? == Format::Json {
-        // Without the tree of values that other answers go through: points may be many.
-        let text = serde_json::to_string_pretty(&answer);
-        emit(text.map_err(|e| no_json(&e))? + "\n", target.as_deref())?;
+        emit_json(&answer, target.as_deref())?;
     } else {
         args.show(&answer, "points", as_text)?;
     }

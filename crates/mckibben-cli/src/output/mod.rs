@@ -13,20 +13,29 @@ pub use write::{
     save_inside, warn, warn_behind,
 };
 
-use crate::{Format, Problem, clean, quantities::unit_hint};
+use crate::{Format, Problem, clean, quantities::unit_hint, unprinted};
 use mckibben::warning::is_of_burst;
 use mckibben_app::{ProblemKind, answer_schema};
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
+use std::io::{BufWriter, Error, Write};
 use std::path::Path;
 
 pub fn json<T: Serialize>(answer: &T) -> Result<Value, Problem> {
-    serde_json::to_value(answer).map_err(|e| no_json(&e))
+    serde_json::to_value(answer)
+        .map_err(|e| Problem::new(ProblemKind::Output, format!("cannot make JSON: {e}"), ""))
 }
 
-pub fn no_json(error: &serde_json::Error) -> Problem {
-    Problem::new(ProblemKind::Output, format!("cannot make JSON: {error}"), "")
+/// Prints an answer of many points as JSON: straight to standard output, or into a file, which appears whole.
+pub fn emit_json<T: Serialize>(answer: &T, target: Target<'_>) -> Result<(), Problem> {
+    if target.is_some() {
+        return emit(format!("{:#}\n", json(answer)?), target);
+    }
+    let mut out = BufWriter::new(std::io::stdout().lock());
+    let written = serde_json::to_writer_pretty(&mut out, answer).map_err(Error::from);
+    let written = written.and_then(|()| writeln!(out)).and_then(|()| out.flush());
+    written.map_err(|error| unprinted(&error))
 }
 
 /// The file that a result goes to; else standard output.
