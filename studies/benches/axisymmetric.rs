@@ -11,7 +11,7 @@ use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::{Axisymmetric, Body, Discretisation, Mesh, MeshSpec, Problem};
 use mckibben_fem::simulation::{Detail, Given, Simulation};
 use mckibben_fem::solver::continuation::Continuation;
-use mckibben_fem::solver::curve::{Curve, Test};
+use mckibben_fem::solver::curve::Curve;
 use mckibben_fem::solver::newton::NewtonSystem;
 use std::hint::black_box;
 
@@ -32,7 +32,7 @@ fn run_campaign(muscles: &[Muscle]) -> f64 {
         let (model, w) = (Axisymmetric::new(muscle).unwrap(), &mut Workspace::new());
         for e in [0.0, 0.05, 0.10, 0.15, 0.20] {
             sum += model
-                .run(w, Test::Isometric(e), &pressures, Detail::Point)
+                .isometric(w, e, &pressures, Detail::Point)
                 .iter()
                 .flatten()
                 .map(|p| p.force_n)
@@ -46,7 +46,7 @@ fn run_campaign(muscles: &[Muscle]) -> f64 {
 fn report() {
     for e in [0.0, 0.05, 0.10, 0.15, 0.20] {
         let (model, w) = (Axisymmetric::new(&Muscle::prototype()).unwrap(), &mut Workspace::new());
-        let curve = model.run(w, Test::Isometric(e), &pressures(), Detail::Point);
+        let curve = model.isometric(w, e, &pressures(), Detail::Point);
         let effort = model.known(w).map(|c| c.effort).unwrap_or_default();
         println!(
             "isometric ε {e}, 26 points: {:.2} iterations, {:.2} factorisations per point; {} without answer",
@@ -74,7 +74,7 @@ fn memory(along: usize) -> usize {
 /// A curve with everything that comes before it.
 fn cold(muscle: &Muscle, spec: &MeshSpec, contraction: f64, pressures: &[f64]) -> Curve {
     let model = Axisymmetric::with_mesh(muscle, spec).unwrap();
-    model.run(&mut Workspace::new(), Test::Isometric(contraction), pressures, Detail::Point)
+    model.isometric(&mut Workspace::new(), contraction, pressures, Detail::Point)
 }
 
 fn bench(c: &mut Criterion) {

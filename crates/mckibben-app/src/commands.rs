@@ -54,12 +54,6 @@ impl CommandEntry {
             || request.get("campaign").is_some_and(|campaign| !campaign.is_null())
     }
 
-    /// What it is about, in a line: of a schema the description of the request.
-    #[cfg(feature = "schema")]
-    pub fn about(&self) -> String {
-        self.schema()["request"]["description"].as_str().unwrap_or_default().to_owned()
-    }
-
     /// Its JSON Schema: `request`, `answer` and `error`.
     #[cfg(feature = "schema")]
     pub fn schema(&self) -> Value {

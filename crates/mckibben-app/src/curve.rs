@@ -50,39 +50,11 @@ pub struct CurveRequest {
     pub figure: Option<Units>,
 }
 
-/// A family of curves.
-pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAnswer> {
-    let mut list = vec![];
-    let mut answer = each(request, progress, POINT_BYTES, &mut |curve| {
-        list.push(curve);
-        Ok(())
-    })?;
-    let figure = request.figure.as_ref();
-    answer.figure = figure.map(|unit| figure::curves(&answer, request.test, &list, request.both, unit));
-    answer.curves = list;
-    Ok(answer)
-}
-
 /// Memory of a point with its row and their text, in bytes.
 const POINT_BYTES: f64 = 5e3;
 
-/// The same without holding all points at once: `take` gets each curve as it is finished. What is returned has no points, no curves and
-/// no figure.
-pub fn curve_by_curve(
-    request: &CurveRequest,
-    progress: &dyn Progress,
-    take: &mut dyn FnMut(Curve) -> Result<()>,
-) -> Result<CurveAnswer> {
-    each(request, progress, 0.0, take)
-}
-
-/// Curve by curve, where the caller holds so many bytes of each point.
-fn each(
-    request: &CurveRequest,
-    progress: &dyn Progress,
-    held_bytes: f64,
-    take: &mut dyn FnMut(Curve) -> Result<()>,
-) -> Result<CurveAnswer> {
+/// A family of curves.
+pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAnswer> {
     check_test(request.test, request.contractions.is_some(), request.forces_n.is_some())?;
     let mut question = request.question.ask()?;
     let isobaric = request.test == Test::Isobaric;
@@ -112,7 +84,7 @@ fn each(
     };
     let all = fixed.len().saturating_mul(along.len()).saturating_mul(branches.len());
     size::points("pressures_mpa", all as f64)?;
-    size::bytes("pressures_mpa", held_bytes * all as f64)?;
+    size::bytes("pressures_mpa", POINT_BYTES * all as f64)?;
     let loaded = match (&request.load.load, isobaric) {
         (None, _) => None,
         (Some(_), true) => loaded(&request.load, &mut question.evaluation(), &fixed)?,
@@ -122,7 +94,7 @@ fn each(
         }
     };
     let mut gravest: Option<Problem> = None;
-    let (mut said, mut answers) = (vec![], false);
+    let (mut said, mut answers, mut list) = (vec![], false, vec![]);
     for (i, &value) in fixed.iter().enumerate() {
         progress.report(i, fixed.len());
         for &direction in branches {
@@ -137,13 +109,13 @@ fn each(
                 if !answers {
                     gravest = all_failed(&curve, gravest);
                 }
-                take(curve)?;
+                list.push(curve);
             }
         }
     }
     let burst = question.burst()?;
     put_first(&mut said, said_of(&burst, highest_mpa, QUIET_MPA));
-    Ok(CurveAnswer {
+    let mut answer = CurveAnswer {
         limits: (&burst).into(),
         model: question.model.info().name.to_string(),
         test: request.test,
@@ -155,7 +127,11 @@ fn each(
         problem: gravest.filter(|_| !answers),
         curves: vec![],
         both: request.both,
-    })
+    };
+    let figure = request.figure.as_ref();
+    answer.figure = figure.map(|unit| figure::curves(&answer, request.test, &list, request.both, unit));
+    answer.curves = list;
+    Ok(answer)
 }
 
 /// Contractions from 0 by a round step to the free contraction (or extension) at the highest pressure, which is the last one of a closed

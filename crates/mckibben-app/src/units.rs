@@ -1,6 +1,6 @@
 //! Units in which people are shown what is in mm, MPa and N inside.
 
-use crate::words::{aligned, half_width, number, within};
+use crate::words::{aligned, half_width, number};
 use mckibben::units::{Dimension, Unit};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -59,11 +59,6 @@ impl Scale {
     /// `2.5`, to so many digits; rounding errors about zero are zero.
     pub fn to(&self, inside: f64, digits: usize) -> String {
         number(if inside.abs() < NOTHING { 0.0 } else { self.value(inside) }, digits)
-    }
-
-    /// The same to the digits that a ± leaves.
-    pub fn within(&self, inside: f64, uncertainty: Option<f64>) -> String {
-        uncertainty.map_or_else(|| self.bare(inside), |u| within(self.value(inside), self.value(u)))
     }
 
     /// The ± of such a value.

@@ -17,11 +17,6 @@ pub fn number(v: f64, digits: usize) -> String {
     trimmed(v, decimals)
 }
 
-/// Air in normal litres: `0.356 normal L`.
-pub fn air(normal_litres: f64) -> String {
-    format!("{} normal L", number(normal_litres, 4))
-}
-
 /// A number to the last digit of its ± ([`half_width`]).
 pub fn within(v: f64, uncertainty: f64) -> String {
     const NO_UNCERTAINTY: i32 = -4;

@@ -12,7 +12,4 @@ pub enum Format {
     Json,
     /// One row per point; columns carry their unit
     Csv,
-    /// The same as Parquet, of a file with that ending
-    #[value(skip)]
-    Parquet,
 }

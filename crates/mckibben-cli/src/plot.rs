@@ -1,6 +1,6 @@
 //! Figures into files.
 
-use crate::output::{emit, ending, save as save_file};
+use crate::output::{ending, save as save_file};
 use crate::{Args, Problem, quantity};
 use mckibben::units::Dimension;
 use mckibben_app::ProblemKind;
@@ -9,10 +9,6 @@ use mckibben_report::{Figure, FigureError};
 /// Refuses a figure that could not be written, before any work is done for it.
 pub fn check(args: &Args) -> Result<(), Problem> {
     width_mm(args)?;
-    if let Some(path) = args.path("plot_data").filter(|path| ending(path).as_deref() != Some("csv")) {
-        let message = format!("--plot-data: {} must end in .csv", path.display());
-        return Err(Problem::new(ProblemKind::Output, message, ""));
-    }
     let Some(path) = args.path("plot") else { return Ok(()) };
     if ending(&path).is_some_and(|e| ["svg", "png", "pdf", "html", "htm"].contains(&e.as_str())) {
         return Ok(());
@@ -23,9 +19,6 @@ pub fn check(args: &Args) -> Result<(), Problem> {
 /// Writes a figure, where there is one and a file is named for it.
 pub fn save(figure: Option<Figure>, args: &Args) -> Result<(), Problem> {
     let (Some(mut figure), Some(path)) = (figure, args.path("plot")) else { return Ok(()) };
-    if let Some(path) = args.path("plot_data") {
-        emit(figure.to_csv(), Some(&path))?;
-    }
     if let Some(width_mm) = width_mm(args)? {
         figure = figure.width_mm(width_mm);
     }

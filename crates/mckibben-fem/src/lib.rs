@@ -23,13 +23,12 @@
 //! use mckibben::muscle::Muscle;
 //! use mckibben_fem::axisymmetric::Axisymmetric;
 //! use mckibben_fem::simulation::{Detail, Simulation};
-//! use mckibben_fem::solver::curve::Test;
 //!
 //! let (muscle, workspace) = (Axisymmetric::new(&Muscle::prototype())?, &mut Workspace::new());
 //! let force = muscle.force_n(workspace, 0.25, 0.10)?;
 //! assert!((force - 491.43).abs() < 0.01);
-//! let curve = muscle.run(workspace, Test::Isometric(0.10), &[0.05, 0.15, 0.25], Detail::Point);
-//! assert_eq!(curve.iter().flatten().filter(|point| point.slack()).count(), 0);
+//! let curve = muscle.isometric(workspace, 0.10, &[0.05, 0.15, 0.25], Detail::Point);
+//! assert_eq!(curve.iter().flatten().filter(|point| point.force_n < 0.0).count(), 0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

@@ -2,7 +2,7 @@
 
 use crate::results::{Sensitivity, Solution};
 use crate::simulation::{Detail, Given, Simulation};
-use crate::solver::curve::{Curve, CurvePoint, Test};
+use crate::solver::curve::{Curve, CurvePoint, falling};
 use crate::{FemError, Result};
 use mckibben::cancel::{self, Cancelled};
 use mckibben::model::{Response, Seated, Workspace};
@@ -33,7 +33,7 @@ fn for_whole_muscle(muscle: &Whole, displacement_mm: f64, mut error: FemError) -
 
 /// One equilibrium of the muscle between its ends.
 fn inner(muscle: &Whole, w: &mut Workspace, p: f64, x: f64, detail: Detail) -> Result<CurvePoint> {
-    let points = muscle.inner.run(w, Test::Isometric(x), &[p], detail);
+    let points = muscle.inner.isometric(w, x, &[p], detail);
     points.into_iter().next().unwrap_or(Err(FemError::Question { pressure_mpa: p, contraction: x }))
 }
 
@@ -148,44 +148,27 @@ impl Simulation for Whole {
         Ok(whole_point(self, Some(e), point))
     }
 
-    fn run(&self, workspace: &mut Workspace, test: Test, values: &[f64], detail: Detail) -> Curve {
+    fn isometric(&self, workspace: &mut Workspace, e: f64, pressures_mpa: &[f64], detail: Detail) -> Curve {
         let ends = &self.ends;
-        if ends.slip_mm_per_n > 0.0 && !matches!(test, Test::Isotonic(_)) {
-            // Each with its end state: in the order of the test, as the elements go from one to the next.
-            let mut out: Curve = vec![Err(Cancelled.into()); values.len()];
-            for i in test.order(values) {
-                if cancel::check().is_err() {
-                    break;
-                }
-                let (p, e) = match test {
-                    Test::Isobaric(p) => (p, values[i]),
-                    Test::Isometric(e) | Test::Isotonic(e) => (values[i], e),
-                };
-                let point = between(self, workspace, p, e).and_then(|x| inner(self, workspace, p, x, detail));
-                out[i] = point.map(|point| whole_point(self, Some(e), point));
-            }
-            return out;
+        if ends.slip_mm_per_n == 0.0 {
+            let points =
+                self.inner.isometric(workspace, ends.between(e, ends.seating_mm), pressures_mpa, detail);
+            let one = |point: Result<CurvePoint>| {
+                let point = point.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
+                Ok(whole_point(self, Some(e), point))
+            };
+            return points.into_iter().map(one).collect();
         }
-        let seated = |e: f64| ends.between(e, ends.seating_mm);
-        let mut at: Vec<f64> = values.to_vec();
-        let between = match test {
-            Test::Isotonic(_) => test,
-            Test::Isometric(e) => Test::Isometric(seated(e)),
-            Test::Isobaric(_) => {
-                at.iter_mut().for_each(|e| *e = seated(*e));
-                test
+        // Each with its end state: in the order of the test, as the elements go from one to the next.
+        let mut out: Curve = vec![Err(Cancelled.into()); pressures_mpa.len()];
+        for i in falling(pressures_mpa) {
+            if cancel::check().is_err() {
+                break;
             }
-        };
-        let whole = |i: usize| match test {
-            Test::Isotonic(_) => None,
-            Test::Isometric(e) => Some(e),
-            Test::Isobaric(_) => values.get(i).copied(),
-        };
-        let points = self.inner.run(workspace, between, &at, detail);
-        let one = |(i, point): (usize, Result<CurvePoint>)| {
-            let point = point.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
-            Ok(whole_point(self, whole(i), point))
-        };
-        points.into_iter().enumerate().map(one).collect()
+            let p = pressures_mpa[i];
+            let point = between(self, workspace, p, e).and_then(|x| inner(self, workspace, p, x, detail));
+            out[i] = point.map(|point| whole_point(self, Some(e), point));
+        }
+        out
     }
 }

@@ -5,7 +5,7 @@ use crate::axisymmetric::Axisymmetric;
 use crate::results::{MuscleBody, Solution};
 use crate::solver::body::Body as _;
 use crate::solver::continuation::Continuation;
-use crate::solver::curve::{Curve, CurvePoint, Test, run};
+use crate::solver::curve::{Curve, CurvePoint, isometric};
 use mckibben::model::{
     Accuracy, ForceModel, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange, Response, Result, Workspace,
 };
@@ -222,8 +222,14 @@ pub trait Simulation: ForceModel {
     /// The same without what needs its tangent.
     fn reach(&self, workspace: &mut Workspace, given: Given) -> Result<CurvePoint, FemError>;
 
-    /// A test: a point for each of `values`. Where the pull is above the blocked force an isotonic contraction is below zero.
-    fn run(&self, workspace: &mut Workspace, test: Test, values: &[f64], detail: Detail) -> Curve;
+    /// The test at one contraction: a point for each pressure in MPa.
+    fn isometric(
+        &self,
+        workspace: &mut Workspace,
+        contraction: f64,
+        pressures_mpa: &[f64],
+        detail: Detail,
+    ) -> Curve;
 }
 
 impl<D: Divided> Simulation for FiniteElements<D> {
@@ -236,13 +242,19 @@ impl<D: Divided> Simulation for FiniteElements<D> {
         Ok(CurvePoint::here(self.led_to(workspace, given)?, before))
     }
 
-    fn run(&self, workspace: &mut Workspace, test: Test, values: &[f64], detail: Detail) -> Curve {
+    fn isometric(
+        &self,
+        workspace: &mut Workspace,
+        contraction: f64,
+        pressures_mpa: &[f64],
+        detail: Detail,
+    ) -> Curve {
         let muscle = self.muscle();
         let c = match self.continuation(workspace) {
             Ok(c) => c,
-            Err(error) => return vec![Err(error); values.len()],
+            Err(error) => return vec![Err(error); pressures_mpa.len()],
         };
-        run(c, values, test, |c, point| {
+        isometric(c, contraction, pressures_mpa, |c, point| {
             if detail >= Detail::Tangent {
                 point.response = Some(c.body.response(muscle)?);
             }

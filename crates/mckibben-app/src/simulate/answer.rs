@@ -40,9 +40,6 @@ pub struct SimulateAnswer {
     /// Where no point has an answer: the reason.
     #[serde(skip)]
     pub problem: Option<Problem>,
-    /// Whether the number of strands is known, so that the tension of one is.
-    #[serde(skip)]
-    pub strands: bool,
 }
 
 /// A point of the test.

@@ -186,7 +186,6 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         deck,
         files: files.map_or_else(Vec::new, ShapeFiles::all),
         problem,
-        strands: muscle.braid().strands.is_some(),
         simulated,
     })
 }

@@ -12,7 +12,7 @@ use mckibben::threads;
 use mckibben_fem::FemError;
 use mckibben_fem::elements::Elements;
 use mckibben_fem::simulation::Detail;
-use mckibben_fem::solver::curve::{CurvePoint, Test};
+use mckibben_fem::solver::curve::CurvePoint;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// All rows of a plan, in its order and in memory: for plans of a moderate size, and where there are no files.
@@ -52,8 +52,7 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<PointRow> {
             })),
             Ok(model) => {
                 let detail = if testing.sensitivities { Detail::Sensitivities } else { Detail::Tangent };
-                let test = Test::Isometric(contraction);
-                let curve = model.run(workspace, test, &testing.pressures_mpa, detail);
+                let curve = model.isometric(workspace, contraction, &testing.pressures_mpa, detail);
                 out.extend(
                     testing.pressures_mpa.iter().zip(curve).map(|(&p, point)| filled(blank(p), point)),
                 );

@@ -7,7 +7,6 @@ use mckibben::muscle::Muscle;
 use mckibben::threads;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::simulation::{Detail, Simulation};
-use mckibben_fem::solver::curve::Test;
 pub use mckibben_fit::measured::{distinct, same};
 use serde::Serialize;
 
@@ -121,8 +120,7 @@ impl Grid<'_> {
         let Ok(model) = Axisymmetric::new(muscle) else { return vec![] };
         let mut out = vec![];
         for &contraction in self.contractions {
-            let (test, w) = (Test::Isometric(contraction), &mut Workspace::new());
-            let curve = model.run(w, test, self.pressures, Detail::Point);
+            let curve = model.isometric(&mut Workspace::new(), contraction, self.pressures, Detail::Point);
             for (&pressure_mpa, point) in self.pressures.iter().zip(curve) {
                 out.extend(point.ok().map(|p| FitPoint {
                     outer_diameter_mm: muscle.outer_diameter_mm(),

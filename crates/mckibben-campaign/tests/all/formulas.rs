@@ -1,6 +1,6 @@
 //! Formulas from tables of points: the paper's method, `global`, and what is refused.
 
-use mckibben::formula::{Body, Coefficients, Formula, Made, Provenance};
+use mckibben::formula::{Body, Coefficients, Document, Made, Provenance};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
 use mckibben::status::Status;
@@ -76,7 +76,7 @@ fn global_is_exact_on_a_polynomial_of_its_terms() {
     // Also where no point was.
     let (ours, exact) = (formula.force_n(37.0, 2.2, 0.13, 0.17), f(37.0, 2.2, 0.13, 0.17));
     assert!((ours / exact - 1.0).abs() < 1e-7, "{ours} {exact}");
-    assert_eq!(Formula::parse(&formula.to_json()).unwrap(), formula);
+    assert_eq!(Document::parse(&formula.to_json()).unwrap(), Document::Section(formula));
 }
 
 #[test]

@@ -2,12 +2,12 @@
 
 use crate::output::loaded::loaded as text_of_load;
 use crate::{
-    Args, Bar, Format, Problem, Units, burst_first, columns, exit_code, half_width, output::form,
-    output::text::aligned, output::text::within, percent, percents, streamed, warn,
+    Args, Bar, Format, Problem, Units, burst_first, columns, exit_code, half_width, output::emit_json,
+    output::form, output::text::aligned, output::text::within, percent, percents, warn,
 };
 use mckibben::curve::{Curve, Test};
 use mckibben::{answer::Answer, muscle::Direction, study::StudyPanel};
-use mckibben_app::{CurveAnswer, CurveRequest, PointRow, StudyAnswer, breakdown, curve_by_curve, study};
+use mckibben_app::{CurveAnswer, CurveRequest, StudyAnswer, breakdown, study};
 
 pub fn run(args: &Args) -> Result<u8, Problem> {
     if args.text("study").is_some() {
@@ -15,16 +15,6 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
     }
     let request: CurveRequest = args.request()?;
     let bar = Bar::new("curves");
-    let target = args.path("output");
-    if request.figure.is_none() && form(target.as_deref(), args.format)? == Format::Json {
-        let problem = streamed("points", target.as_deref(), |row| {
-            let rows = |curve: Curve| curve.points.iter().try_for_each(|p| row(&PointRow::from(p)));
-            let mut answer = curve_by_curve(&request, &bar, &mut { rows })?;
-            let problem = answer.problem.take();
-            Ok((answer, problem))
-        })?;
-        return Ok(exit_code(problem.as_ref()));
-    }
     let mut answer = mckibben_app::curve(&request, &bar)?;
     drop(bar);
     if let Some(problem) = answer.problem.take_if(|_| args.format == Format::Text) {
@@ -34,7 +24,12 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
         args.draw(&mut answer.figure)?;
     }
     answer.figure = None;
-    args.show(&answer, "points", as_text)?;
+    let target = args.path("output");
+    if form(target.as_deref(), args.format)? == Format::Json {
+        emit_json(&answer, target.as_deref())?;
+    } else {
+        args.show(&answer, "points", as_text)?;
+    }
     Ok(exit_code(answer.problem.as_ref()))
 }
 

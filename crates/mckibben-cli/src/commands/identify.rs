@@ -15,7 +15,7 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
     if let Some(log) = args.path("motion") {
         return of_motion(args, &log, target.as_deref());
     }
-    let mut answer = mckibben_app::identify(&request(args)?, &Bar::new("points"))?;
+    let mut answer = mckibben_app::identify(&args.request::<IdentifyRequest>()?, &Bar::new("points"))?;
     args.draw(&mut answer.figure)?;
     save(target.as_deref(), answer.muscle_file.as_bytes())?;
     let written = target.map(|path| format!("\nThe muscle is in {}.\n", place(&path)));
@@ -37,14 +37,6 @@ fn of_motion(args: &Args, log: &Path, target: Option<&Path>) -> Result<u8, Probl
         let table = format!("model {}\n\n{}\n{errors}", answer.model, constants(&identified.parameters, u));
         burst_first(&answer.warnings) + &table + &written.unwrap_or_default()
     })
-}
-
-fn request(args: &Args) -> Result<IdentifyRequest, Problem> {
-    let mut fields = args.fields()?;
-    if args.is("robust") {
-        fields.insert("loss".into(), "huber".into());
-    }
-    mckibben_app::understood(&fields.into())
 }
 
 const PARAMETERS: &str =

@@ -2,31 +2,40 @@
 
 pub mod keyed;
 pub mod loaded;
-mod parquet;
-mod stream;
 mod table;
 pub mod text;
 pub mod width;
 mod write;
 
-pub use stream::streamed;
 pub use table::FLAT;
 pub use write::{
     burst_first, check, check_ending, check_named, complain, emit, ending, overwrite, save, save_all,
     save_inside, warn, warn_behind,
 };
 
-use crate::{Format, Problem, clean, quantities::unit_hint};
+use crate::{Format, Problem, clean, quantities::unit_hint, unprinted};
 use mckibben::warning::is_of_burst;
 use mckibben_app::{ProblemKind, answer_schema};
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
+use std::io::{BufWriter, Error, Write};
 use std::path::Path;
 
 pub fn json<T: Serialize>(answer: &T) -> Result<Value, Problem> {
     serde_json::to_value(answer)
         .map_err(|e| Problem::new(ProblemKind::Output, format!("cannot make JSON: {e}"), ""))
+}
+
+/// Prints an answer of many points as JSON: straight to standard output, or into a file, which appears whole.
+pub fn emit_json<T: Serialize>(answer: &T, target: Target<'_>) -> Result<(), Problem> {
+    if target.is_some() {
+        return emit(format!("{:#}\n", json(answer)?), target);
+    }
+    let mut out = BufWriter::new(std::io::stdout().lock());
+    let written = serde_json::to_writer_pretty(&mut out, answer).map_err(Error::from);
+    let written = written.and_then(|()| writeln!(out)).and_then(|()| out.flush());
+    written.map_err(|error| unprinted(&error))
 }
 
 /// The file that a result goes to; else standard output.
@@ -62,7 +71,7 @@ fn made(
             width::broken(&clean::lines(&text())).into_bytes()
         }
         Format::Json => format!("{:#}\n", json()?).into_bytes(),
-        form => {
+        Format::Csv => {
             let mut value = json()?;
             // A table has no place for it.
             let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
@@ -76,7 +85,7 @@ fn made(
             };
             let columns = table::with_others(table::columns(&schema(), rows), &list);
             let table = table::Table { columns, rows: list };
-            if form == Format::Csv { table::csv(&table)? } else { parquet::rows(&table)? }
+            table::csv(&table)?
         }
     };
     emit(&out, target)?;
@@ -91,10 +100,9 @@ pub fn form(path: Option<&Path>, format: Format) -> Result<Format, Problem> {
         "txt" | "md" => Format::Text,
         "json" => Format::Json,
         "csv" => Format::Csv,
-        "parquet" => Format::Parquet,
         other => {
             let message = format!("--output: .{other} is not a supported file ending");
-            let hint = "the endings are .txt, .json, .csv and .parquet";
+            let hint = "the endings are .txt, .json and .csv";
             return Err(Problem::new(ProblemKind::Output, message, hint));
         }
     };

@@ -5,22 +5,11 @@ use mckibben_app::ProblemKind;
 use mckibben_io::clean::cell;
 use serde_json::{Map, Value};
 
-/// What the values of a column are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    Number,
-    Flag,
-    Text,
-}
-
 /// The name of rows for an answer that is one row, with the values of its objects beside the others.
 pub const FLAT: &str = "*";
 
-/// A column: the key of the rows in JSON.
-pub type Column = (String, Kind);
-
 /// The columns of an answer's rows by its schema: those of its list or object of lists `rows`, or of the answer itself where the name is empty.
-pub fn columns(root: &Value, rows: &str) -> Vec<Column> {
+pub fn columns(root: &Value, rows: &str) -> Vec<String> {
     let mut out = vec![];
     if rows.is_empty() || rows == FLAT {
         scalars(root, root, false, &mut out);
@@ -41,18 +30,10 @@ pub fn columns(root: &Value, rows: &str) -> Vec<Column> {
 }
 
 /// What a table has beyond the columns that are known, by the values in it.
-pub fn with_others(mut columns: Vec<Column>, list: &[Value]) -> Vec<Column> {
+pub fn with_others(mut columns: Vec<String>, list: &[Value]) -> Vec<String> {
     for (key, value) in list.iter().filter_map(Value::as_object).flatten() {
-        let kind = match value {
-            Value::Array(_) | Value::Object(_) | Value::Null => continue,
-            Value::Number(_) => Kind::Number,
-            Value::Bool(_) => Kind::Flag,
-            Value::String(_) => Kind::Text,
-        };
-        match columns.iter_mut().find(|c| c.0 == *key) {
-            Some(known) if known.1 != kind => known.1 = Kind::Text,
-            Some(_) => {}
-            None => columns.push((key.clone(), kind)),
+        if !matches!(value, Value::Array(_) | Value::Object(_) | Value::Null) && !columns.contains(key) {
+            columns.push(key.clone());
         }
     }
     columns
@@ -81,17 +62,19 @@ fn properties<'a>(root: &'a Value, node: &'a Value) -> impl Iterator<Item = (&'a
 }
 
 /// The keys of an object whose values are numbers, flags or texts, or lists of such.
-fn scalars(root: &Value, node: &Value, are_lists: bool, out: &mut Vec<Column>) {
+fn scalars(root: &Value, node: &Value, are_lists: bool, out: &mut Vec<String>) {
     for (name, value) in properties(root, node) {
         let items = || variants(root, value).into_iter().find_map(|node| node.get("items"));
-        let kind = if are_lists { items() } else { Some(value) }.and_then(|value| kind(root, value));
-        out.extend(kind.filter(|_| out.iter().all(|c| c.0 != *name)).map(|kind| (name.clone(), kind)));
+        let value = if are_lists { items() } else { Some(value) };
+        if value.is_some_and(|value| is_scalar(root, value)) && !out.contains(name) {
+            out.push(name.clone());
+        }
     }
 }
 
-/// What a value is; `None` where it is a list, an object, or unknown.
-fn kind(root: &Value, node: &Value) -> Option<Kind> {
-    let mut common = None;
+/// Whether a value is a number, a flag or a text, and no list or object.
+fn is_scalar(root: &Value, node: &Value) -> bool {
+    let mut some = false;
     for node in variants(root, node) {
         let words = node.get("const").is_some() || node.get("enum").is_some();
         let types: Vec<&str> = match &node["type"] {
@@ -99,22 +82,20 @@ fn kind(root: &Value, node: &Value) -> Option<Kind> {
             one => one.as_str().or(words.then_some("string")).into_iter().collect(),
         };
         for word in types {
-            let kind = match word {
-                "number" | "integer" => Kind::Number,
-                "boolean" => Kind::Flag,
-                "string" => Kind::Text,
-                "null" => continue,
-                _ => return None,
-            };
-            common = Some(if common.is_none_or(|f| f == kind) { kind } else { Kind::Text });
+            match word {
+                "number" | "integer" | "boolean" | "string" => some = true,
+                "null" => {}
+                _ => return false,
+            }
         }
     }
-    common
+    some
 }
 
 #[derive(Debug)]
 pub struct Table {
-    pub columns: Vec<Column>,
+    /// Keys of the rows in JSON.
+    pub columns: Vec<String>,
     /// Its rows, as objects; a key that is not there is an empty cell.
     pub rows: Vec<Value>,
 }
@@ -144,7 +125,7 @@ pub fn of_columns(columns: &Map<String, Value>) -> Vec<Value> {
 }
 
 /// A value as text; nothing where there is none.
-pub fn text(value: Option<&Value>) -> Option<String> {
+fn text(value: Option<&Value>) -> Option<String> {
     match value? {
         Value::Null => None,
         Value::String(text) => Some(text.clone()),
@@ -156,9 +137,9 @@ pub fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
     let broken =
         |e: &dyn std::fmt::Display| Problem::new(ProblemKind::Output, format!("cannot make CSV: {e}"), "");
     let mut writer = ::csv::Writer::from_writer(vec![]);
-    writer.write_record(table.columns.iter().map(|c| cell(&c.0).into_owned())).map_err(|e| broken(&e))?;
+    writer.write_record(table.columns.iter().map(|c| cell(c).into_owned())).map_err(|e| broken(&e))?;
     for object in table.rows.iter().filter_map(Value::as_object) {
-        let texts = table.columns.iter().map(|c| text(object.get(&c.0)).unwrap_or_default());
+        let texts = table.columns.iter().map(|c| text(object.get(c)).unwrap_or_default());
         let cells: Vec<String> = texts.map(|text| cell(&text).into_owned()).collect();
         writer.write_record(cells).map_err(|e| broken(&e))?;
     }
@@ -173,20 +154,15 @@ mod tests {
     #[test]
     fn columns_are_the_scalar_keys_of_the_schema() {
         let point = columns(&answer_schema::<PointAnswer>(), "");
-        for (name, kind) in [
-            ("force_n", Kind::Number),
-            ("slack", Kind::Flag),
-            ("model", Kind::Text),
-            ("start_pressure_mpa", Kind::Number),
-        ] {
-            assert!(point.contains(&(name.to_owned(), kind)), "{name}: {point:?}");
+        for name in ["force_n", "slack", "model", "start_pressure_mpa"] {
+            assert!(point.iter().any(|c| c == name), "{name}: {point:?}");
         }
-        assert!(point.iter().all(|c| !["muscle", "about", "warnings", "branches"].contains(&c.0.as_str())));
+        assert!(point.iter().all(|c| !["muscle", "about", "warnings", "branches"].contains(&c.as_str())));
         let curve = columns(&answer_schema::<CurveAnswer>(), "points");
         for name in ["force_n", "status", "cause", "wanted_force_n"] {
-            assert!(curve.iter().any(|c| c.0 == name), "{name}: {curve:?}");
+            assert!(curve.iter().any(|c| c == name), "{name}: {curve:?}");
         }
         let motion = columns(&answer_schema::<MotionAnswer>(), "series");
-        assert!(motion.iter().any(|c| c.0 == "time_s") && motion.iter().any(|c| c.0 == "contraction"));
+        assert!(motion.iter().any(|c| c == "time_s") && motion.iter().any(|c| c == "contraction"));
     }
 }

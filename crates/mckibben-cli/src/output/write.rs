@@ -14,7 +14,7 @@ use std::{path::Path, sync::Mutex};
 static OVERWRITE: AtomicBool = AtomicBool::new(false);
 
 /// Flags that name files that are written.
-const WRITTEN: [&str; 5] = ["output", "plot", "plot_data", "alone", "export_inp"];
+const WRITTEN: [&str; 4] = ["output", "plot", "alone", "export_inp"];
 
 pub fn overwrite() -> bool {
     OVERWRITE.load(Ordering::Relaxed)

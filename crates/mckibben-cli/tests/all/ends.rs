@@ -42,9 +42,9 @@ fn limited(dir: &Path, limit: &str, line: &str) -> Ran {
     ran(Command::new("sh").args(["-c", &script]).current_dir(dir).output().unwrap())
 }
 
-/// A hundred thousand points in 300 MB of addresses, printed as they are computed; and a mesh in 2 GB that is refused.
+/// A hundred thousand points in 300 MB of addresses; and a mesh in 2 GB that is refused.
 #[test]
-fn a_curve_in_json_is_printed_as_it_is_computed() {
+fn a_curve_of_many_points_in_json_takes_little_memory() {
     let line = "curve isobaric --model ideal -p 0.001..0.25:0.001 -e 0..0.1596:0.0004 --format json";
     let answer = limited(&root(), "-v 300000", line).ok().json();
     assert_eq!(answer["points"].as_array().unwrap().len(), 250 * 400);

@@ -61,7 +61,7 @@ proptest! {
         d in -3.0f64..6.0, s in -4.0f64..5.0, l in -3.0f64..7.0, angle in 0.0f64..60.0,
         p in -9.0f64..6.0, e in -1.2f64..1.2,
         model in prop::sample::select(&["ideal", "thick-wall", "paper", "chou-hannaford", "force-balance",
-            "klute-hannaford", "rounded-ends", "tondu-lopez", "conical-ends", "festo-hunt-10", "festo-dmsp-10"][..]),
+            "klute-hannaford", "rounded-ends", "tondu-lopez", "conical-ends", "festo-dmsp-10"][..]),
         verb in prop::sample::select(&["force", "contraction"][..]),
     ) {
         let given = if verb == "force" { format!("-e {e}") } else { format!("-F {}", 1000.0 * e.abs()) };

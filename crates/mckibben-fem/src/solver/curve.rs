@@ -1,10 +1,9 @@
-//! Tests of a muscle: isometric, isotonic, isobaric. Every point carries a status: one that has no equilibrium does not end the
-//! others.
+//! The isometric test of a muscle. Every point carries a status: one that has no equilibrium does not end the others.
 
 use super::body::{Body, Control};
 use super::continuation::Continuation;
 use super::newton::Effort;
-use super::trail::Along;
+use super::trail::{Along, Trail};
 use crate::results::Sensitivity;
 use crate::{FemError, Result};
 use mckibben::cancel::{self, Cancelled};
@@ -33,11 +32,6 @@ pub struct CurvePoint {
 }
 
 impl CurvePoint {
-    /// Whether the muscle would have to push.
-    pub fn slack(&self) -> bool {
-        self.force_n < 0.0
-    }
-
     /// The present equilibrium, with what was spent since `before`.
     pub(crate) fn here<B: Body>(c: &Continuation<B>, before: Effort) -> Self {
         let totals = c.body.totals();
@@ -58,82 +52,49 @@ impl CurvePoint {
 /// Points of a curve in the order of the given values.
 pub type Curve = Vec<Result<CurvePoint>>;
 
-/// What is kept fixed along a curve.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Test {
-    /// A contraction, at given pressures; from the highest pressure down.
-    Isometric(f64),
-    /// A pull in N, at given pressures; from the highest pressure down.
-    Isotonic(f64),
-    /// A pressure in MPa, at given contractions; from the smallest contraction on.
-    Isobaric(f64),
+/// From the last points of the path to the pressure; whether that is the answer there.
+fn follow_trail<B: Body>(c: &mut Continuation<B>, contraction: f64, pressure_mpa: f64) -> bool {
+    let held = Control::Length(-contraction * c.body.half_length());
+    let predicted = c.trail.predict(Along::Pressure, pressure_mpa, c.body.state_mut());
+    predicted && c.solve(held).is_ok() && c.stable_under(held) && c.body.certain()
 }
 
-impl Test {
-    fn along(self) -> Along {
-        if matches!(self, Self::Isobaric(_)) { Along::Length } else { Along::Pressure }
-    }
-
-    /// The places of `values` in the order in which the test visits them.
-    pub(crate) fn order(self, values: &[f64]) -> Vec<usize> {
-        let mut order: Vec<usize> = (0..values.len()).collect();
-        order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
-        if self.along() == Along::Pressure {
-            order.reverse();
-        }
-        order
-    }
-
-    fn solve_anew<B: Body>(self, c: &mut Continuation<B>, value: f64) -> Result<()> {
-        match self {
-            Self::Isometric(contraction) => c.reach(value, contraction),
-            Self::Isotonic(force) => c.reach_force(force, value),
-            Self::Isobaric(pressure) => c.reach(pressure, value),
-        }
-    }
-
-    /// From the last points of the path to the next; whether that is the answer there.
-    fn follow_trail<B: Body>(self, c: &mut Continuation<B>, value: f64) -> bool {
-        let half = c.body.half_length();
-        let (place, held) = match self {
-            Self::Isometric(contraction) => (value, Control::Length(-contraction * half)),
-            Self::Isotonic(force) => (value, Control::Force(force)),
-            Self::Isobaric(_) => (-value * half, Control::Length(-value * half)),
-        };
-        let predicted = c.trail.predict(self.along(), place, c.body.state_mut());
-        predicted && c.solve(held).is_ok() && c.stable_under(held) && c.body.certain()
-    }
+/// Places of numbers from the largest down.
+pub(crate) fn falling(values: &[f64]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|&a, &b| values[b].total_cmp(&values[a]));
+    order
 }
 
-/// Visits `values` in the order of the test: from what the last points predict where that works, else anew. `complete` adds to a point.
-pub(crate) fn run<B: Body>(
+/// Visits the pressures in MPa from the highest down: from what the last points predict where that works, else anew. `complete` adds to a point.
+pub(crate) fn isometric<B: Body>(
     c: &mut Continuation<B>,
-    values: &[f64],
-    test: Test,
+    contraction: f64,
+    pressures_mpa: &[f64],
     complete: impl Fn(&mut Continuation<B>, &mut CurvePoint) -> Result<()>,
 ) -> Curve {
-    let order = test.order(values);
-    let mut out: Curve = vec![Err(FemError::Cancelled(Cancelled)); values.len()];
+    let order = falling(pressures_mpa);
+    let mut out: Curve = vec![Err(FemError::Cancelled(Cancelled)); pressures_mpa.len()];
     let mut running = false;
     for (turn, &i) in order.iter().enumerate() {
         if cancel::check().is_err() {
             break;
         }
-        if turn > 0 && values[i] == values[order[turn - 1]] {
+        let pressure_mpa = pressures_mpa[i];
+        if turn > 0 && pressure_mpa == pressures_mpa[order[turn - 1]] {
             out[i] = out[order[turn - 1]].clone();
             continue;
         }
         let before = c.effort;
-        let followed = running && test.follow_trail(c, values[i]);
-        let point = if followed { Ok(()) } else { test.solve_anew(c, values[i]) };
-        if followed {
-            c.trail_here();
-        } else {
+        let followed = running && follow_trail(c, contraction, pressure_mpa);
+        let point = if followed { Ok(()) } else { c.reach(pressure_mpa, contraction) };
+        if !followed {
             // Where strands are slack the next point is none of this path.
             running = point.is_ok() && (B::SETTINGS.take_unstable || c.body.certain());
-            if running {
-                c.begin_trail();
-            }
+            c.trail = Trail::default();
+        }
+        if running {
+            c.trail.push(c.body.state());
         }
         out[i] = point.and_then(|()| {
             let mut here = CurvePoint::here(c, before);

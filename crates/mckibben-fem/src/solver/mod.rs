@@ -11,7 +11,6 @@ mod kernel;
 mod lead_down;
 pub mod newton;
 mod panel;
-mod path;
 mod search;
 pub mod sparse;
 mod substitution;

@@ -326,19 +326,4 @@ mod tests {
             assert_eq!(s.entries(), (0..s.count()).map(|i| s.values(i).len()).sum::<usize>());
         }
     }
-
-    #[test]
-    fn a_dense_matrix_is_one_supernode() {
-        let n = 30;
-        let columns = (0..=n)
-            .scan(0, |sum, j| {
-                let before = *sum;
-                *sum += n - j.min(n);
-                Some(before)
-            })
-            .collect();
-        let rows = (0..n).flat_map(|j| j..n).collect();
-        let s = Symbolic::from_pattern(&Pattern { columns, rows }).unwrap();
-        assert_eq!((s.count(), s.columns(0), s.entries()), (1, 0..30, 900));
-    }
 }

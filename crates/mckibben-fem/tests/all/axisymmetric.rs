@@ -1,5 +1,6 @@
 //! The axisymmetric muscle as a user meets it.
 
+use super::sweep::case;
 use mckibben::cancel::{Cancel, Cancelled};
 use mckibben::joint::{Joint, JointModel, JointMuscle, Link, Path, Turning};
 use mckibben::model::{ForceModel, ModelError, ThickWall, Workspace};
@@ -7,10 +8,8 @@ use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
 use mckibben::random::rounds;
 use mckibben_fem::FemError;
-use mckibben_fem::axisymmetric::sweep::{SweepCase, case};
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
 use mckibben_fem::simulation::{Detail, Given, Simulation, free_contraction};
-use mckibben_fem::solver::curve::Test;
 
 fn pull(force_n: f64, pressure_mpa: f64) -> Given {
     Given::PressureAndPull { pressure_mpa, force_n }
@@ -41,7 +40,7 @@ fn gold_of_the_prototype() {
     ];
     for (e, force, factorisations) in gold {
         let (model, w) = (prototype(), &mut Workspace::new());
-        let curve = model.run(w, Test::Isometric(e), &pressures(), Detail::Point);
+        let curve = model.isometric(w, e, &pressures(), Detail::Point);
         let last = curve[25].as_ref().unwrap();
         assert!((last.force_n - force).abs() < 1e-3, "ε {e}: {}", last.force_n);
         assert!(curve.iter().all(Result::is_ok));
@@ -49,7 +48,7 @@ fn gold_of_the_prototype() {
         let pulling = |p: &f64| curve.iter().flatten().any(|q| q.pressure_mpa == *p && q.force_n >= 0.0);
         let pulling: Vec<f64> = pressures().into_iter().filter(pulling).collect();
         let w = &mut Workspace::new();
-        assert!(model.run(w, Test::Isometric(e), &pulling, Detail::Point).iter().all(Result::is_ok));
+        assert!(model.isometric(w, e, &pulling, Detail::Point).iter().all(Result::is_ok));
         let effort = model.known(w).unwrap().effort;
         assert!(effort.factorisations <= factorisations, "ε {e}: {effort:?}");
         assert!(effort.residual <= 1e-10);
@@ -85,7 +84,7 @@ fn the_chosen_mesh_is_within_a_twentieth_of_a_percent_on_the_papers_range() {
 #[test]
 fn sweep_of_200_random_muscles() {
     let mut required = 0;
-    for SweepCase { muscle, pressure_mpa, contraction } in (0..rounds(200)).filter_map(|i| case(1, i)) {
+    for (muscle, pressure_mpa, contraction) in (0..rounds(200)).filter_map(|i| case(1, i)) {
         let w = &mut Workspace::new();
         let endless = ThickWall::new(&muscle).response(w, pressure_mpa, contraction).ok();
         let strained = |tension_n| muscle.strand_strain(tension_n).is_none_or(|strain| strain < 0.05);
@@ -115,21 +114,11 @@ fn answers_do_not_depend_on_the_questions_before() {
 #[test]
 fn curves_agree_with_single_answers() {
     let (model, w) = (prototype(), &mut Workspace::new());
-    for (e, curve) in [0.0, 0.1].map(|e| (e, model.run(w, Test::Isometric(e), &pressures(), Detail::Point))) {
+    for (e, curve) in [0.0, 0.1].map(|e| (e, model.isometric(w, e, &pressures(), Detail::Point))) {
         for point in curve.iter().flatten() {
             let single = cold(point.pressure_mpa, e);
             assert!((point.force_n - single).abs() < 1e-6, "{point:?} {single}");
         }
-    }
-    let contractions = [0.0, 0.05, 0.1, 0.15, 0.2];
-    for (point, e) in
-        model.run(w, Test::Isobaric(0.2), &contractions, Detail::Point).iter().flatten().zip(contractions)
-    {
-        assert!((point.force_n - cold(0.2, e)).abs() < 1e-6);
-    }
-    for point in model.run(w, Test::Isotonic(80.0), &[0.05, 0.1, 0.25], Detail::Point).iter().flatten() {
-        let single = cold(point.pressure_mpa, point.contraction);
-        assert!((single - 80.0).abs() < 1e-5, "{point:?} {single}");
     }
 }
 
@@ -169,7 +158,7 @@ fn a_curve_can_be_cancelled() {
     let cancel = Cancel::default();
     cancel.cancel();
     let _entered = cancel.enter();
-    let curve = prototype().run(&mut Workspace::new(), Test::Isometric(0.1), &pressures(), Detail::Point);
+    let curve = prototype().isometric(&mut Workspace::new(), 0.1, &pressures(), Detail::Point);
     assert!(curve.iter().all(|point| *point == Err(FemError::Cancelled(Cancelled))));
 }
 

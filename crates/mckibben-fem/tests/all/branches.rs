@@ -6,9 +6,8 @@ use mckibben::muscle::file::read_muscle;
 use mckibben::random::rounds;
 use mckibben::status::Status;
 use mckibben_fem::FemError;
-use mckibben_fem::axisymmetric::{Axisymmetric, sweep};
-use mckibben_fem::simulation::{Detail, Simulation};
-use mckibben_fem::solver::curve::Test;
+use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fem::simulation::{Detail, Given, Simulation};
 use std::f64::consts::PI;
 
 /// Random muscles of the grid study.
@@ -30,7 +29,7 @@ fn ended(point: Result<f64, FemError>) -> Ended {
 }
 
 fn isometric(model: &Axisymmetric, workspace: &mut Workspace, e: f64, pressures: &[f64]) -> Vec<Ended> {
-    let curve = model.run(workspace, Test::Isometric(e), pressures, Detail::Point);
+    let curve = model.isometric(workspace, e, pressures, Detail::Point);
     curve.into_iter().map(|point| ended(point.map(|p| p.force_n))).collect()
 }
 
@@ -64,11 +63,15 @@ fn differences(muscle: &Muscle) -> Vec<String> {
         }
     }
     let p = PRESSURES[1];
-    let isobaric = model.run(&mut Workspace::new(), Test::Isobaric(p), &contractions, Detail::Point);
-    for (k, point) in isobaric.into_iter().enumerate() {
-        let (scale, what) =
-            (p * PI * muscle.tube().outer_radius_mm().powi(2), format!("isobaric, ε {:.4}", contractions[k]));
-        out.extend(difference(&what, &fine[k][1], &ended(point.map(|q| q.force_n)), scale));
+    let along = &mut Workspace::new();
+    for (k, &e) in contractions.iter().enumerate() {
+        let (scale, what) = (p * PI * muscle.tube().outer_radius_mm().powi(2), format!("isobaric, ε {e:.4}"));
+        out.extend(difference(
+            &what,
+            &fine[k][1],
+            &ended(model.reach(along, Given::at(p, e)).map(|q| q.force_n)),
+            scale,
+        ));
     }
     out
 }
@@ -78,8 +81,8 @@ fn random_muscles_have_the_same_answers_on_two_grids_in_two_orders_and_two_tests
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let muscles = rounds(MUSCLES);
     let of_thread = |thread: usize| {
-        let mine = (0..muscles).filter(|i| i % threads == thread).filter_map(|i| sweep::case(7, i));
-        mine.flat_map(|case| differences(&case.muscle)).collect::<Vec<_>>()
+        let mine = (0..muscles).filter(|i| i % threads == thread).filter_map(|i| super::sweep::case(7, i));
+        mine.flat_map(|(muscle, ..)| differences(&muscle)).collect::<Vec<_>>()
     };
     let differences: Vec<String> = std::thread::scope(|scope| {
         let handles: Vec<_> = (0..threads).map(|thread| scope.spawn(move || of_thread(thread))).collect();

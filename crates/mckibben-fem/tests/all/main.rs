@@ -14,6 +14,7 @@ mod prestretch;
 mod seated;
 mod shared;
 mod small_angles;
+mod sweep;
 mod temperature;
 mod three_dimensional;
 mod universal_small;

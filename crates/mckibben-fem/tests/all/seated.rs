@@ -4,7 +4,6 @@ use mckibben::model::{Response, Workspace};
 use mckibben::muscle::{Muscle, Terminals};
 use mckibben_fem::elements::Elements;
 use mckibben_fem::simulation::{Detail, Given, Simulation, free_contraction};
-use mckibben_fem::solver::curve::Test;
 
 fn pull(pressure_mpa: f64, force_n: f64) -> Given {
     Given::PressureAndPull { pressure_mpa, force_n }
@@ -34,17 +33,11 @@ fn searches_and_curves_meet(model: &dyn Simulation, (p, e): (f64, f64), point: &
     close(model.reach(w, pull(p, force_n)).unwrap().contraction, e);
     close(model.solve(w, pull(p, force_n)).unwrap().response.contraction, e);
     close(model.reach(w, blocked(e, force_n)).unwrap().pressure_mpa, p);
-    let curves = [
-        model.run(w, Test::Isometric(e), &[0.1, p], Detail::Point),
-        model.run(w, Test::Isobaric(p), &[0.05, e], Detail::Point),
-        model.run(w, Test::Isotonic(force_n), &[0.1, p], Detail::Point),
-    ];
-    for curve in curves {
-        let at = curve[1].as_ref().unwrap();
-        close(at.force_n, force_n);
-        close(at.contraction, e);
-        close(at.volume_mm3, point.volume_mm3.unwrap());
-    }
+    let curve = model.isometric(w, e, &[0.1, p], Detail::Point);
+    let at = curve[1].as_ref().unwrap();
+    close(at.force_n, force_n);
+    close(at.contraction, e);
+    close(at.volume_mm3, point.volume_mm3.unwrap());
 }
 
 /// F(P, ε) = F₀(P, ε + δ/L0) in every test and search, with the contraction of the whole muscle; seating 0 changes no digit.
@@ -63,14 +56,9 @@ fn every_test_of_a_seated_muscle_is_that_of_the_muscle_between_its_ends() {
     close(gives.reach(w, blocked(0.1 - shift, here.force_n)).unwrap().pressure_mpa, p);
     close(gives.solve(w, pull(p, here.force_n)).unwrap().response.contraction, 0.1 - shift);
     close(free_contraction(&*gives, w, p).unwrap(), free_contraction(&*held, w, p).unwrap() - shift);
-    let (pressures, contractions) = ([0.1, p], [0.05 - shift, 0.1 - shift]);
-    let isometric = gives.run(w, Test::Isometric(0.1 - shift), &pressures, Detail::Point);
-    let isobaric = gives.run(w, Test::Isobaric(p), &contractions, Detail::Point);
-    let isotonic = gives.run(w, Test::Isotonic(here.force_n), &pressures, Detail::Point);
+    let isometric = gives.isometric(w, 0.1 - shift, &[0.1, p], Detail::Point);
     close(isometric[1].as_ref().unwrap().force_n, here.force_n);
     assert_eq!(isometric[1].as_ref().unwrap().contraction, 0.1 - shift);
-    close(isobaric[1].as_ref().unwrap().force_n, here.force_n);
-    close(isotonic[1].as_ref().unwrap().contraction, 0.1 - shift);
     let refused = gives.solve(w, Given::at(p, 2.0)).unwrap_err();
     assert!(
         matches!(refused, mckibben_fem::FemError::Question { contraction, .. } if (contraction - 2.0).abs() < 1e-12)
@@ -122,7 +110,7 @@ fn ends_that_slip_are_a_spring_beside_the_muscle() {
     close(whole.response(w, p, e).unwrap().force_n, response.force_n);
     close(whole.solve(w, blocked(e, response.force_n)).unwrap().response.pressure_mpa, p);
     searches_and_curves_meet(&*whole, (p, e), &response, 1e-8);
-    let slopes = whole.run(w, Test::Isometric(e), &[p], Detail::Tangent);
+    let slopes = whole.isometric(w, e, &[p], Detail::Tangent);
     let tangent = slopes[0].as_ref().unwrap().response.unwrap();
     close(tangent.stiffness_n_per_mm.unwrap(), response.stiffness_n_per_mm.unwrap());
 }

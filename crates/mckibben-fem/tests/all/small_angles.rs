@@ -8,8 +8,6 @@ use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::random::{Random, rounds};
 use mckibben::rubber::{Law, NeoHookean};
 use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::simulation::{Detail, Simulation};
-use mckibben_fem::solver::curve::Test;
 use std::f64::consts::PI;
 
 /// Largest strain of strands; beyond it they break.
@@ -56,12 +54,14 @@ fn single_questions_at_small_angles_are_answered_as_along_a_curve() {
         let model = Axisymmetric::new(&muscle).unwrap();
         let workspace = &mut Workspace::new();
         let alone = model.force_n(workspace, p, e);
-        let steps: Vec<f64> = (0..=20).map(|i| e * f64::from(i) / 20.0).collect();
-        let curve = model.run(&mut Workspace::new(), Test::Isobaric(p), &steps, Detail::Point).pop().unwrap();
+        let (along, mut curve) = (&mut Workspace::new(), Ok(0.0));
+        for step in 0..=20 {
+            curve = model.force_n(along, p, e * f64::from(step) / 20.0);
+        }
         let scale = p * PI * muscle.tube().outer_radius_mm().powi(2);
         let cost = model.known(workspace).unwrap().effort.factorisations;
         match (alone, curve) {
-            (Ok(a), Ok(b)) if (a - b.force_n).abs() < 1e-6 * scale && cost <= COST => {}
+            (Ok(a), Ok(b)) if (a - b).abs() < 1e-6 * scale && cost <= COST => {}
             (alone, curve) => {
                 failed.push(format!("{alone:?}, {curve:?}, {cost}: {p} MPa, ε {e} of {muscle:?}"))
             }

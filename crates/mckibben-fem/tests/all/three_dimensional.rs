@@ -4,7 +4,6 @@ use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben_fem::FemError;
 use mckibben_fem::simulation::{Detail, Given, Simulation};
-use mckibben_fem::solver::curve::Test;
 use mckibben_fem::three_dimensional::{BrickSpec, ThreeDimensional};
 
 fn coarse() -> ThreeDimensional {
@@ -15,18 +14,16 @@ fn coarse() -> ThreeDimensional {
 fn curves_agree_with_single_answers_and_cost_less() {
     let (model, w) = (coarse(), &mut Workspace::new());
     let pressures: Vec<f64> = (5..=25).map(|i| 0.01 * f64::from(i)).collect();
-    let curve = model.run(w, Test::Isometric(0.1), &pressures, Detail::Point);
+    let curve = model.isometric(w, 0.1, &pressures, Detail::Point);
     let effort = model.known(w).unwrap().effort;
     assert!(effort.factorisations < 2 * pressures.len(), "{effort:?}");
     for point in curve.iter().map(|p| p.as_ref().unwrap()).step_by(4) {
         let single = model.force_n(&mut Workspace::new(), point.pressure_mpa, 0.1).unwrap();
         assert!((point.force_n - single).abs() < 1e-6, "{point:?} {single}");
     }
-    for point in model.run(w, Test::Isotonic(80.0), &[0.1, 0.2], Detail::Point) {
-        let point = point.unwrap();
-        let single = model.force_n(&mut Workspace::new(), point.pressure_mpa, point.contraction).unwrap();
-        assert!((single - 80.0).abs() < 1e-5, "{point:?} {single}");
-    }
+    let point = model.reach(w, Given::PressureAndPull { pressure_mpa: 0.2, force_n: 80.0 }).unwrap();
+    let single = model.force_n(&mut Workspace::new(), 0.2, point.contraction).unwrap();
+    assert!((single - 80.0).abs() < 1e-5, "{point:?} {single}");
 }
 
 /// ∂F/∂P of the response is that of differences, though it comes from the terminal's displacement (Maxwell).

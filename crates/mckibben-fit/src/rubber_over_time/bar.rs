@@ -60,11 +60,6 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
         Self { law, softening, prony, w_max_mpa: 0.0, last: [0.0; 2], states, time_s: None }
     }
 
-    /// Its largest energy so far, in MPa.
-    pub fn w_max_mpa(&self) -> f64 {
-        self.w_max_mpa
-    }
-
     /// Nominal stress in MPa at a time and stretch; in between the stress at once went straight. The first point comes at once.
     pub fn at(&mut self, time_s: f64, stretch: f64) -> f64 {
         let across = stretch.powf(-0.5);

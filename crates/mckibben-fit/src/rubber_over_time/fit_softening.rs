@@ -44,13 +44,6 @@ pub struct SofteningFit {
     pub largest_energy_mpa: f64,
 }
 
-impl SofteningFit {
-    /// The softening, over the law of the first loading.
-    pub fn softening(&self) -> OgdenRoxburgh {
-        OgdenRoxburgh { r: self.r, m_mpa: self.m_mpa, beta: self.beta }
-    }
-}
-
 /// Fits a law and its softening to a history in the order of time.
 pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit> {
     check(history)?;

@@ -32,10 +32,7 @@ pub enum Column {
     Int32(Vec<i32>),
     Double(Vec<f64>),
     Optional(Vec<Option<f64>>),
-    /// True, false, or nothing.
-    Flag(Vec<Option<bool>>),
     Text(Vec<Text>),
-    OptionalText(Vec<Option<Text>>),
 }
 
 impl Column {
@@ -46,9 +43,7 @@ impl Column {
             (Self::Int32(a), Self::Int32(b)) => a.extend_from_slice(&b[from..to]),
             (Self::Double(a), Self::Double(b)) => a.extend_from_slice(&b[from..to]),
             (Self::Optional(a), Self::Optional(b)) => a.extend_from_slice(&b[from..to]),
-            (Self::Flag(a), Self::Flag(b)) => a.extend_from_slice(&b[from..to]),
             (Self::Text(a), Self::Text(b)) => a.extend_from_slice(&b[from..to]),
-            (Self::OptionalText(a), Self::OptionalText(b)) => a.extend_from_slice(&b[from..to]),
             _ => {}
         }
     }
@@ -60,9 +55,7 @@ impl Column {
             Self::Int32(_) => ("REQUIRED INT32", ""),
             Self::Double(_) => ("REQUIRED DOUBLE", ""),
             Self::Optional(_) => ("OPTIONAL DOUBLE", ""),
-            Self::Flag(_) => ("OPTIONAL BOOLEAN", ""),
             Self::Text(_) => ("REQUIRED BYTE_ARRAY", " (UTF8)"),
-            Self::OptionalText(_) => ("OPTIONAL BYTE_ARRAY", " (STRING)"),
         }
     }
 }

@@ -40,13 +40,11 @@ impl<'a> Writer<'a> {
                 properties = properties.set_column_encoding(path, Encoding::BYTE_STREAM_SPLIT);
             }
         }
-        if !pairs.is_empty() {
-            let pairs = pairs.into_iter().map(|(key, value)| KeyValue::new(key, value)).collect();
-            properties = properties
-                .set_statistics_enabled(EnabledStatistics::Chunk)
-                .set_offset_index_disabled(true)
-                .set_key_value_metadata(Some(pairs));
-        }
+        let pairs = pairs.into_iter().map(|(key, value)| KeyValue::new(key, value)).collect();
+        properties = properties
+            .set_statistics_enabled(EnabledStatistics::Chunk)
+            .set_offset_index_disabled(true)
+            .set_key_value_metadata(Some(pairs));
         let line = |f: &Field| {
             let (before, behind) = f.kind.schema();
             format!("  {before} {}{behind};\n", f.name)
@@ -81,56 +79,11 @@ fn write_column(column: &Column, to: &mut ColumnWriter<'_>) -> Result<()> {
         (Column::Double(v), ColumnWriter::DoubleColumnWriter(w)) => w.write_batch(v, None, None)?,
         (Column::Text(v), ColumnWriter::ByteArrayColumnWriter(w)) => w.write_batch(v, None, None)?,
         (Column::Optional(v), ColumnWriter::DoubleColumnWriter(w)) => {
-            w.write_batch(&there(v), Some(&levels(v)), None)?
-        }
-        (Column::Flag(v), ColumnWriter::BoolColumnWriter(w)) => {
-            w.write_batch(&there(v), Some(&levels(v)), None)?
-        }
-        (Column::OptionalText(v), ColumnWriter::ByteArrayColumnWriter(w)) => {
-            w.write_batch(&there(v), Some(&levels(v)), None)?
+            let there: Vec<f64> = v.iter().flatten().copied().collect();
+            let levels: Vec<i16> = v.iter().map(|v| i16::from(v.is_some())).collect();
+            w.write_batch(&there, Some(&levels), None)?
         }
         _ => return Err(ParquetError::General("a column of another kind".into())),
     };
     Ok(())
-}
-
-fn there<T: Clone>(values: &[Option<T>]) -> Vec<T> {
-    values.iter().flatten().cloned().collect()
-}
-
-fn levels<T>(values: &[Option<T>]) -> Vec<i16> {
-    values.iter().map(|v| i16::from(v.is_some())).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::parquet::column::Text;
-    use parquet::file::reader::{FileReader, SerializedFileReader};
-    use parquet::record::Field as Cell;
-
-    #[test]
-    fn what_is_written_is_read_again_by_the_library_itself() {
-        let field = |name: &str, kind| Field { name: name.into(), kind, packing: Packing::Repeated };
-        let fields = [
-            field("force_n", Column::Optional(vec![])),
-            field("slack", Column::Flag(vec![])),
-            field("status", Column::OptionalText(vec![])),
-        ];
-        let mut bytes = vec![];
-        let mut writer = Writer::new(&mut bytes, "table", "mckibben 0", &fields, vec![]).unwrap();
-        let texts = ["ok", "failed"].map(|text| Some(Text::from(text)));
-        let columns = [
-            Column::Optional(vec![Some(1.5), None]),
-            Column::Flag(vec![Some(false), None]),
-            Column::OptionalText(texts.to_vec()),
-        ];
-        writer.group(&columns).unwrap();
-        writer.finish().unwrap();
-        let reader = SerializedFileReader::new(::bytes::Bytes::from(bytes)).unwrap();
-        let rows: Vec<_> = reader.get_row_iter(None).unwrap().map(Result::unwrap).collect();
-        let cells = |i: usize| rows[i].get_column_iter().map(|c| c.1.clone()).collect::<Vec<_>>();
-        assert_eq!(cells(0), [Cell::Double(1.5), Cell::Bool(false), Cell::Str("ok".into())]);
-        assert_eq!(cells(1), [Cell::Null, Cell::Null, Cell::Str("failed".into())]);
-    }
 }

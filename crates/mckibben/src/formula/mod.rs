@@ -141,14 +141,6 @@ impl Formula {
             Body::Global(t) => t.section(outer_diameter_mm, wall_mm).at(pressure_mpa, contraction)[0],
         }
     }
-
-    /// `paper` or `global`.
-    pub fn kind(&self) -> &'static str {
-        match self.body {
-            Body::Paper(_) => "paper",
-            Body::Global(_) => "global",
-        }
-    }
 }
 
 #[cfg(test)]

@@ -55,15 +55,15 @@ fn global() -> Formula {
 #[test]
 fn files_round_trip_to_the_bit() {
     for f in [formula(Body::Paper(Box::new(*Coefficients::published()))), global()] {
-        assert_eq!(Formula::parse(&f.to_json()).unwrap(), f);
+        assert_eq!(Document::parse(&f.to_json()).unwrap(), Document::Section(f));
     }
 }
 
 #[test]
 fn the_published_numbers_as_a_file_answer_like_the_model_paper() {
-    let f = Arc::new(
-        Formula::parse(&formula(Body::Paper(Box::new(*Coefficients::published()))).to_json()).unwrap(),
-    );
+    let published = formula(Body::Paper(Box::new(*Coefficients::published()))).to_json();
+    let Document::Section(f) = Document::parse(&published).unwrap() else { panic!("{published}") };
+    let f = Arc::new(f);
     assert_eq!(serde_json::to_value(&*f).unwrap()["terms"].as_array().unwrap().len(), 48);
     for (d, s) in [(30.0, 5.0), (41.3, 2.2), (50.0, 1.0)] {
         let m = Muscle::prototype().with_section(d, s).unwrap();
@@ -173,7 +173,7 @@ fn wrong_files_are_named_with_their_key() {
         ("a list", "[1]".to_owned(), "`the file`: invalid type: sequence, expected an object"),
     ];
     for (name, text, part) in cases {
-        let error = Formula::parse(&text).expect_err(name).to_string();
+        let error = Document::parse(&text).expect_err(name).to_string();
         assert!(error.contains(part), "{name}: {error}");
     }
     let path = Path::new("no/such/formula.json");
@@ -186,7 +186,10 @@ fn a_file_that_was_edited_answers_and_other_keys_are_passed_over() {
     let mut file: serde_json::Value = serde_json::to_value(global()).unwrap();
     file["terms"][0]["value"] = 1.2.into();
     file["note"] = "of mine".into();
-    let Body::Global(terms) = Formula::parse(&file.to_string()).unwrap().body else { panic!("{file}") };
+    let Ok(Document::Section(Formula { body: Body::Global(terms), .. })) = Document::parse(&file.to_string())
+    else {
+        panic!("{file}")
+    };
     assert_eq!(terms.terms[0].value, 1.2);
 }
 

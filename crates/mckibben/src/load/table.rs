@@ -66,11 +66,6 @@ impl LoadTable {
         whole.sum::<f64>() + last.map_or(0.0, |p| part(*p, (x, self.force_n(x))))
     }
 
-    /// The points, by rising x.
-    pub fn points(&self) -> &[(f64, f64)] {
-        &self.points
-    }
-
     pub(super) fn reach_mm(&self) -> (f64, f64) {
         let end = |p: Option<&(f64, f64)>| p.map_or(f64::NAN, |p| p.0);
         (end(self.points.first()), end(self.points.last()))

@@ -63,8 +63,6 @@ models! {
     FestoDmsp10 = festo_sarosi::DMSP_10.entry, |m| Ok(Box::new(FestoSarosi::new(festo_sarosi::DMSP_10, m)));
     /// [`FestoSarosi`], size 20, 200 mm
     FestoDmsp20 = festo_sarosi::DMSP_20_200.entry, |m| Ok(Box::new(FestoSarosi::new(festo_sarosi::DMSP_20_200, m)));
-    /// [`FestoHunt`]
-    FestoHunt10 = festo_hunt::ENTRY, |m| Ok(Box::new(FestoHunt::new(m)));
     /// [`Universal`]
     Universal = universal::ENTRY, |m| universal("universal", UniversalFormula::large(), m);
     /// [`Universal`] in its short form

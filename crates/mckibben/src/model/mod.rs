@@ -9,7 +9,6 @@ mod belforte;
 mod chou_hannaford;
 mod conical_ends;
 mod error;
-mod festo_hunt;
 mod festo_sarosi;
 mod force_balance;
 mod formula;
@@ -38,7 +37,6 @@ mod workspace;
 
 pub use accuracy::{Accuracy, BlockedAt, Reference};
 pub use error::{ModelError, Result};
-pub use festo_hunt::FestoHunt;
 pub use festo_sarosi::FestoSarosi;
 pub use formula::FormulaModel;
 pub use ideal::Ideal;

@@ -325,11 +325,9 @@ fn measured(text: &'static str) -> Vec<csv::StringRecord> {
 fn festo_presets_against_measured_maps() {
     let ten = include_str!("../../../../data/martens_boblan_2017/DMSP-10-250_force_map.csv");
     let twenty = include_str!("../../../../data/martens_boblan_2017/DMSP-20-300_force_map.csv");
-    for (kind, text, length_mm, expected) in [
-        (ModelKind::FestoDmsp10, ten, 250.0, 73.4),
-        (ModelKind::FestoHunt10, ten, 250.0, 16.8),
-        (ModelKind::FestoDmsp20, twenty, 300.0, 98.4),
-    ] {
+    for (kind, text, length_mm, expected) in
+        [(ModelKind::FestoDmsp10, ten, 250.0, 73.4), (ModelKind::FestoDmsp20, twenty, 300.0, 98.4)]
+    {
         let m = Muscle::prototype().with_tube(Tube { length_mm, ..Tube::prototype() }).unwrap();
         let model = kind.build(&m).unwrap();
         let (mut sum, mut n) = (0.0, 0);

@@ -6,7 +6,7 @@
 //!     "[vary]\ntube.outer_diameter = \"30,40 mm\"\ntube.wall_thickness = \"1..5:1 mm\"\n\
 //!      [test]\ncontractions = \"0..20:5%\"\npressures = \"0..2.5:0.1bar\"\n",
 //! )?;
-//! assert_eq!((plan.muscles(), plan.points()), (10, 10 * 5 * 26));
+//! assert_eq!((plan.muscles(), plan.points_per_muscle()), (10, 5 * 26));
 //! # Ok::<(), mckibben::muscle::file::FileError>(())
 //! ```
 
@@ -74,10 +74,6 @@ impl Plan {
     /// Points of each muscle.
     pub fn points_per_muscle(&self) -> usize {
         self.testing.contractions.len() * self.testing.pressures_mpa.len()
-    }
-
-    pub fn points(&self) -> u64 {
-        self.muscles().saturating_mul(self.points_per_muscle() as u64)
     }
 
     /// Muscles of one part of the store. It follows from the plan alone: about a hundredth of the plan, and not more

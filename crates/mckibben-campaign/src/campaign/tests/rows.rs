@@ -96,7 +96,7 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
     )
     .unwrap();
     let provenance = Provenance::for_plan(&plan);
-    assert_eq!(plan.points(), 77_000);
+    assert_eq!(plan.muscles() * plan.points_per_muscle() as u64, 77_000);
     let blank = run_plan("[test]\ncontractions = 0\npressures = 0.1\nmesh = \"3\"\n").remove(0);
     let row = |i: u64| PointRow {
         muscle: i / 110,

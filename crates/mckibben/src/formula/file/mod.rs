@@ -5,7 +5,6 @@ mod head;
 mod section;
 mod universal;
 
-use super::error::FormulaError;
 use super::{Body, Document, Formula, UniversalFormula};
 use head::{Kind, Read, kind};
 use section::{GlobalTerm, PaperTerm, SectionFile, global, global_list, paper, paper_list};
@@ -70,14 +69,6 @@ impl Document {
 }
 
 impl Formula {
-    /// Reads a text.
-    pub fn parse(text: &str) -> Read<Self> {
-        match Document::parse(text)? {
-            Document::Section(formula) => Ok(formula),
-            Document::Universal(_) => Err(other_kind("universal", "paper, global")),
-        }
-    }
-
     /// The formula as its file holds it, with a newline at the end. Reading it back gives the same formula to the bit.
     pub fn to_json(&self) -> String {
         text(self)
@@ -90,20 +81,8 @@ impl UniversalFormula {
         universal::built_in(text)
     }
 
-    /// Reads a text.
-    pub fn parse(text: &str) -> Read<Self> {
-        match Document::parse(text)? {
-            Document::Universal(formula) => Ok(formula),
-            Document::Section(f) => Err(other_kind(f.kind(), "universal")),
-        }
-    }
-
     /// The formula as its file holds it, with a newline at the end. Reading it back gives the same formula to the bit.
     pub fn to_json(&self) -> String {
         text(self)
     }
-}
-
-fn other_kind(given: &str, known: &str) -> FormulaError {
-    FormulaError::unknown("kind", given, known)
 }

@@ -15,9 +15,6 @@ pub enum Form {
 }
 
 impl Form {
-    /// Both.
-    pub const ALL: [Form; 2] = [Form::Membrane, Form::Bulge];
-
     /// Highest power of a variable.
     pub const HIGHEST: u8 = 6;
 

@@ -165,7 +165,7 @@ mod tests {
             ("\"left_out\"", "\"leftout\"", "errors.left_out"),
         ] {
             assert!(text.contains(from), "{from}");
-            let error = UniversalFormula::parse(&text.replace(from, to)).unwrap_err().to_string();
+            let error = crate::formula::Document::parse(&text.replace(from, to)).unwrap_err().to_string();
             assert!(error.contains(says), "{error}");
         }
     }
