@@ -480,7 +480,7 @@ def robot():
     for name, diameter in (("biceps", "25 mm"), ("triceps", "20 mm")):
         for target in ("mjcf", "c"):
             run(program, "export", MUSCLE, "-D", diameter, "--name", name, "--as", target, "-o", folder, "--overwrite")
-    blocks = re.findall(r"```xml\n(.*?)```", (ROOT / "docs/exports.md").read_text(), re.DOTALL)
+    blocks = re.findall(r"```xml\n(.*?)```", (ROOT / "docs/your-model.md").read_text(), re.DOTALL)
     (robot,) = (block for block in blocks if "muscle_biceps_part.xml" in block)
     (folder / "robot.xml").write_text(robot)
     model = mujoco.MjModel.from_xml_path(str(folder / "robot.xml"))
