@@ -129,12 +129,17 @@ fn comma(text: &str, behind: &str) -> Result<(), QuantityError> {
     };
     let text = text.trim();
     let digits = rest.chars().take_while(char::is_ascii_digit).count();
+    let (whole, decimals) = text.split_once(',').unwrap_or((text, ""));
+    // Points before a comma separate thousands, as commas before a point do.
+    let [pointed, joined] = [".", ""].map(|mark| whole.replace('.', "") + mark + decimals);
     let meant = match digits {
-        3 => format!("{} or {}", text.replacen(',', ".", 1), text.replacen(',', "", 1)),
-        _ => text.replacen(',', ".", 1),
+        _ if whole.split('.').skip(1).any(|group| group.len() != 3) => String::new(),
+        3 if decimals[3..].starts_with('.') => format!("; write {joined}"),
+        3 if !whole.contains('.') => format!("; write {pointed} or {joined}"),
+        _ => format!("; write {pointed}"),
     };
     let why = "is not one number: a point begins the decimals and a comma separates the values of a list";
-    Err(QuantityError::about(text, format!("{why}; write {meant}")))
+    Err(QuantityError::about(text, why.to_owned() + &meant))
 }
 
 /// Reads a quantity and returns it in the unit used inside (mm, MPa, degrees, N, ratio, N/mm, mm²).
@@ -202,11 +207,18 @@ mod tests {
 
     #[test]
     fn a_comma_in_a_number_is_named_with_what_may_be_meant() {
-        for (text, meant) in [("2,5bar", "2.5bar"), ("1,250 kPa", "1.250 kPa or 1250 kPa"), ("0,05", "0.05")]
-        {
+        for (text, meant) in [
+            ("2,5bar", "2.5bar"),
+            ("1,250 kPa", "1.250 kPa or 1250 kPa"),
+            ("1.234,5", "1234.5"),
+            ("1,234.5 kPa", "1234.5 kPa"),
+            ("0,05", "0.05"),
+        ] {
             let error = parse_quantity(text, Dimension::Pressure).unwrap_err();
             assert!(error.to_string().ends_with(&format!("write {meant}")), "{error}");
         }
+        let list = parse_quantity("1.5,2", Dimension::Pressure).unwrap_err();
+        assert!(list.to_string().ends_with("of a list"), "{list}");
         let list = parse_quantity("2,bar", Dimension::Pressure).unwrap_err();
         assert!(list.to_string().contains("unknown unit"), "{list}");
     }
