@@ -3,28 +3,25 @@
 import { Slot, engine } from "./ask.js";
 import { picture as drawnMuscle } from "./candidates.js";
 import { OF_PULL, border, extended, inside } from "./border.js";
-import { Chart, KINDS } from "./chart.js";
+import { Chart, KINDS, viridisAt } from "./chart.js";
 import { el, token } from "./dom.js";
+import { atEnd } from "./life.js";
 import { corners, levels, picture, pieces, sampled, valueBetween } from "./map.js";
 import { muscle } from "./muscle.js";
 import { outside, show, unitName } from "./units.js";
 
-/** @typedef {Commands["design"]} Design */
-/** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /**
  * @typedef {Candidate | NonNullable<Design["answer"]["closest"]>} Best
- * @typedef {{ D: number[], S: number[], fits: Map<string, Candidate>, nodes: import("./border.js").Node[][],
+ * @typedef {{ D: number[], S: number[], fits: Map<string, Candidate>, nodes: GridNode[][],
  *   limits: string[] }} Found
  */
 /** Diameters and walls; the picture is finer than they are. */
 const ACROSS = 29, UP = 25, FINER = 8;
 /** The same while the target is dragged. */
 const LIVE = { across: 15, up: 13, finer: 6 };
-/** From the least pressure to the largest. */
-const RAMP = [[33, 144, 141], [92, 200, 99], [253, 231, 37]];
 
 /**
- * @param {(candidate: import("./state.js").Chosen, at: { p: number, e: number }) => string} linked the address of a
+ * @param {(candidate: Chosen, at: { p: number, e: number }) => string} linked the address of a
  *   muscle
  */
 export function designMap(linked) {
@@ -42,6 +39,7 @@ export function designMap(linked) {
     },
   });
   feasible.element.hidden = true;
+  atEnd(() => mapping.abort());
   const picked = el("p", { class: "small", style: "min-height:1.5em" });
   hovering(feasible, () => found);
   const best = () => answer?.candidates[0] ?? answer?.closest ?? undefined;
@@ -70,7 +68,7 @@ export function designMap(linked) {
     const middle = best(), [d, s] = measures(x, y);
     if (!middle || !answer) return;
     const e = "points" in middle ? Number(middle.points[0]?.contraction ?? 0.1) : 0.1;
-    const link = linked({ ...middle, rubber: middle.rubber ?? "", outer_diameter_mm: d, wall_mm: s },
+    const link = linked({ ...middle, outer_diameter_mm: d, wall_mm: s },
       { p: Number(answer.max_pressure_mpa), e });
     picked.replaceChildren(`D0 ${show("length", d)}, s ${show("length", s)}: `, el("a", { href: link },
       "see this muscle"));
@@ -94,7 +92,6 @@ export function designMap(linked) {
         draw();
       }, () => {});
     },
-    end() { mapping.abort(); live.end(); feasible.destroy(); },
   };
 }
 
@@ -106,7 +103,7 @@ function measures(x, y) {
 
 /** The muscle below the pointer, as it is and as it bulges. @param {Chart} chart @param {() => Found | undefined} of */
 function hovering(chart, of) {
-  const card = el("div", { class: "card small", hidden: true }), { plot } = chart;
+  const card = el("div", { class: "card small", hidden: true }), { host: plot } = chart;
   const nearest = (/** @type {number[]} */ list, /** @type {number} */ v) =>
     list.reduce((a, b) => (Math.abs(b - v) < Math.abs(a - v) ? b : a));
   chart.element.append(card);
@@ -195,8 +192,7 @@ function spec({ D, S, nodes, limits }, best, finer) {
   };
   const image = picture(field, (value, px, py) => {
     if (value === null) return limits.length ? [...tints[missed(px, py)], 90] : [0, 0, 0, 0];
-    const t = (2 * (value - low)) / span, k = t < 1 ? 0 : 1;
-    return [...RAMP[k].map((a, c) => a + (t - k) * (RAMP[k + 1][c] - a)), 255];
+    return [...viridisAt(0.5 + (0.5 * (value - low)) / span, 1), 255];
   });
   const { series, notes } = levels(field, unitName("pressure"));
   const [misses, needs] = [true, false].map((out) => y.flatMap((v, j) => x.flatMap((u, i) => {
@@ -219,7 +215,7 @@ function spec({ D, S, nodes, limits }, best, finer) {
 
 /**
  * The name of a limit in the middle of the muscles that miss it.
- * @param {string} limit @param {import("./border.js").Node[][]} nodes @param {number[]} x @param {number[]} y
+ * @param {string} limit @param {GridNode[][]} nodes @param {number[]} x @param {number[]} y
  */
 function place(limit, nodes, x, y) {
   const hit = nodes.flatMap((row, j) => row.flatMap((n, i) => (!n.fits && n.limit === limit ? [[i, j]] : [])));

@@ -1,5 +1,5 @@
 // A window over the page, as the browser has it: Escape closes it, and the focus returns to where it was.
-import { el } from "./dom.js";
+import { button, el } from "./dom.js";
 
 let count = 0;
 /** @param {string} title @param {(close: () => void) => (Node | string | null)[]} inside */
@@ -13,7 +13,7 @@ export function dialog(title, inside) {
     if (event.target === box) close();
   });
   const head = el("div", { class: "row head" }, el("h2", { id }, title),
-    el("button", { type: "button", onclick: close }, "Close"));
+    button("Close", close));
   box.append(el("div", { class: "inside" }, head, ...inside(close).filter((part) => part !== null)));
   document.body.append(box);
   box.showModal();

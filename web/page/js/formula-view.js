@@ -1,7 +1,7 @@
 // A fitted formula as people see it: its errors, its figures, and maps of its pull.
 import { engine } from "./ask.js";
 import { Chart, viridisAt } from "./chart.js";
-import { download, el } from "./dom.js";
+import { button, download, el } from "./dom.js";
 import { Figures } from "./figure.js";
 import { table } from "./form.js";
 import { atEnd } from "./life.js";
@@ -33,7 +33,7 @@ export function errorsView(file) {
       label: "errors of the formula, of the blocked force",
     }),
     el("p", { class: "small soft" }, "Errors as shares of the blocked force."),
-    el("p", {}, el("button", { type: "button", onclick: save }, "Download the formula")),
+    el("p", {}, button("Download the formula", save)),
   ];
 }
 

@@ -1,8 +1,9 @@
 // The muscle in space with what belongs to its picture: the pull, a scale, the colours, the gauge.
 import { choice } from "../controls.js";
 import { viridis } from "../chart.js";
-import { el } from "../dom.js";
+import { button, el } from "../dom.js";
 import { gauge } from "../gauge.js";
+import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { PRESSURE } from "../state.js";
 import { number, show, withUncertainty } from "../units.js";
@@ -40,15 +41,13 @@ export function stageView(store, busy) {
   const measures = dimensions(stage, store, () => view);
   const colour = choice("Colour", SHOWN.map(([name, text]) => [name, text]), store.wanted.show,
     (name) => store.look({ show: name }));
-  const cut = el("button",
-    { type: "button", "aria-pressed": false, onclick: () => store.look({ cut: store.wanted.cut ? "" : "1" }) },
-    "Cut open");
+  const cut = button("Cut open", () => store.look({ cut: store.wanted.cut ? "" : "1" }), { "aria-pressed": false });
   const pump = pumping(store);
-  const measure = el("button", { type: "button", "aria-pressed": "true", onclick: () => {
+  const measure = button("Dimensions", () => {
     const on = measure.getAttribute("aria-pressed") !== "true";
     measure.setAttribute("aria-pressed", String(on));
     measures.show(on);
-  } }, "Dimensions");
+  }, { "aria-pressed": "true" });
 
   function paint() {
     const { shape, point } = store;
@@ -80,11 +79,11 @@ export function stageView(store, busy) {
 
   for (const event of /** @type {const} */ (["answer", "look", "ranges"])) store.on(event, paint);
   store.on("changed", pump.stop);
+  atEnd(pump.stop);
   return {
     stage, tools: el("div", { class: "row" }, colour.element, cut, measure, pump.button),
     /** In other units. */
     units() { scaled = 0; legendKey = ""; paint(); paintScale(); measures.paint(); },
-    end() { pump.stop(); view.destroy(); },
   };
 }
 
@@ -111,13 +110,12 @@ function contracting(store) {
 /** The pressure rises, the muscle shortens, and both go back. @param {Store} store */
 function pumping(store) {
   let running = 0;
-  const button = el("button", { type: "button", title: "Fills it, lets it shorten, and lets go", onclick: start },
-    "Pump");
+  const pump = button("Pump", start, { title: "Fills it, lets it shorten, and lets go" });
   function start() {
     if (running) return stop();
     const { p, e } = muscle, began = performance.now();
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    button.textContent = "Stop";
+    pump.textContent = "Stop";
     const step = () => {
       const share = Math.min(1, (performance.now() - began) / 4500);
       // Three stills where motion is not wanted.
@@ -137,7 +135,7 @@ function pumping(store) {
     cancelAnimationFrame(running);
     clearTimeout(running);
     running = 0;
-    button.textContent = "Pump";
+    pump.textContent = "Pump";
   }
-  return { button, stop };
+  return { button: pump, stop };
 }

@@ -4,12 +4,12 @@ import { Curves } from "../bench/curves.js";
 import { numbersView } from "../bench/numbers.js";
 import { stageView } from "../bench/stage.js";
 import { OWN, Store } from "../bench/store.js";
-import { dim, el, problemBox, say } from "../dom.js";
+import { button, dim, el, problemBox, say } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { onUnits, withUncertainty } from "../units.js";
 
-/** @param {HTMLElement} main */
-export function mount(main) {
+/** @type {Mount} */
+export const mount = (main) => {
   const busy = el("div", { class: "busy" }), said = el("div", {});
   const store = new Store((on) => busy.classList.toggle("on", on));
   const controls = controlsView(store);
@@ -30,7 +30,7 @@ export function mount(main) {
     if (!pumped && point) say(`Pull ${withUncertainty("force", point.force_n, point.uncertainty_n)}`);
   });
   store.on("problem", ({ problem }) => {
-    const again = el("button", { type: "button", class: "main", onclick: () => store.ask() }, "Try again");
+    const again = button("Try again", () => store.ask(), { class: "main" });
     const old = el(
       "p",
       { class: "small soft" },
@@ -39,10 +39,9 @@ export function mount(main) {
     said.replaceChildren(problemBox(problem), store.shape ? old : "", problem.kind === "engine" ? again : "");
     stale(true);
   });
-  const offUnits = onUnits(() => { stage.units(); numbers.paint(); curves.draw(); store.settle(); });
+  onUnits(() => { stage.units(); numbers.paint(); curves.draw(); store.settle(); });
 
   return {
-    /** @param {URLSearchParams} params */
     async load(params) {
       await muscle.read(params, OWN);
       controls.braids();
@@ -61,11 +60,5 @@ export function mount(main) {
       store.follow();
       curves.points.read();
     },
-    unmount() {
-      offUnits();
-      store.end();
-      [stage, curves, numbers].forEach((view) => view.end());
-      main.replaceChildren();
-    },
   };
-}
+};
