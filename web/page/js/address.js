@@ -10,6 +10,9 @@ function parse(of = location.hash) {
   return { page: page || "muscle", params: new URLSearchParams(query) };
 }
 
+/** Whether a link of this page leads nowhere on another computer. */
+export const isLocal = () => /^(localhost|127\.|\[::1\])/.test(location.hostname);
+
 /** The page of the address, with its words; those that a damaged link has lost. */
 export async function read() {
   const { page, params } = parse();

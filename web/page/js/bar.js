@@ -1,4 +1,5 @@
 // The muscle of all pages, above them: its picture and name, undo and redo, save, open, share, project, print.
+import { isLocal } from "./address.js";
 import { button, download, el } from "./dom.js";
 import { muscle } from "./muscle.js";
 import { fileName } from "./toml.js";
@@ -30,7 +31,7 @@ function nameField(renamed) {
 /** A link of a page on this computer leads nowhere else: the file goes in its place. */
 function shareButton() {
   return button("Share", async () => {
-    if (/^(localhost|127\.|\[::1\])/.test(location.hostname)) {
+    if (isLocal()) {
       await save();
       return notice("A link to this page works on this computer alone. The muscle was saved as a file: send that.");
     }

@@ -1,6 +1,7 @@
 // Three candidates for a pull, as pictures to one scale: what the muscles are in use, with width, pressure and ±.
 import { Slot } from "./ask.js";
 import { body, contracted, ground } from "./body.js";
+import { decisionView } from "./design-view.js";
 import { el } from "./dom.js";
 import { card } from "./thumbnail.js";
 import { show, withUncertainty } from "./units.js";
@@ -61,7 +62,7 @@ export function candidatesView(open) {
         slots[i].ask("design", { ...request, ...wish, top: 1 }, (answer) => {
           found[i] = answer.candidates[0] ?? (answer.closest ? `None: ${inWords(answer.closest.reason)}.`
             : "None of the search.");
-          if (!i) said.replaceChildren(...(answer.decision ?? []).map((line) => el("li", {}, inWords(line))));
+          if (!i) said.replaceChildren(...decisionView(answer).children);
           paint();
         }, (problem) => {
           found[i] = inWords(problem.message);

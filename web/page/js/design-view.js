@@ -67,7 +67,8 @@ const filled = (candidates) => candidates.some((c) => c.liquid_volume_mm3);
  */
 function shownColumns(candidates, prices) {
   const named = candidates.every((c) => c.tube), sleeved = candidates.every((c) => c.sleeve);
-  const same = { rubber: named, s: named, θ0: sleeved,
+  const same = { rubber: named, s: named, θ0: sleeved, price: candidates.every((c) => !price(c, prices)),
+    "guaranteed at": candidates.every((c) => c.sure_pressure_mpa == null),
     L0: candidates.every((c) => c.length_mm === candidates[0].length_mm), tube: candidates.every((c) => !c.tube),
     sleeve: candidates.every((c) => !c.sleeve) };
   return columns(prices, filled(candidates)).filter(([name]) => !(/** @type {Record<string, boolean>} */ (same))[name]);
@@ -80,6 +81,12 @@ function rowsOf(candidates, prices) {
   return [head, ...candidates.map((c) => list.map(([, , , of]) => of(c)))];
 }
 
+/** The decision: what each line is about, and the line. @param {Design["answer"]} answer */
+export const decisionView = ({ decision = [] }) => el("ul", { class: "decision" }, ...decision.map((line) => {
+  const [, about, rest] = /^(\S+)(.*)$/.exec(inWords(line)) ?? [];
+  return el("li", {}, el("b", {}, about), rest);
+}));
+
 /**
  * The decision, and how to ask for a muscle that is sure.
  * @param {Design["answer"]} answer @param {(words: Record<string, string>) => void} ask
@@ -91,7 +98,7 @@ function head(answer, ask) {
   const sentences = [words?.text, words?.bench].flatMap((text) => (text ? [`${inWords(text)}.`] : []));
   return [
     el("h2", {}, size),
-    el("ul", { class: "decision" }, ...(answer.decision ?? []).map((line) => el("li", {}, inWords(line)))),
+    decisionView(answer),
     joint && el("p", {}, `Pulley of radius ${show("length", joint.radius_mm, 3)}, `
       + `${show("ratio", joint.contraction_at_neutral, 3)} contracted at the neutral angle.`),
     !answer.searched.guaranteed && button("Design for a guaranteed pull (95 %)", () => ask({ sure: "95 %" })),

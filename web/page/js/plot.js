@@ -75,7 +75,7 @@ export function frame(spec, width, height, reach) {
   const across = ticks(reach.y, Math.max(2, height / 60));
   const left = 30 + GLYPH * Math.max(2, ...across.map((t) => t.text.length));
   const named = legends(spec, left, width), top = named.length ? named[named.length - 1].y + 12 : 12, bottom = 40;
-  const right = Math.min(0.4 * width, 16 + GLYPH * longest);
+  const right = Math.min(0.4 * width, 20 + 1.06 * GLYPH * longest);
   const [w, h] = [Math.max(20, width - left - right), Math.max(20, height - top - bottom)];
   const [fx, fy] = [w / (reach.x[1] - reach.x[0]), h / (reach.y[1] - reach.y[0])];
   return { width, height, left, top, w, h, reach, across, named, along: ticks(reach.x, Math.max(2, w / 80)),

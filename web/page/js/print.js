@@ -1,5 +1,6 @@
 // Print: one sheet with the muscle, what was typed on the page, and its numbers.
 import { engine } from "./ask.js";
+import { isLocal } from "./address.js";
 import { byId, el } from "./dom.js";
 import { muscle } from "./muscle.js";
 import { pageOf } from "./pages.js";
@@ -27,7 +28,8 @@ const list = (rows) => el("dl", {}, ...rows.flatMap(([name, value]) => [el("dt",
 function picture() {
   const canvas = /** @type {HTMLCanvasElement | null} */ (document.querySelector("main .stage canvas"));
   const src = canvas && pictures.get(canvas)?.();
-  return src ? el("img", { src, alt: "The muscle in this state" }) : null;
+  return src ? el("img", { src, alt: "The muscle in this state" })
+    : document.querySelector("main .stage svg.joint")?.cloneNode(true) ?? null;
 }
 
 /** The sheet of the page as it is now. */
@@ -44,7 +46,7 @@ function sheet() {
         `mckibben workbench, ${engine().about}`)),
     picture(), el("div", { class: "columns" }, el("div", {}, el("h2", {}, "Inputs"), list(inputs())),
       el("div", {}, el("h2", {}, "Numbers"), .../** @type {Node[]} */ (numbers))), notes ?? null,
-    el("p", { class: "small link" }, location.href.length < 2000 ? location.href : ""));
+    el("p", { class: "small link" }, location.href.length < 2000 ? isLocal() ? location.hash : location.href : ""));
 }
 
 export function printing() {

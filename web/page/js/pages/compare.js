@@ -10,6 +10,7 @@ import { muscle } from "../muscle.js";
 import { QUANTITIES, STIFFNESS, STIFFNESS_NAMES, STRANDS, missing, shownValue, side as asked } from "../state.js";
 import { number, onUnits, show, unitName, withUncertainty } from "../units.js";
 import { View } from "../view3d.js";
+import { braidName, partName } from "../words.js";
 
 const MODELS =
   /** @type {[string, string][]} */ (["fe", "universal", "thick-wall", "ideal", "paper", "chou-hannaford",
@@ -96,9 +97,9 @@ function sideOf(name, { ask, paint }) {
           && fields.text(`${name}braid`);
         put(m.key, sleeve ? "of the sleeve" : value === undefined ? "" : show(m.kind, value));
       }
-      put("rubber", muscle.shown?.rubber);
-      put("braid", muscle.shown?.sleeve);
-      put("k", muscle.shown?.braid);
+      put("rubber", partName(muscle.shown?.rubber));
+      put("braid", muscle.shown?.sleeve ?? "own angle");
+      put("k", braidName(muscle.shown?.braid));
       fields.usual(`${name}p`, show("pressure", muscle.p));
       fields.usual(`${name}e`, show("ratio", muscle.e));
     },

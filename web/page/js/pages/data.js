@@ -41,7 +41,7 @@ function identifiedView(answer) {
     table(["constant", "value", "95 %", ""], rows, { text: [0, 3], label: "constants" }),
     el("p", {}, `Residuals ${show("force", answer.rms_n, 3)} rms, ${show("force", answer.rms_before_n, 3)} before.`),
     warnings(answer.warnings),
-    muscleButtons(answer.muscle_file, "See it move", "Save the muscle", "identified"),
+    muscleButtons(answer.muscle_file, "See it move", "Download the muscle", "identified"),
   ];
 }
 

@@ -12,11 +12,11 @@ import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
 import { onUnits, typed, unitName } from "../units.js";
 
 const OBJECTIVES = /** @type {[string, string][]} */ ([
-  ["diameter", "smallest diameter at rest"],
+  ["diameter", "narrowest at rest"],
   ["pressure", "lowest pressure"],
   ["air", "least air or liquid"],
   ["margin", "largest margin of pull"],
-  ["bulged-diameter", "smallest diameter in use"],
+  ["bulged-diameter", "narrowest in use"],
   ["length", "shortest"],
 ]);
 /** @type {Field[]} */
