@@ -26,7 +26,7 @@ export const pressureColour = (pressure, top) => shade(pressure / top);
 export class Chart extends Lines {
   /**
    * @param {string} name of its files
-   * @param {{ tools?: Node, tall?: boolean, drag?: (x: number, y: number, settled: boolean) => void }} [options]
+   * @param {{ tools?: Node, tall?: boolean, drag?: (x: number, y: number, settled: boolean) => unknown }} [options]
    */
   constructor(name, { tools, tall, drag } = {}) {
     super(el("div", { class: "plot" }), name, drag);

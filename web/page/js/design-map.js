@@ -1,11 +1,10 @@
 // The map of a design: what fits over diameter and wall, by `universal`: the pressure that each muscle needs, and the
 // limit that others miss.
-import { Slot, engine } from "./ask.js";
+import { Slot } from "./ask.js";
 import { picture as drawnMuscle } from "./candidates.js";
 import { OF_PULL, border, extended, inside } from "./border.js";
 import { Chart, KINDS, viridisAt } from "./chart.js";
 import { el, token } from "./dom.js";
-import { atEnd } from "./life.js";
 import { corners, levels, picture, pieces, sampled, valueBetween } from "./map.js";
 import { muscle } from "./muscle.js";
 import { outside, show, unitName } from "./units.js";
@@ -20,42 +19,28 @@ const ACROSS = 29, UP = 25, FINER = 8;
 /** The same while the target is dragged. */
 const LIVE = { across: 15, up: 13, finer: 6 };
 
-/**
- * @param {(candidate: Chosen, at: { p: number, e: number }) => string} linked the address of a
- *   muscle
- */
+/** @param {(candidate: Chosen, at: { p: number, e: number }) => string} linked the address of a muscle */
 export function designMap(linked) {
   /** @type {Design["answer"] | undefined} */ let answer;
   /** @type {Design["request"]} */ let of = {};
   /** @type {Found | undefined} */ let found;
-  let mapping = new AbortController(), finer = FINER;
-  const live = new Slot();
-  const title = el("h2", {}, "Feasible region over diameter and wall (first estimate: universal)");
-  const feasible = new Chart("design-map", {
-    tools: title,
-    tall: true,
-    drag(x, y, settled) {
-      if (settled) pick(x, y);
-    },
-  });
+  let finer = FINER;
+  const slot = new Slot();
+  const tools = el("h2", {}, "Feasible region over diameter and wall (first estimate: universal)");
+  const feasible = new Chart("design-map", { tools, tall: true, drag: (x, y, settled) => settled && pick(x, y) });
   feasible.element.hidden = true;
-  atEnd(() => mapping.abort());
   const picked = el("p", { class: "small", style: "min-height:1.5em" });
   hovering(feasible, () => found);
   const best = () => answer?.candidates[0] ?? answer?.closest ?? undefined;
 
-  async function map() {
-    const middle = best();
-    // A joint is searched over its pulley too: there is no one map.
-    mapping.abort();
-    if (!middle || of.torques) { feasible.element.hidden = true; return; }
-    const { signal } = (mapping = new AbortController());
-    const request = asked(of, middle);
-    live.end();
-    finer = FINER;
-    found = read(request, await engine().ask("design", request, { signal }));
-    feasible.element.hidden = false;
-    draw();
+  /** @param {ReturnType<typeof asked>} request @param {number} fine @param {() => void} [fail] */
+  function find(request, fine, fail) {
+    slot.ask("design", request, (next) => {
+      finer = fine;
+      found = read(request, next);
+      feasible.element.hidden = false;
+      draw();
+    }, fail);
   }
 
   function draw() {
@@ -68,8 +53,7 @@ export function designMap(linked) {
     const middle = best(), [d, s] = measures(x, y);
     if (!middle || !answer) return;
     const e = "points" in middle ? Number(middle.points[0]?.contraction ?? 0.1) : 0.1;
-    const link = linked({ ...middle, outer_diameter_mm: d, wall_mm: s },
-      { p: Number(answer.max_pressure_mpa), e });
+    const link = linked({ ...middle, outer_diameter_mm: d, wall_mm: s }, { p: Number(answer.max_pressure_mpa), e });
     picked.replaceChildren(`D0 ${show("length", d)}, s ${show("length", s)}: `, el("a", { href: link },
       "see this muscle"));
   }
@@ -79,18 +63,16 @@ export function designMap(linked) {
     /** @param {Design["answer"]} next answer of the search @param {Design["request"]} request that it was asked by */
     show(next, request) {
       [answer, of] = [next, request];
-      map().catch((problem) => { if (problem.name !== "AbortError") feasible.element.hidden = true; });
+      const middle = best(), hide = () => { feasible.element.hidden = true; };
+      // A joint is searched over its pulley too: there is no one map.
+      if (!middle || of.torques) { slot.end(); return hide(); }
+      find(asked(of, middle), FINER, hide);
     },
     /** The map of another target, while it is dragged. @param {{ force_n: number, contraction: number }} target */
     preview(target) {
       const middle = best();
       if (!middle || feasible.element.hidden) return;
-      const request = asked({ ...of, ...target }, middle, LIVE.across, LIVE.up);
-      live.ask("design", request, (next) => {
-        finer = LIVE.finer;
-        found = read(request, next);
-        draw();
-      }, () => {});
+      find(asked({ ...of, ...target }, middle, LIVE.across, LIVE.up), LIVE.finer);
     },
   };
 }

@@ -67,8 +67,7 @@ const filled = (candidates) => candidates.some((c) => c.liquid_volume_mm3);
  */
 function shownColumns(candidates, prices) {
   const named = candidates.every((c) => c.tube), sleeved = candidates.every((c) => c.sleeve);
-  const same = { rubber: named, s: named, θ0: sleeved, price: candidates.every((c) => !price(c, prices)),
-    "guaranteed at": candidates.every((c) => c.sure_pressure_mpa == null),
+  const same = { rubber: named, s: named, θ0: sleeved,
     L0: candidates.every((c) => c.length_mm === candidates[0].length_mm), tube: candidates.every((c) => !c.tube),
     sleeve: candidates.every((c) => !c.sleeve) };
   return columns(prices, filled(candidates)).filter(([name]) => !(/** @type {Record<string, boolean>} */ (same))[name]);

@@ -15,7 +15,7 @@ const unit = (title) => { const [, u] = /\[(.+)\]/.exec(title) ?? []; return u ?
 export class Lines {
   /**
    * @param {HTMLElement} host @param {string} name
-   * @param {((x: number, y: number, settled: boolean) => void) | undefined} drag
+   * @param {((x: number, y: number, settled: boolean) => unknown) | undefined} drag
    */
   constructor(host, name, drag) {
     this.host = host;

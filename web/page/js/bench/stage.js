@@ -3,8 +3,8 @@ import { choice } from "../controls.js";
 import { viridis } from "../chart.js";
 import { button, el } from "../dom.js";
 import { gauge } from "../gauge.js";
-import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
+import { playing } from "../play.js";
 import { PRESSURE } from "../state.js";
 import { number, show, withUncertainty } from "../units.js";
 import { View, reach } from "../view3d.js";
@@ -79,7 +79,6 @@ export function stageView(store, busy) {
 
   for (const event of /** @type {const} */ (["answer", "look", "ranges"])) store.on(event, paint);
   store.on("changed", pump.stop);
-  atEnd(pump.stop);
   return {
     stage, tools: el("div", { class: "row" }, colour.element, cut, measure, pump.button),
     /** In other units. */
@@ -108,34 +107,8 @@ function contracting(store) {
 }
 
 /** The pressure rises, the muscle shortens, and both go back. @param {Store} store */
-function pumping(store) {
-  let running = 0;
-  const pump = button("Pump", start, { title: "Fills it, lets it shorten, and lets go" });
-  function start() {
-    if (running) return stop();
-    const { p, e } = muscle, began = performance.now();
-    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    pump.textContent = "Stop";
-    const step = () => {
-      const share = Math.min(1, (performance.now() - began) / 4500);
-      // Three stills where motion is not wanted.
-      const t = 3 * (still ? Math.ceil(share * 3) / 3 : share);
-      const part = (/** @type {number} */ x) => Math.min(1, Math.max(0, x));
-      if (share < 1) store.ask({ pressure_mpa: p * (part(t) - part(t - 2)),
-        contraction: e * (part(t - 1) - part(t - 2)) });
-      else store.ask();
-      if (share < 1) running = still ? window.setTimeout(step, 660) : requestAnimationFrame(step);
-      else stop();
-    };
-    running = 1;
-    step();
-  }
-  function stop() {
-    if (!running) return;
-    cancelAnimationFrame(running);
-    clearTimeout(running);
-    running = 0;
-    pump.textContent = "Pump";
-  }
-  return { button: pump, stop };
-}
+const pumping = (store) => playing("Pump", (share) => {
+  const { p, e } = muscle, part = (/** @type {number} */ x) => Math.min(1, Math.max(0, x)), t = 3 * share;
+  store.ask(share < 1 ? { pressure_mpa: p * (part(t) - part(t - 2)), contraction: e * (part(t - 1) - part(t - 2)) }
+    : undefined);
+}, () => 4500, "Fills it, lets it shorten, and lets go");

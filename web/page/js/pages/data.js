@@ -1,6 +1,5 @@
 // Measured points: seen over the models, and constants identified from them.
-import { engine } from "../ask.js";
-import { problemOf } from "../engine/problem.js";
+import { Slot, engine } from "../ask.js";
 import { columnChoice, columnLine, headings } from "../columns.js";
 import { fileField } from "../controls.js";
 import { button, dim, el, problemBox } from "../dom.js";
@@ -8,7 +7,6 @@ import { Figures } from "../figure.js";
 import { bench, form, job, table, warnings } from "../form.js";
 import { example } from "../gallery.js";
 import { fileOf, keepFile } from "../kept.js";
-import { atEnd } from "../life.js";
 import { muscleButtons } from "../library.js";
 import { measured } from "../measured.js";
 import { muscle } from "../muscle.js";
@@ -64,7 +62,7 @@ const BEGIN = "Drop a table of measured points. The figure compares it with the 
 class DataPage {
   /** @type {Commands["compare"]["answer"] | undefined} */ #compared;
   /** @type {Commands["identify"]["answer"] | undefined} */ #known;
-  #looking = new AbortController();
+  #looking = new Slot();
 
   /** @param {HTMLElement} main */
   constructor(main) {
@@ -86,7 +84,6 @@ class DataPage {
       this.#place();
       if (this.#compared) this.#look();
     });
-    atEnd(() => this.#looking.abort());
   }
 
   #controls() {
@@ -145,22 +142,19 @@ class DataPage {
     const read = await this.what.read(), { data } = this;
     if (!data || !read || !this.understood.isConnected) return;
     this.#place();
-    this.#looking.abort();
-    const { signal } = (this.#looking = new AbortController()), columns = this.columns.value();
+    const columns = this.columns.value();
     measured.set(data, columns);
-    const request = { ...muscle.fields(), data: [data], columns, models: read.models, extrapolate: true,
-      figure: unitName("pressure") };
-    try {
-      this.#compared = await engine().ask("compare", request, { signal });
+    this.#looking.ask("compare", { ...muscle.fields(), data: [data], columns, models: read.models, extrapolate: true,
+      figure: unitName("pressure") }, (answer) => {
+      this.#compared = answer;
       this.#paint();
       dim([this.errors, this.figures.element], false);
-      this.figures.show(this.#compared.figure);
-    } catch (why) {
-      if (signal.aborted) return;
+      this.figures.show(answer.figure);
+    }, (why) => {
       this.#fail(why);
-      if (problemOf(why).kind === "data") this.columns.open();
+      if (why.kind === "data") this.columns.open();
       dim([this.errors, this.figures.element], true);
-    }
+    });
   }
 
   #paint() {

@@ -9,8 +9,8 @@ import { example } from "../gallery.js";
 import { JointWords } from "../joint-words.js";
 import { wordsOf } from "../kept.js";
 import { figures, isJoint, pressureChart, stateAt, stateLine, wayChart } from "../motion-view.js";
-import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
+import { playing } from "../play.js";
 import { motion } from "../state.js";
 import { stated } from "../toml.js";
 import { onUnits } from "../units.js";
@@ -48,12 +48,11 @@ function player() {
   const view = new View(stage),
     slot = new Slot({ lane: "state" });
   /** @type {Run | undefined} */ let run;
-  let frame = 0;
   const slider = el("input", { type: "range", min: 0, max: 1000, value: 0, "aria-label": "Time", oninput: () => {
-    stop();
+    play.stop();
     at(Number(slider.value) / 1000);
   } });
-  const play = button("Play", () => (frame ? stop() : start()));
+  const play = playing("Play", at, () => 1000 * (run?.series.time_s.at(-1) ?? 1));
 
   /** The state at a share of the time. @param {number} share */
   function at(share) {
@@ -64,30 +63,10 @@ function player() {
     clock.replaceChildren(el("b", {}, `${times[i].toFixed(2)} s`), el("br"), stateLine(run, i));
     slot.ask("shape", { ...muscle.fields(), ...stateAt(run, i) }, (shape) => view.stretched(shape), () => {});
   }
-  function start() {
-    if (!run) return;
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) return at(1);
-    const began = performance.now(), times = run.series.time_s, long = 1000 * times[times.length - 1];
-    play.textContent = "Stop";
-    const step = () => {
-      const share = Math.min(1, (performance.now() - began) / long);
-      at(share);
-      if (share < 1) frame = requestAnimationFrame(step);
-      else stop();
-    };
-    cancelAnimationFrame(frame);
-    frame = requestAnimationFrame(step);
-  }
-  function stop() {
-    cancelAnimationFrame(frame);
-    frame = 0;
-    play.textContent = "Play";
-  }
-  atEnd(stop);
-  return { stage, row: el("div", { class: "row" }, play, el("span", { style: "flex:1" }, slider)),
+  return { stage, row: el("div", { class: "row" }, play.button, el("span", { style: "flex:1" }, slider)),
     show(/** @type {Run} */ found) {
       run = found;
-      start();
+      play.start();
     }, again: () => at(Number(slider.value) / 1000) };
 }
 
