@@ -233,13 +233,9 @@ export function choice(label, options, value, change) {
       select.value = v;
     },
     /** The name of the first one, which is the usual. @param {string} text */
-    first(text) {
-      if (select.options[0].textContent !== text) select.options[0].textContent = text;
-    },
+    first(text) { if (select.options[0].textContent !== text) select.options[0].textContent = text; },
     /** All to choose from, by name and text. @param {[string, string][]} list */
-    labels(list) {
-      select.replaceChildren(...list.map(([name, text]) => el("option", { value: name }, text)));
-    },
+    labels(list) { select.replaceChildren(...list.map(([name, text]) => el("option", { value: name }, text))); },
     /** More to choose from. @param {string[]} names */
     options(names) { addOptions(select, names); },
   };

@@ -51,8 +51,7 @@ export function say(text) {
 export function problemBox(thrown) {
   const problem = problemOf(thrown);
   const hint = problem.hint ? el("p", { class: "small" }, capital(inWords(problem.hint))) : null;
-  return el("div", { class: "problem", role: "alert" },
-    el("p", {}, capital(inWords(problem.message))), hint);
+  return el("div", { class: "problem", role: "alert" }, el("p", {}, capital(inWords(problem.message))), hint);
 }
 
 /**

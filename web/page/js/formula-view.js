@@ -29,9 +29,8 @@ export function errorsView(file) {
   return [
     el("h2", {}, file.name),
     el("p", { class: "small" }, el("code", {}, file.equation)),
-    table(["against finite elements", "points", "rms", "95 %", "largest"], rows, {
-      label: "errors of the formula, of the blocked force",
-    }),
+    table(["against finite elements", "points", "rms", "95 %", "largest"], rows,
+      { label: "errors of the formula, of the blocked force" }),
     el("p", { class: "small soft" }, "Errors as shares of the blocked force."),
     el("p", {}, button("Download the formula", save)),
   ];

@@ -56,8 +56,7 @@ export function torqueChart({ answer, angles, pairs }, point) {
   const series = pairs.map((pair, i) => {
     const rows = answer.points.slice(i * angles.length, (i + 1) * angles.length);
     const name = pair.map((p) => number(outside("pressure", p), 3)).join(" | ") + " " + unitName("pressure");
-    return { name, end: name, colour: KINDS[i], x: angles,
-      y: rows.map((q) => outside("torque", q.torque_nm)) };
+    return { name, end: name, colour: KINDS[i], x: angles, y: rows.map((q) => outside("torque", q.torque_nm)) };
   });
   const marks = point ? [{ x: point.angle_deg, y: outside("torque", point.torque_nm ?? 0), text: "required" }] : [];
   return { x: "angle φ [°]", y: `torque [${unitName("torque")}]`, yaxis: {},

@@ -135,8 +135,7 @@ function leave() {
 /** @param {unknown} problem */
 function fail(problem) {
   leave();
-  main.replaceChildren(problemBox(problem),
-    el("p", {}, button("Try again", start, { class: "main" })));
+  main.replaceChildren(problemBox(problem), el("p", {}, button("Try again", start, { class: "main" })));
 }
 
 async function start() {

@@ -36,12 +36,9 @@ export class MuscleState {
      * @type {{ name: string, missing: string, least_diameter_mm: number, largest_diameter_mm: number }[]}
      */
     this.sleeves = [];
-    /** @type {[string, string][]} */
-    this.unknown = [];
-    /** @type {Map<string, string>} */
-    this.wrong = new Map();
-    /** @type {{ of: string, file: Promise<string> } | undefined} */
-    this.written = undefined;
+    /** @type {[string, string][]} */ this.unknown = [];
+    /** @type {Map<string, string>} */ this.wrong = new Map();
+    /** @type {{ of: string, file: Promise<string> } | undefined} */ this.written = undefined;
     /** Until the address is read: a question before that would be about another muscle. @type {Promise<unknown>} */
     this.ready = Promise.resolve();
   }

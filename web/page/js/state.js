@@ -218,8 +218,7 @@ const template = (hasMass) => `#:schema joint.schema.json\n\n[joint]\nradius = "
  * was typed over it.
  * @param {string} file the muscle's @param {string} second file of the other one; empty where it is the same
  * @param {{ r?: number, low?: number, high?: number, e0?: number, mass?: number, centre?: number,
-   inertia?: number }} of
- *   mm, degrees, ratio, kg, kg m²; the arm hangs at the neutral angle @param {string} [text] a joint file
+ *   inertia?: number }} of mm, degrees, ratio, kg, kg m²; the arm hangs at the neutral angle @param {string} [text] a joint file
  */
 export function joint(file, second, { r, low, high, e0, mass, centre, inertia }, text = template(Number(mass) > 0)) {
   const other = second ? "muscle-2.toml" : "muscle.toml", neutral = e0 === undefined ? undefined : String(e0);

@@ -122,10 +122,7 @@ fn a_named_sleeve_gives_angle_and_stiffness_of_the_tube_that_it_is_on() {
     assert!((wider["angle_deg"].as_f64().unwrap() - 41.04).abs() < 0.01, "{wider}");
     let problem = |request: Value| refusal("check", request);
     let said = problem(json!({ "muscle": { "name": "m.toml", "text": file } })).message;
-    assert!(
-        said.contains("m.toml:5:8: braid.name") && said.contains("from 15\u{a0}mm to 35\u{a0}mm"),
-        "{said}"
-    );
+    assert!(said.contains("m.toml:5:8: braid.name") && said.contains("15\u{a0}mm to 35\u{a0}mm"), "{said}");
     // What its seller does not state is an estimate, and marked as one.
     let estimated = reply("check", json!({ "only_data": true, "outer_diameter_mm": 20, "braid": "nfl-19" }));
     assert_eq!(estimated["stiffness_factor"], 3.0);

@@ -105,9 +105,7 @@ pub enum ModelError {
     #[error("the model {0} has no volume of the cavity: take fe or thick-wall for measured volumes")]
     NoVolume(String),
     /// A formula that is not finite here.
-    #[error(
-        "the {model} formula has no finite value at {pressure_mpa}\u{a0}MPa and contraction {contraction}"
-    )]
+    #[error("the {model} formula has no value at {pressure_mpa}\u{a0}MPa and contraction {contraction}")]
     NotFinite {
         /// The model's name.
         model: String,

@@ -91,13 +91,8 @@ export const mount = (main) => {
   );
   const ranBefore = () => Boolean(fileOf(CHECKED));
   engine().ask("parts-list", { kind: "models" }).then(
-    (answer) =>
-      models.replaceChildren(
-        table(["model", "what it is"], answer.models.map((m) => [m.name, m.description]), {
-          text: [0, 1],
-          label: "models",
-        }),
-      ),
+    (answer) => models.replaceChildren(table(["model", "what it is"],
+      answer.models.map((m) => [m.name, m.description]), { text: [0, 1], label: "models" })),
     () => {},
   );
   return {

@@ -57,8 +57,7 @@ export const choices = () => [
 
 /** The forms of a specification, and the request that they make. @param {() => void} submit */
 function specification(submit) {
-  const wanted = form(WANTED, submit), choice = form(choices(), submit),
-    forms = [wanted, choice];
+  const wanted = form(WANTED, submit), choice = form(choices(), submit), forms = [wanted, choice];
   const vary = el("details", {}, el("summary", {}, "Search space"), choice.element);
   /** What the sleeves need beside their names has a field. */
   const lacking = () => {

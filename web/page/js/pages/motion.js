@@ -45,8 +45,7 @@ async function driven(text, file, model) {
 function player() {
   const stage = el("div", { class: "stage" }), clock = el("p", { class: "say" });
   stage.append(clock);
-  const view = new View(stage),
-    slot = new Slot({ lane: "state" });
+  const view = new View(stage), slot = new Slot({ lane: "state" });
   /** @type {Run | undefined} */ let run;
   const slider = el("input", { type: "range", min: 0, max: 1000, value: 0, "aria-label": "Time", oninput: () => {
     play.stop();
@@ -79,9 +78,7 @@ function driveBox(take) {
   const words = el("p", { class: "small soft" }), said = el("div", {});
   const fail = (/** @type {unknown} */ problem) => said.replaceChildren(problemBox(problem));
   const leave = button("Close the drive file", () => take(""), { hidden: true });
-  const samples = EXAMPLES.map(([text, name]) =>
-    button(text, () => example(name).then(take).catch(fail))
-  );
+  const samples = EXAMPLES.map(([text, name]) => button(text, () => example(name).then(take).catch(fail)));
   const element = el("details", {}, el("summary", {}, "Drive file and examples"), words,
     el("p", { class: "row small" }, "Examples:", ...samples),
     fileField("Open a drive file (TOML)", ".toml", (_, text) => take(text)), leave, said);

@@ -13,9 +13,7 @@ export const mount = (main) => {
   const busy = el("div", { class: "busy" }), said = el("div", {});
   const store = new Store((on) => busy.classList.toggle("on", on));
   const controls = controlsView(store);
-  const stage = stageView(store, busy),
-    curves = new Curves(store),
-    numbers = numbersView(store);
+  const stage = stageView(store, busy), curves = new Curves(store), numbers = numbersView(store);
   main.replaceChildren(el("div", { class: "bench" }, controls.element,
     el("div", { class: "middle" }, stage.stage, stage.tools, curves.chart.element, curves.points.element,
       curves.over.element),
@@ -31,11 +29,8 @@ export const mount = (main) => {
   });
   store.on("problem", ({ problem }) => {
     const again = button("Try again", () => store.ask(), { class: "main" });
-    const old = el(
-      "p",
-      { class: "small soft" },
-      "The page shows the last result, which is for another muscle or state.",
-    );
+    const old = el("p", { class: "small soft" },
+      "The page shows the last result, which is for another muscle or state.");
     said.replaceChildren(problemBox(problem), store.shape ? old : "", problem.kind === "engine" ? again : "");
     stale(true);
   });
@@ -46,12 +41,8 @@ export const mount = (main) => {
       await muscle.read(params, OWN);
       controls.braids();
       const word = (/** @type {string} */ key, usual = "") => params.get(key) ?? usual;
-      Object.assign(store.wanted, {
-        test: word("test", "isobaric"),
-        show: word("show", "max_stretch"),
-        cut: word("cut"),
-        over: word("over"),
-      });
+      Object.assign(store.wanted, { test: word("test", "isobaric"), show: word("show", "max_stretch"), cut: word("cut"),
+        over: word("over") });
       curves.load();
       store.tell("sync");
       controls.anchor();
