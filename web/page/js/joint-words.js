@@ -19,7 +19,7 @@ const STATED = { r: "joint.radius", low: "", high: "", e0: "muscle_1.contraction
   centre: "link.centre", inertia: "joint.inertia" };
 const IN_FILE = /** @type {(keyof typeof STATED)[]} */ (Object.keys(STATED));
 /** No words beside a joint file: it states them. */
-export const ofFile = Object.fromEntries(IN_FILE.map((key) => [key, undefined]));
+export const ofFile = Object.fromEntries([...IN_FILE, "range"].map((key) => [key, undefined]));
 
 export class JointWords {
   files = { joint: "", file2: "" };
@@ -32,6 +32,11 @@ export class JointWords {
     this.over = new Set(KEYS.filter((key) => params.has(key)));
     Object.assign(this.v, USUAL);
     await this.fromFile();
+    // Both limits in one word, as links of before have them.
+    if (params.has("range")) {
+      await this.#limits(params.get("range"));
+      this.over.add("low").add("high");
+    }
     await this.#take(KEYS.filter((key) => params.has(key)).map((key) => [key, params.get(key) ?? ""]));
   }
 

@@ -103,9 +103,8 @@ function meter(name, value, limit, text, from = 0) {
 /** @param {Store} store @param {NonNullable<Store["point"]>} point */
 function warned({ facts }, point) {
   const own = facts.said?.state === muscle.state ? facts.said.warnings : [];
-  const list = [...new Set([...own, ...(point.warnings ?? [])])].map((w) => capital(inWords(w)));
-  const unknown = muscle.unknown.length
-    ? [`Not understood in the address: ${muscle.unknown.map(([k]) => k).join(", ")}`]
-    : [];
-  return [...list, ...muscle.wrong.values(), ...unknown];
+  const unknown = muscle.unknown.map(([key]) => key).join(", ");
+  const list = new Set([...own, ...(point.warnings ?? []), ...muscle.wrong.values(),
+    unknown && `Not understood in the address: ${unknown}`]);
+  return [...list].filter(Boolean).map((w) => capital(inWords(w)));
 }

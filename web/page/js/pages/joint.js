@@ -260,7 +260,7 @@ class JointPage {
   /** @param {URLSearchParams} params */
   async load(params) {
     await this.joint.read(params);
-    await muscle.read(params, [...KEYS, ...FILES]);
+    await muscle.read(params, [...KEYS, ...FILES, "range"]);
     this.#set();
     this.bench.show(this.joint.files);
     try {

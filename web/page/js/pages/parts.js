@@ -2,12 +2,11 @@
 import { engine } from "../ask.js";
 import { address } from "../address.js";
 import { choice } from "../controls.js";
-import { problemOf } from "../engine/problem.js";
 import { button, capital, el, problemBox } from "../dom.js";
 import { table } from "../form.js";
 import { library } from "../library.js";
 import { muscle } from "../muscle.js";
-import { notice } from "../notice.js";
+import { notice, noticeProblem } from "../notice.js";
 import { number, onUnits, show } from "../units.js";
 import { inWords } from "../words.js";
 
@@ -108,8 +107,7 @@ async function putInto(row) {
   } catch (problem) {
     muscle.state = before;
     await muscle.look().catch(() => {});
-    const { message, hint } = problemOf(problem), why = hint ? capital(inWords(hint)) : "";
-    notice(`${row.name} does not go into this muscle: ${inWords(message)}. ${why}`);
+    noticeProblem(problem, `${row.name} does not go into this muscle:`);
     return false;
   }
 }
@@ -119,10 +117,6 @@ function check(id, text, changed) {
   const box = el("input", { type: "checkbox", id, onchange: changed });
   return { box, row: el("label", { for: id }, box, ` ${text}`) };
 }
-
-/** @param {Row} row @param {() => void} act */
-const putButton = ({ name }, act) =>
-  button("Put into the muscle", act, { "aria-label": `Put into the muscle: ${name}` });
 
 /** @type {Mount} */
 export const mount = (main) => {
@@ -167,7 +161,8 @@ export const mount = (main) => {
     const { head, text, rows } = LISTS[/** @type {Kind} */ (state.kind)], all = rows(parts),
       shown = all.filter(matches);
     count.textContent = `${shown.length} of ${all.length} ${state.kind}. What no source states is marked as estimated.`;
-    const put = (/** @type {Row} */ row) => putButton(row, () => take(row));
+    const put = (/** @type {Row} */ row) => button("Put into the muscle", () => take(row),
+      { "aria-label": `Put into the muscle: ${row.name}` });
     const cells = shown.map((row) => [row.cells[0], put(row), ...row.cells.slice(1)]);
     list.replaceChildren(table(head, cells, { text, label: state.kind }));
   }
