@@ -30,7 +30,7 @@ export class Figures {
     this.grid.replaceChildren(...this.charts.slice(0, figure.panels.length).map((c) => c.element));
     figure.panels.forEach((panel, i) => {
       const heading = this.charts[i].element.querySelector("h3");
-      if (heading) heading.textContent = panel.title || capital(`${named(panel.y)} over ${named(panel.x)}`);
+      if (heading) heading.textContent = capital(panel.title || `${named(panel.y)} over ${named(panel.x)}`);
       this.charts[i].show(spec(panel, figure));
     });
     this.caption.textContent = figure.caption;
