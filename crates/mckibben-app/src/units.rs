@@ -156,7 +156,8 @@ impl Units {
         let mut out = parts.next().unwrap_or_default().to_owned();
         for part in parts {
             let from = out.trim_end_matches(|c: char| c.is_ascii_digit() || "+-.e".contains(c)).len();
-            let end = part.find(|c: char| !(c.is_ascii_alphabetic() || c == '/')).unwrap_or(part.len());
+            let end =
+                part.find(|c: char| !(c.is_ascii_alphabetic() || "/^".contains(c))).unwrap_or(part.len());
             let (unit, rest) = part.split_at(end);
             let other = inside.iter().position(|scale| scale.name == unit).map(|i| &shown[i]);
             match (other.filter(|scale| scale.name != unit), out[from..].parse::<f64>()) {
