@@ -37,9 +37,8 @@ pub fn paths() -> impl Iterator<Item = Cow<'static, str>> {
 
 /// The script that turns the muscle in a report: the page's own view, in one piece.
 pub fn viewer() -> String {
-    let modules = ["js/body.js", "js/dom.js", "js/shaders.js", "js/view3d.js", "js/report-viewer.js"]
-        .into_iter()
-        .filter_map(file);
+    let modules = ["body", "dom", "life", "shaders", "view3d", "report-viewer"];
+    let modules = modules.into_iter().filter_map(|name| file(&format!("js/{name}.js")));
     let mut out = String::new();
     for module in modules {
         let text = String::from_utf8_lossy(&module).replace("\nexport ", "\n");

@@ -206,7 +206,7 @@ inBrowser(({ name, open, blank, url }) => {
     await page.getByRole("button", { name: "Fit the rubber" }).click();
     await page.waitForFunction((was) => Number(/Residuals: ([\d.]+) N/.exec(document.querySelector(".points")?.textContent ?? "")?.[1]) < 0.9 * was, moved, { timeout: 30_000 });
     await page.getByRole("button", { name: "Remove the points" }).click();
-    await soon(async () => assert.equal(await page.locator(".points .row").isVisible(), false));
+    await soon(async () => assert.equal(await page.locator(".points .row.small").isVisible(), false));
     assert.deepEqual(errors, []);
     await context.close();
   });

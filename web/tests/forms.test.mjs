@@ -61,7 +61,7 @@ test("fields of all forms are fields of their requests, with their quantity, the
   const forms = [["design", [...design.WANTED, ...design.choices()], of("design")],
     ["motion", motion.STEP.filter(({ field }) => field !== "model"), step], ["rubber", rubber.FIELDS, of("rubber")],
     ["identify", data.FIELDS.filter(({ field }) => field === "free"), of("identify")], ["compare", data.FIELDS.filter(({ field }) => field === "models"), of("compare")],
-    ["fit", formula.HOW.filter(({ field }) => field !== "at"), of("fit")], ["build", files.TITLE, of("build")], ["export", files.BOX, of("export")]];
+    ["fit", formula.HOW.filter(({ field }) => field !== "at"), of("fit")], ["build", files.TITLE, of("build")], ["export", files.BOX, of("export")], ["simulate", files.ELEMENTS, of("simulate")]];
   let count = 0;
   for (const [where, fields, properties] of forms) for (const field of fields) { check(field, properties, where); count++; }
   assert.ok(count >= 45, `${count} fields`);

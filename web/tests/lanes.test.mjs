@@ -59,5 +59,5 @@ test("a question that holds up a newer one of its place is given up, and only th
 test("a server that is gone is said", async () => {
   Object.assign(globalThis, { fetch: async () => { throw new TypeError("refused"); } });
   const { Engine } = await import("../page/js/engine/http.js");
-  await assert.rejects(new Engine().job("plan", /** @type {any} */ ({})), /the server cannot be reached/);
+  await assert.rejects(new Engine().ask("plan", /** @type {any} */ ({})), /the server cannot be reached/);
 });

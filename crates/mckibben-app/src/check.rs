@@ -364,7 +364,7 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
     }
     if pressure_mpa > highest_mpa {
         let (pressure, most) = (number(pressure_mpa, 3), number(highest_mpa, 3));
-        outside.push(format!("the pressure is {pressure} MPa (measured: up to {most} MPa)"));
+        outside.push(format!("the pressure is {pressure}\u{a0}MPa (measured: up to {most}\u{a0}MPa)"));
     }
     Ok(outside)
 }

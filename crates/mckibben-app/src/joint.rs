@@ -174,7 +174,7 @@ impl Solver<'_> {
         }
         for &p in families.iter().flatten() {
             if !(p.is_finite() && p >= 0.0) {
-                let message = format!("{p} MPa is not a valid gauge pressure of a muscle");
+                let message = format!("{p}\u{a0}MPa is not a valid gauge pressure of a muscle");
                 return Err(Problem::new(ProblemKind::Quantity, message, "").in_field("pressures_mpa"));
             }
         }

@@ -217,7 +217,7 @@ pub(crate) fn pull(force_n: f64, options: Options) -> Result<()> {
     if force_n >= 0.0 || options.two_sided {
         return Ok(());
     }
-    let message = format!("{force_n} N is a push, and a muscle that contracts only pulls");
+    let message = format!("{force_n}\u{a0}N is a push, and a muscle that contracts only pulls");
     let hint = "`two_sided` gives the negative forces of the formula";
     Err(Problem::new(ProblemKind::Quantity, message, hint).in_field("force_n"))
 }

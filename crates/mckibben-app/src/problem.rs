@@ -133,8 +133,8 @@ pub struct Nearest {
 
 /// Why a request has no answer.
 ///
-/// Message and hint name fields of the request in backquotes (`` `pressure_mpa` ``), so that a front end can put its
-/// word for them in place.
+/// Message and hint name fields of the request in backquotes (`` `pressure_mpa` ``) and join quantities to their unit by a no-break space,
+/// so that a front end can put its words and units in place.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Problem {

@@ -64,7 +64,7 @@ pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
     };
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     if pressure_mpa < 0.0 {
-        let message = format!("{pressure_mpa} MPa is below zero");
+        let message = format!("{pressure_mpa}\u{a0}MPa is below zero");
         return Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressure_mpa"));
     }
     let fe = Axisymmetric::with_mesh(&muscle.between_ends(), mesh)

@@ -57,7 +57,7 @@ impl UncertaintyWords {
     /// What a selected branch would make of it, in units.
     pub fn branch_in(&self, u: &Units) -> Option<String> {
         let (half, force) = (u.force.half_width(self.branch_uncertainty_n?), &u.force.name);
-        Some(format!("a branch, shortening or lengthening, would reduce the ± to about {half} {force}"))
+        Some(format!("a branch, shortening or lengthening, would reduce the ± to about {half}\u{a0}{force}"))
     }
 
     /// The ± with its parts, in units.
@@ -97,6 +97,6 @@ pub fn bench(left_n: f64, pressure_mpa: f64, u: &Units) -> Option<String> {
     let (low, high) = (crate::words::number(low, 1), u.pressure.to(pressure_mpa, 3));
     let (left, pressure, force) = (u.force.half_width(left_n), &u.pressure.name, &u.force.name);
     Some(format!(
-        "{BENCH_POINTS} points on both branches at {low} {pressure} and {high} {pressure} would reduce the ± to about {left} {force}"
+        "{BENCH_POINTS} points on both branches at {low}\u{a0}{pressure} and {high}\u{a0}{pressure} would reduce the ± to about {left}\u{a0}{force}"
     ))
 }

@@ -9,8 +9,8 @@ use std::{borrow::Cow, fmt, str::FromStr};
 /// Values inside (MPa, N, mm, and quotients of these) below every measurement: zero but for rounding.
 const NOTHING: f64 = 1e-9;
 
-/// Sentences with these words have moduli, stresses and energies, which stay in MPa.
-const MATERIAL: [&str; 4] = ["modul", "stress", "energy", "constants"];
+/// Between number and unit of a quantity in a sentence; moduli and stresses, which stay in MPa, have a plain space.
+const JOIN: char = '\u{a0}';
 
 /// How one kind of quantity is shown.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,6 +50,11 @@ impl Scale {
 
     pub fn show(&self, inside: f64) -> String {
         format!("{} {}", self.bare(inside), self.name)
+    }
+
+    /// The same for a sentence.
+    fn joined(&self, inside: f64) -> String {
+        format!("{}{JOIN}{}", self.bare(inside), self.name)
     }
 
     pub fn bare(&self, inside: f64) -> String {
@@ -114,9 +119,9 @@ impl Units {
     /// A quantity of a kind with its unit.
     pub fn show(&self, kind: Dimension, inside: f64) -> String {
         match kind {
-            Dimension::Pressure => self.pressure.show(inside),
-            Dimension::Force => self.force.show(inside),
-            Dimension::Length => self.length.show(inside),
+            Dimension::Pressure => self.pressure.joined(inside),
+            Dimension::Force => self.force.joined(inside),
+            Dimension::Length => self.length.joined(inside),
             _ => format!("{} {}", number(inside, 5), kind.unit_inside().name).trim_end().to_owned(),
         }
     }
@@ -137,62 +142,33 @@ impl Units {
         list.join(",").parse().unwrap_or_default()
     }
 
-    /// A sentence of the layers below, whose pressures are in MPa, with its pressures in this unit. Moduli, stresses and energies stay
-    /// in MPa, and so do sentences that speak of the unit itself, and what is quoted.
-    pub fn sentence<'a>(&self, text: &'a str) -> Cow<'a, str> {
-        if self.pressure.name == "MPa" || MATERIAL.iter().any(|word| text.contains(word)) {
-            return Cow::Borrowed(text);
-        }
-        let mut out = String::with_capacity(text.len());
-        let mut rest = text;
-        while let Some(at) = rest.find("MPa") {
-            let (before, behind) = (&rest[..at], &rest[at + 3..]);
-            let per = before.ends_with("N/");
-            let numbers = before.strip_suffix(if per { " N/" } else { " " });
-            let other = behind.starts_with(|c: char| c.is_alphanumeric() || "^²·/".contains(c));
-            let quoted = text[..text.len() - behind.len()].matches('"').count() % 2 == 1;
-            let whole = !other && !quoted && !behind.starts_with(" = ");
-            match numbers.filter(|_| whole).and_then(|text| self.shown(text, per)) {
-                Some(shown) => {
-                    out.push_str(&shown);
-                    out.push_str(if per { " N/" } else { " " });
-                    out.push_str(&self.pressure.name);
+    /// A sentence of the layers below in these units: its quantities are those whose number a no-break space joins to a unit inside.
+    pub fn sentence(&self, text: &str) -> String {
+        let scales =
+            |u: &Self| [u.pressure.clone(), u.force.clone(), u.length.clone(), u.stiffness(), u.slope()];
+        let (inside, shown) = (scales(&Self::default()), scales(self));
+        let mut parts = text.split(JOIN);
+        let mut out = parts.next().unwrap_or_default().to_owned();
+        for part in parts {
+            let from = out.trim_end_matches(|c: char| c.is_ascii_digit() || "+-.e".contains(c)).len();
+            let end =
+                part.find(|c: char| !(c.is_ascii_alphabetic() || "/^".contains(c))).unwrap_or(part.len());
+            let (unit, rest) = part.split_at(end);
+            let other = inside.iter().position(|scale| scale.name == unit).map(|i| &shown[i]);
+            match (other.filter(|scale| scale.name != unit), out[from..].parse::<f64>()) {
+                (Some(scale), Ok(value)) => {
+                    let mantissa = out[from..].split('e').next().unwrap_or_default();
+                    let digits = mantissa
+                        .trim_start_matches(['-', '+', '0', '.'])
+                        .matches(|c: char| c.is_ascii_digit());
+                    let value = number(scale.value(value), digits.count().clamp(3, 6));
+                    out.replace_range(from.., &format!("{value} {}{rest}", scale.name));
                 }
-                None => out.push_str(&rest[..at + 3]),
+                _ => out.extend([" ", part]),
             }
-            rest = behind;
         }
-        out.push_str(rest);
-        Cow::Owned(out)
+        out
     }
-
-    /// A text with the numbers at its end, `1`, `1 to 2`, `1..2` or `1, 2 and 3` of them, in this unit; `None` where there is none.
-    fn shown(&self, text: &str, per: bool) -> Option<String> {
-        const BETWEEN: [&str; 5] = [" to ", " and ", " or ", ", ", ".."];
-        let (before, number_text) = number_at_end(text)?;
-        let value: f64 = number_text.parse().ok()?;
-        let mantissa = number_text.split(['e', 'E']).next()?.trim_start_matches(['-', '+', '0', '.']);
-        let digits = mantissa.chars().filter(char::is_ascii_digit).count();
-        let pressure = &self.pressure;
-        let outside = if per { value / pressure.value(1.0) } else { pressure.value(value) };
-        let more =
-            BETWEEN.iter().find_map(|&word| Some((self.shown(before.strip_suffix(word)?, per)?, word)));
-        let before = more.map_or_else(|| before.to_owned(), |(before, word)| before + word);
-        Some(before + &number(outside, digits.clamp(3, 6)))
-    }
-}
-
-/// A text without the number at its end, and that number.
-fn number_at_end(text: &str) -> Option<(&str, &str)> {
-    let inside = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);
-    let from = text.trim_end_matches(inside).len();
-    let starts = text[from..].char_indices().map(|(at, _)| from + at);
-    let starts_well = |at: &usize| !text[..*at].ends_with(char::is_alphanumeric);
-    let at = starts.filter(starts_well).find(|&at| {
-        let range = text[..at].ends_with('.') && !text[..at].ends_with("..");
-        !range && text[at..].parse::<f64>().is_ok()
-    })?;
-    Some(text.split_at(at))
 }
 
 impl Default for Units {

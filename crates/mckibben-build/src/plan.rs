@@ -56,7 +56,7 @@ impl Plan {
         let (length_mm, least_mm) = (muscle.terminals().insertion_mm(), Self::LEAST_INSERTION_MM);
         Refused::unless(length_mm >= least_mm, ["insertion_mm"], || {
             format!(
-                "a length of {length_mm} mm on each plug holds no clamp; state `insertion_mm` of at least {least_mm} mm ([terminals] of the muscle file)"
+                "a length of {length_mm}\u{a0}mm on each plug holds no clamp; state `insertion_mm` of at least {least_mm}\u{a0}mm ([terminals] of the muscle file)"
             )
         })?;
         let bolt_fits = wishes.bolt_mm.is_none_or(|bolt_mm| (2.0..=64.0).contains(&bolt_mm));
@@ -68,7 +68,7 @@ impl Plan {
         let diameter_mm = wishes.sleeve_diameter_mm.or(cut.sleeve.relaxed_diameter_mm);
         Refused::unless(cut.sleeve.relaxed_diameter_mm == diameter_mm, ["sleeve_diameter_mm"], || {
             format!(
-                "a sleeve of {} mm cannot be pulled over this tube: its strands allow diameters up to {:.1} mm",
+                "a sleeve of {}\u{a0}mm cannot be pulled over this tube: its strands allow diameters up to {:.1}\u{a0}mm",
                 diameter_mm.unwrap_or_default(),
                 muscle.strand_length_per_turn_mm() / PI
             )
@@ -134,7 +134,7 @@ impl Plan {
         let bore_mm = self.air_plug.stem.bore_mm();
         if bore_mm < 4.0 {
             out.push(format!(
-                "a plug for a bore of {} mm is too thin for most printers; a turned plug, or a needle with a knot of thread, takes its place",
+                "a plug for a bore of {}\u{a0}mm is too thin for most printers; a turned plug, or a needle with a knot of thread, takes its place",
                 crate::text::mm(bore_mm)
             ));
         }
@@ -147,7 +147,7 @@ impl Plan {
         }
         if self.clamps == Clamps::Crimped {
             out.push(format!(
-                "each end must hold about {} N, more than cable ties do by estimate: crimp a ferrule, or clamp with a hose clamp",
+                "each end must hold about {}\u{a0}N, more than cable ties do by estimate: crimp a ferrule, or clamp with a hose clamp",
                 crate::text::significant(self.end_load_n, 2)
             ));
         }

@@ -3,7 +3,7 @@
 
 use crate::{Args, Flag};
 use mckibben_app::units::Units;
-use std::{borrow::Cow, sync::OnceLock};
+use std::sync::OnceLock;
 
 /// Flags whose unit a user wants to read, too. A modulus is not among them: pressures are not read in GPa.
 const FLAGS: [&str; 11] = [
@@ -57,9 +57,6 @@ pub fn units() -> Units {
 }
 
 /// A sentence of the layers below in these units.
-pub fn sentence(text: &str) -> Cow<'_, str> {
-    match TYPED.get().or_else(|| OF_FILE.get()) {
-        Some(units) => units.sentence(text),
-        None => Cow::Borrowed(text),
-    }
+pub fn sentence(text: &str) -> String {
+    units().sentence(text)
 }

@@ -195,7 +195,7 @@ impl Demand {
                 let (low, high) = load.reach_mm();
                 if !(low <= 0.0 && end <= high) {
                     return Err(SpecError::Refused(format!(
-                        "the load is known for shortenings from {low} to {high} mm, and the stroke goes from 0 to {end} mm"
+                        "the load is known for shortenings from {low}\u{a0}mm to {high}\u{a0}mm, and the stroke goes from 0\u{a0}mm to {end}\u{a0}mm"
                     )));
                 }
             }
@@ -212,7 +212,7 @@ impl Demand {
         };
         match points.iter().find(senseless) {
             Some(p) => Err(SpecError::Refused(format!(
-                "the operating point {force_n} N at a contraction of {contraction} is invalid: the pull must be above 0 N and the contraction from 0 to below 1; for a push of a muscle that extends, the force below 0 N and the contraction from above -1 to 0",
+                "the operating point {force_n}\u{a0}N at a contraction of {contraction} is invalid: the pull must be above 0 N and the contraction from 0 to below 1; for a push of a muscle that extends, the force below 0 N and the contraction from above -1 to 0",
                 force_n = p.force_n,
                 contraction = p.contraction
             ))),

@@ -202,7 +202,7 @@ impl Spec {
         lengths.iter().try_for_each(|length| self.wanted.check(*length))?;
         if !(self.max_pressure_mpa.is_finite() && self.max_pressure_mpa > 0.0) {
             return Err(SpecError::Refused(format!(
-                "the maximum pressure is {} MPa; it must be above zero",
+                "the maximum pressure is {}\u{a0}MPa; it must be above zero",
                 self.max_pressure_mpa
             )));
         }

@@ -15,7 +15,7 @@ pub enum ExportError {
     #[error("there is no target \"{0}\"; the targets are {names}", names = crate::Target::names())]
     Target(String),
     /// The muscle does not pull at the supply.
-    #[error("the muscle does not pull at the supply of {0} MPa: there is nothing to export")]
+    #[error("the muscle does not pull at the supply of {0}\u{a0}MPa: there is nothing to export")]
     NoPull(f64),
     /// The contractions do not bound a box.
     #[error(

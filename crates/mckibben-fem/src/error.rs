@@ -19,7 +19,7 @@ pub enum FemError {
     #[error("{0}")]
     Refused(String),
     /// A question that is no number, a pressure that is not finite, a contraction of 1 or more.
-    #[error("no muscle has a pressure of {pressure_mpa} MPa and a contraction of {contraction}")]
+    #[error("no muscle has a pressure of {pressure_mpa}\u{a0}MPa and a contraction of {contraction}")]
     Question {
         /// Pressure in MPa.
         pressure_mpa: f64,
@@ -46,7 +46,7 @@ pub enum FemError {
     },
     /// Ends whose slip was not found.
     #[error(
-        "no slip of the ends was found at {pressure_mpa} MPa and contraction {contraction} in {} steps: take a smaller terminals.slip",
+        "no slip of the ends was found at {pressure_mpa}\u{a0}MPa and contraction {contraction} in {} steps: take a smaller terminals.slip",
         Ends::STEPS
     )]
     Ends {
@@ -56,7 +56,7 @@ pub enum FemError {
         contraction: f64,
     },
     /// No pressure or contraction gives the force.
-    #[error("no equilibrium with a pull of {force_n} N was found{}", of_muscle(.reason))]
+    #[error("no equilibrium with a pull of {force_n}\u{a0}N was found{}", of_muscle(.reason))]
     Force {
         /// Required pull in N.
         force_n: f64,
@@ -129,10 +129,10 @@ fn ended(path: &FemError) -> String {
         return String::new();
     };
     let percent = |contraction: f64| (1e4 * contraction).round() / 1e2;
-    let point = format!("at {pressure_mpa} MPa and a contraction of {} %", percent(*contraction));
+    let point = format!("at {pressure_mpa}\u{a0}MPa and a contraction of {} %", percent(*contraction));
     let begins = match (status, other_n) {
         (_, Some(force)) => format!(
-            "no equilibrium found on the branch of the taut muscle {point} (one on another branch has a pull of {force:.1} N)"
+            "no equilibrium found on the branch of the taut muscle {point} (one on another branch has a pull of {force:.1}\u{a0}N)"
         ),
         (Status::Collapsed, None) => format!("no equilibrium found {point} (the tube may have collapsed)"),
         _ => format!("no equilibrium found {point}"),
@@ -140,7 +140,7 @@ fn ended(path: &FemError) -> String {
     let because = of_muscle(reason);
     let (last_mpa, at) = (last.pressure_mpa, percent(last.contraction));
     let followed = if last_mpa > 0.0 || last.contraction != 0.0 {
-        format!("; on the way there from rest, the last one is at {last_mpa:.4} MPa and {at} %")
+        format!("; on the way there from rest, the last one is at {last_mpa:.4}\u{a0}MPa and {at} %")
     } else {
         String::new()
     };
@@ -153,11 +153,11 @@ fn out_of_reach(force: f64, pressure: f64, nearest: f64, contraction: f64) -> St
     let (percent, nearest) = (100.0 * contraction.abs(), (10.0 * nearest).round() / 10.0);
     if force > nearest {
         format!(
-            "rubber and strands cannot carry a pull of {force} N at {pressure} MPa: stretched by {percent:.0} % of its length, as far as an equilibrium was found, the muscle pulls with {nearest} N"
+            "rubber and strands cannot carry a pull of {force}\u{a0}N at {pressure}\u{a0}MPa: stretched by {percent:.0} % of its length, as far as an equilibrium was found, the muscle pulls with {nearest}\u{a0}N"
         )
     } else {
         format!(
-            "no equilibrium with a pull of {force} N exists at {pressure} MPa: shortened by {percent:.0} % of its length, as far as an equilibrium was found, the muscle still pulls with {nearest} N"
+            "no equilibrium with a pull of {force}\u{a0}N exists at {pressure}\u{a0}MPa: shortened by {percent:.0} % of its length, as far as an equilibrium was found, the muscle still pulls with {nearest}\u{a0}N"
         )
     }
 }

@@ -241,7 +241,7 @@ impl<'a> Drive<'a> {
                     let supply_mpa = self.supply.pressure_mpa;
                     MotionError::require(high <= supply_mpa, || {
                         format!(
-                            "the command is {high} MPa, above the supply pressure of {supply_mpa} MPa; raise the supply or lower the command"
+                            "the command is {high}\u{a0}MPa, above the supply pressure of {supply_mpa}\u{a0}MPa; raise the supply or lower the command"
                         )
                     })?;
                 }

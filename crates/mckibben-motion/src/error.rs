@@ -26,13 +26,13 @@ pub enum MotionError {
     NoAnswer(String),
     /// The load never leaves its stop.
     #[error(
-        "the load is never lifted: the largest net force from the stop was {net} (N, or N mm about a joint) at {time_s} s, at most {pressure_mpa} MPa; raise the pressure, take a larger muscle or a smaller load",
+        "the load is never lifted: the largest net force from the stop was {net} (N, or N mm about a joint) at {time_s} s, at most {pressure_mpa}\u{a0}MPa; raise the pressure, take a larger muscle or a smaller load",
         net = .0.net, time_s = .0.time_s, pressure_mpa = .0.pressure_mpa
     )]
     NeverLifted(OnStop),
     /// A model has no answer on the way.
     #[error(
-        "the motion ends at {time_s} s, muscle {muscle} at {pressure_mpa} MPa and contraction {contraction}: {error}"
+        "the motion ends at {time_s} s, muscle {muscle} at {pressure_mpa}\u{a0}MPa and contraction {contraction}: {error}"
     )]
     Model {
         /// When.

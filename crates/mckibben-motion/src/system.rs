@@ -139,7 +139,7 @@ impl<'a> System<'a> {
             let at = at.map_err(|error| MotionError::model(error, t, i, gauge, lever.contraction))?;
             if medium.boils(absolute_mpa) {
                 return Err(MotionError::Boils(format!(
-                    "the liquid in muscle {} boils at {t} s: its absolute pressure falls below {absolute_mpa} MPa",
+                    "the liquid in muscle {} boils at {t} s: its absolute pressure falls below {absolute_mpa}\u{a0}MPa",
                     i + 1
                 )));
             }

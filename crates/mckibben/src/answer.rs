@@ -242,7 +242,7 @@ impl Evaluation<'_> {
         let response = self.response(pressure_mpa, contraction).ok()?;
         let (tension_n, strength_n) = overloaded(self.model.muscle(), &response)?;
         Some(AnalysisError::StrandsBreak(format!(
-            "{} N at {} MPa and a contraction of {} % break the strands: one of them carries {} N, and its strength is {} N",
+            "{}\u{a0}N at {}\u{a0}MPa and a contraction of {} % break the strands: one of them carries {}\u{a0}N, and its strength is {}\u{a0}N",
             short(force_n, 1),
             short(pressure_mpa, 4),
             short(100.0 * contraction, 2),
@@ -270,7 +270,7 @@ pub(crate) const FLAT_MPA: f64 = 0.1;
 /// What is said where the pull hardly changes with what is sought.
 fn flat(sought: &str, half_n: f64) -> String {
     format!(
-        "the {sought} has no ±: here the pull changes so little with it that the ± of the pull, {half_n:.1} N, does not bound it"
+        "the {sought} has no ±: here the pull changes so little with it that the ± of the pull, {half_n:.1}\u{a0}N, does not bound it"
     )
 }
 

@@ -164,7 +164,7 @@ fn findings(
         finding(
             "a thicker wall gives less force at the same pressure and shortening",
             falling,
-            format!("{falls} at .25 MPa for every shortening"),
+            format!("{falls} at .25\u{a0}MPa for every shortening"),
         ),
         finding(
             "the loss from s = 1 to 5 mm reaches about 300 N",
@@ -177,9 +177,9 @@ fn findings(
             format!("{rises} at 20 and 40 mm"),
         ),
         finding(
-            "P′ rises by up to about 0.07 MPa from s = 1 to 5 mm",
+            "P′ rises by up to about 0.07\u{a0}MPa from s = 1 to 5 mm",
             (0.06..=0.08).contains(&rise[0].max(rise[1])),
-            format!("{:.3} MPa at 20 mm, {:.3} MPa at 40 mm", rise[0], rise[1]),
+            format!("{:.3}\u{a0}MPa at 20 mm, {:.3}\u{a0}MPa at 40 mm", rise[0], rise[1]),
         ),
         finding(
             "the curves of (1) with D0 = 24 mm are the steepest",
@@ -199,7 +199,7 @@ fn findings(
         finding(
             "isotonic: (4) with D0 = 24 mm contracts more than the model",
             shorter,
-            format!("{more} than s = 1 at .25 MPa"),
+            format!("{more} than s = 1 at .25\u{a0}MPa"),
         ),
     ])
 }

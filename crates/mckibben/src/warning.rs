@@ -60,7 +60,7 @@ impl Warning {
     /// Of a pressure in MPa at which a muscle fails that bursts at `burst_mpa`.
     pub fn of_burst(pressure_mpa: f64, burst_mpa: f64, by: FailureMode) -> Self {
         let sentence = format!(
-            "{BURST}: {pressure_mpa:.3} MPa exceeds the burst pressure of this muscle, {burst_mpa:.3} MPa, at which {by}"
+            "{BURST}: {pressure_mpa:.3}\u{a0}MPa exceeds the burst pressure of this muscle, {burst_mpa:.3}\u{a0}MPa, at which {by}"
         );
         Self::new(WarningKind::Burst, pressure_mpa / burst_mpa, sentence)
     }
@@ -69,16 +69,16 @@ impl Warning {
     pub fn above_allowed(pressure_mpa: f64, allowed_mpa: f64, by: Option<FailureMode>) -> Self {
         let allowed = rounded(allowed_mpa, 4, f64::floor);
         let reason = by.map_or_else(
-            || format!("the fittings are rated for {allowed} MPa"),
+            || format!("the fittings are rated for {allowed}\u{a0}MPa"),
             |by| {
                 let factor = SAFETY * by.share();
                 format!(
-                    "the allowed pressure is {allowed} MPa, since {by} at {:.3} MPa (safety factor {factor})",
+                    "the allowed pressure is {allowed}\u{a0}MPa, since {by} at {:.3}\u{a0}MPa (safety factor {factor})",
                     allowed_mpa * factor
                 )
             },
         );
-        let sentence = format!("{ABOVE}: {pressure_mpa:.3} MPa; {reason}");
+        let sentence = format!("{ABOVE}: {pressure_mpa:.3}\u{a0}MPa; {reason}");
         Self::new(WarningKind::AboveAllowed, pressure_mpa / allowed_mpa, sentence)
     }
 
@@ -166,7 +166,7 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
     let mut warn = |kind, gravity, sentence| out.push(Warning::new(kind, gravity, sentence));
     if let Some((tension_n, strength_n)) = overloaded(muscle, response) {
         let sentence = format!(
-            "the strands break: at {:.3} MPa one of them carries {tension_n:.1} N, and its strength is {strength_n} N; what is broken does not pull",
+            "the strands break: at {:.3}\u{a0}MPa one of them carries {tension_n:.1}\u{a0}N, and its strength is {strength_n}\u{a0}N; what is broken does not pull",
             response.pressure_mpa
         );
         warn(StrandsBreak, tension_n / strength_n, sentence);
@@ -188,7 +188,7 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
         && !muscle.is_extensile()
     {
         let sentence = format!(
-            "the pull falls when the pressure rises ({slope:.0} N/MPa): here the muscle widens instead of pulling"
+            "the pull falls when the pressure rises ({slope:.0}\u{a0}N/MPa): here the muscle widens instead of pulling"
         );
         warn(FallsWithPressure, -slope, sentence);
     }
@@ -197,7 +197,7 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
     {
         let push_n = -response.force_n;
         let sentence = format!(
-            "the muscle buckles between two joints: it pushes with {push_n:.1} N, and its wall alone bears {bears_n:.1} N; guide it in a tube, or make it shorter"
+            "the muscle buckles between two joints: it pushes with {push_n:.1}\u{a0}N, and its wall alone bears {bears_n:.1}\u{a0}N; guide it in a tube, or make it shorter"
         );
         warn(Buckles, push_n / bears_n, sentence);
     }
@@ -234,7 +234,7 @@ mod tests {
         let model = ThickWall::new(&muscle);
         let response = model.response(&mut Workspace::new(), 0.05, 0.0).unwrap();
         let warnings = of_response(&muscle, &response);
-        assert!(warnings[0].to_string().contains("its strength is 0.4 N"), "{warnings:?}");
+        assert!(warnings[0].to_string().contains("its strength is 0.4\u{a0}N"), "{warnings:?}");
         let kinds: Vec<WarningKind> = warnings.iter().map(|w| w.kind).collect();
         assert_eq!(kinds[..2], [WarningKind::StrandsBreak, WarningKind::StrandStrain]);
         // And nothing of a muscle that is well.

@@ -1,5 +1,6 @@
 // The address: `#muscle?D=38&p=2.5bar`. All that can be seen stands in it.
 import { pack, packed, unpack } from "./deflate.js";
+import { signal } from "./life.js";
 import { pageOf } from "./pages.js";
 
 /** @param {string} [of] @returns {{ page: string, params: URLSearchParams }} */
@@ -8,6 +9,9 @@ function parse(of = location.hash) {
   const [page, query] = cut < 0 ? [hash, ""] : [hash.slice(0, cut), hash.slice(cut + 1)];
   return { page: page || "muscle", params: new URLSearchParams(query) };
 }
+
+/** Whether a link of this page leads nowhere on another computer. */
+export const isLocal = () => /^(localhost|127\.|\[::1\])/.test(location.hostname);
 
 /** The page of the address, with its words; those that a damaged link has lost. */
 export async function read() {
@@ -26,19 +30,12 @@ export async function read() {
 }
 
 /** Readable: blanks as +, and no escapes where an address needs none. @param {URLSearchParams} params */
-const readable = (params) => {
-  const text = params.toString();
-  return [["%2C", ","], ["%3A", ":"], ["%2F", "/"], ["%40", "@"]].reduce(
-    (all, [escape, sign]) => all.replaceAll(escape, sign),
-    text,
-  );
-};
+const readable = (params) => [["%2C", ","], ["%3A", ":"], ["%2F", "/"], ["%40", "@"]].reduce(
+  (all, [escape, sign]) => all.replaceAll(escape, sign), params.toString());
 
 /** Words as the query of an address. @param {Record<string, string | undefined>} params */
 export function query(params) {
-  const said = Object.entries(params).flatMap((
-    [key, word],
-  ) => (word === undefined || word === "" ? [] : [[key, packed(word)]]));
+  const said = Object.entries(params).flatMap(([key, word]) => (word ? [[key, packed(word)]] : []));
   return readable(new URLSearchParams(said));
 }
 
@@ -48,9 +45,9 @@ export function address(page, params) {
   return `#${page}${words ? "?" + words : ""}`;
 }
 
-/** @type {() => void} */ let written = () => {};
-/** @param {() => void} tell is called after each change of the address by a page */
-export const onWritten = (tell) => { written = tell; };
+const written = signal();
+/** Is told of each change of the address by a page. */
+export const onWritten = written.stay;
 
 /**
  * Puts it into the address in place of the present one: entries of the history are pages. A page that is left before
@@ -61,5 +58,5 @@ export function write(to) {
   if (pageOf(parse(to).page) !== pageOf(parse().page)) return;
   if (to === location.hash || (to === "#muscle" && !location.hash)) return;
   history.replaceState(null, "", to);
-  written();
+  written.tell();
 }

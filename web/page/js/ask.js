@@ -1,14 +1,9 @@
 // The one engine of the page, and questions of which only the newest counts.
 import { Engine } from "./kind.js";
 import { problemOf } from "./engine/problem.js";
+import { atEnd } from "./life.js";
 import { bareIn, kindOf, takeUnits } from "./units.js";
 
-/** @typedef {Commands["quantities"]["answer"]["readings"][number]} Reading */
-/**
- * What was understood: of each text its number, its numbers, or what is wrong with it.
- * @typedef {{ value?: number, values?: number[], interval?: [number, number] | null,
- *   problem?: { message: string } }[]} Readings
- */
 /** @type {Engine | undefined} */ let one;
 /** The engine; throws where there can be none. */
 export const engine = () => (one ??= new Engine());
@@ -44,7 +39,7 @@ const MOST_ANSWERS = 16;
 export async function longWork(command, request, options) {
   const key = `${command} ${JSON.stringify(request)}`;
   const known = /** @type {Commands[K]["answer"] | undefined} */ (answers.get(key));
-  const answer = known ?? await engine().job(command, request, options);
+  const answer = known ?? await engine().ask(command, request, { lane: "job", ...options });
   answers.delete(key);
   answers.set(key, answer);
   if (answers.size > MOST_ANSWERS) answers.delete(answers.keys().next().value ?? "");
@@ -54,9 +49,9 @@ export async function longWork(command, request, options) {
 /** So long a question may hold up a newer one of its place, in milliseconds; then it is given up. */
 const PATIENCE = 1500;
 
-/** A place for questions: one is on its way at most, and of those that wait only the newest is asked. */
+/** A place for questions of a page: one is on its way at most, and of those that wait only the newest is asked. */
 export class Slot {
-  /** @param {{ lane?: import("./engine/wasm.js").LaneName, busy?: (on: boolean) => void }} [options] */
+  /** @param {{ lane?: LaneName, busy?: (on: boolean) => void }} [options] */
   constructor({ lane = "side", busy } = {}) {
     this.lane = lane;
     this.busy = busy;
@@ -65,6 +60,7 @@ export class Slot {
     this.since = 0;
     this.timer = 0;
     this.patience = 0;
+    atEnd(() => this.end());
   }
 
   /**

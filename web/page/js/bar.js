@@ -1,16 +1,13 @@
 // The muscle of all pages, above them: its picture and name, undo and redo, save, open, share, project, print.
-import { download, el } from "./dom.js";
+import { isLocal } from "./address.js";
+import { button, download, el } from "./dom.js";
 import { muscle } from "./muscle.js";
 import { fileName } from "./toml.js";
 import { notice, noticeProblem } from "./notice.js";
 import { openDialog } from "./open.js";
 import { show } from "./units.js";
 import { thumbnail } from "./thumbnail.js";
-import { write, address } from "./address.js";
 import { names } from "./steps.js";
-
-/** @param {string} text @param {() => void} act @param {string} [title] */
-const button = (text, act, title) => el("button", { type: "button", onclick: act, title }, text);
 
 async function save() {
   try {
@@ -20,47 +17,38 @@ async function save() {
   }
 }
 
-/** The name as a field: it is part of the link, and of the file that is saved. */
-function nameField() {
+/** The name as a field: it is part of the link, and of the file that is saved. @param {() => void} renamed */
+function nameField(renamed) {
   const field = el("input", { type: "text", "aria-label": "Name of the muscle", maxlength: 80, autocomplete: "off",
-    spellcheck: "false" });
-  field.addEventListener("change", () => {
-    muscle.rename(field.value.trim());
-    const [page, words = ""] = location.hash.replace(/^#/, "").split("?", 2), params = new URLSearchParams(words);
-    if (page === "design") params.delete("m");
-    else if (muscle.called) params.set("name", muscle.called);
-    else params.delete("name");
-    write(address(page || "muscle", Object.fromEntries(params)));
-    muscle.tell();
-  });
-  field.addEventListener("keydown", (event) => {
-    if (event.key === "Enter") field.blur();
-  });
+    spellcheck: "false", onchange() {
+      muscle.rename(field.value.trim());
+      renamed();
+    } });
+  field.addEventListener("keydown", (event) => { if (event.key === "Enter") field.blur(); });
   return field;
 }
 
 /** A link of a page on this computer leads nowhere else: the file goes in its place. */
 function shareButton() {
-  const share = button("Share", async () => {
-    if (/^(localhost|127\.|\[::1\])/.test(location.hostname)) {
+  return button("Share", async () => {
+    if (isLocal()) {
       await save();
       return notice("A link to this page works on this computer alone. The muscle was saved as a file: send that.");
     }
     await navigator.clipboard.writeText(location.href).then(() => notice("The link to this view is copied."),
       () => prompt("The link to this view", location.href));
-  }, "Copy the link to this view, or save the file where a link would not work elsewhere");
-  return share;
+  }, { title: "Copy the link to this view, or save the file where a link would not work elsewhere" });
 }
 
-/** @param {(by: -1 | 1) => void} walk to the step before or after */
-export function muscleBar(walk) {
-  const picture = el("span", {}), field = nameField(), line = el("span", { class: "small soft measures" });
+/** @param {(by: -1 | 1) => void} walk to the step before or after @param {() => void} renamed */
+export function muscleBar(walk, renamed) {
+  const picture = el("span", {}), field = nameField(renamed), line = el("span", { class: "small soft measures" });
   const undo = button("Undo", () => walk(-1)), redo = button("Redo", () => walk(1));
   const element = el("div", { class: "muscle-bar", role: "group", "aria-label": "The muscle" }, picture,
     el("span", { class: "name" }, field, line), undo, redo,
-    button("Open", openDialog, "A file, a muscle of the gallery or the library, or a project"),
-    button("Save", save, "Save the muscle as a file (TOML)"), shareButton(),
-    button("Print", () => print(), "Print one sheet with muscle, inputs and numbers"));
+    button("Open", openDialog, { title: "A file, a muscle of the gallery or the library, or a project" }),
+    button("Save", save, { title: "Save the muscle as a file (TOML)" }), shareButton(),
+    button("Print", () => print(), { title: "Print one sheet with muscle, inputs and numbers" }));
   /** @type {string | undefined} */ let drawn = "";
   return {
     element,

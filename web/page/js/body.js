@@ -1,7 +1,6 @@
 // A muscle from the side as SVG, in millimetres or any other measure: woven strands over a tube that bulges between its
 // ends. The left end of the tube is at 0, its axis too.
 
-/** @typedef {{ outer_diameter_mm: number, wall_mm: number, length_mm: number, angle_deg?: number | null }} Measures */
 let count = 0;
 const short = (/** @type {number} */ v) => Number(v.toPrecision(5));
 

@@ -1,20 +1,12 @@
 // The border of what fits, on a grid of muscles: where the margin of the limit is zero between a muscle that fits and
 // its neighbour that does not. Pure functions of numbers.
 
-/**
- * A muscle of the grid. `margin`: of the pull, to spare; `limit` and `misses`: the limit that it misses, and by what
- * share.
- * @typedef {{ fits: boolean, value: number, margin: number, limit: string, misses: number }} Node
- * @typedef {{ x: number[], y: number[], nodes: Node[][] }} Grid rows of `nodes` by y
- * @typedef {[number, number, number, number]} Segment from a place to another one
- */
-
 /** Limits whose margin a muscle that fits states too. */
 export const OF_PULL = ["force", "points", "contraction"];
 
 /**
  * How far from a muscle that fits the border lies towards a neighbour that does not, as a share of their distance.
- * @param {Node} fits @param {Node} fails @param {Node | undefined} beyond the next one behind
+ * @param {GridNode} fits @param {GridNode} fails @param {GridNode | undefined} beyond the next one behind
  */
 function crossing(fits, fails, beyond) {
   const within = (/** @type {number} */ t) => Math.min(0.98, Math.max(0.02, t));
@@ -26,9 +18,9 @@ function crossing(fits, fails, beyond) {
   return 0.5;
 }
 
-/** @param {Grid} grid @returns {Segment[]} */
+/** @param {{ x: number[], y: number[], nodes: GridNode[][] }} grid @returns {Segment[]} */
 export function border({ x, y, nodes }) {
-  /** @type {Node} */
+  /** @type {GridNode} */
   const nothing = { fits: false, value: NaN, margin: 0, limit: "", misses: 0 };
   const node = (/** @type {number} */ i, /** @type {number} */ j) => nodes[j]?.[i] ?? nothing;
   // The map ends where its muscles do.
@@ -68,7 +60,10 @@ export function inside(segments, x, y) {
   return odd;
 }
 
-/** Values of the nodes; those of neighbours without one by the line through the two before. @param {Grid} grid */
+/**
+ * Values of the nodes; those of neighbours without one by the line through the two before.
+ * @param {{ x: number[], y: number[], nodes: GridNode[][] }} grid
+ */
 export function extended({ x, y, nodes }) {
   const values = nodes.map((row) => row.map((n) => (n.fits ? n.value : NaN)));
   const ways = [-1, 0, 1].flatMap((a) => [-1, 0, 1].map((b) => [a, b])).filter(([a, b]) => a || b);

@@ -1,12 +1,12 @@
 // Three candidates for a pull, as pictures to one scale: what the muscles are in use, with width, pressure and ±.
 import { Slot } from "./ask.js";
 import { body, contracted, ground } from "./body.js";
+import { decisionView } from "./design-view.js";
 import { el } from "./dom.js";
+import { card } from "./thumbnail.js";
 import { show, withUncertainty } from "./units.js";
 import { inWords } from "./words.js";
 
-/** @typedef {Commands["design"]} Design */
-/** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /** What each is the best for, and what is asked for it. @type {[string, Design["request"]][]} */
 const WISHES = [["Narrowest in use", { objective: "bulged-diameter" }], ["Least air", { objective: "air" }],
   ["Guaranteed (95 %)", { objective: "bulged-diameter", guaranteed: 0.95 }]];
@@ -20,7 +20,6 @@ export function picture(c, wide, tall) {
   const now = contracted(diameter, c.angle_deg, e), length = c.length_mm * (1 - e), { angle } = now;
   const bulged = c.bulged_diameter_mm ?? now.bulged;
   return `<svg viewBox="${-0.14 * wide} ${-tall / 2} ${1.24 * wide} ${1.3 * tall}" aria-hidden="true">`
-
     + `${ground(length, bulged / 2)}${body({ length, diameter, bulged, angle })}</svg>`;
 }
 
@@ -40,15 +39,13 @@ export function candidatesView(open) {
       if (typeof one !== "object")
         return el("div", { class: "card" }, el("b", {}, title),
           el("span", { class: "small soft" }, one ?? "Searching …"));
-      const box = el("span", { class: "picture" });
+      const box = el("span", {});
       box.innerHTML = picture(one, wide, tall);
       const [at] = one.points;
       const parts = [one.count > 1 ? `${one.count} side by side` : "", one.tube, one.sleeve].filter(Boolean);
-      return el("button", { type: "button", class: "card", onclick: () => open(one, { ...of, ...wish }) }, box,
-        el("b", {}, title),
-        el("span", {}, `${show("length", one.bulged_diameter_mm, 3)} wide at ${show("pressure", one.pressure_mpa, 3)}`),
-        el("span", {}, withUncertainty("force", Number(at?.force_n), one.uncertainty_n)),
-        el("span", { class: "small soft" }, parts.join(", ")));
+      return card(() => open(one, { ...of, ...wish }), box, title,
+        `${show("length", one.bulged_diameter_mm, 3)} wide at ${show("pressure", one.pressure_mpa, 3)}`,
+        withUncertainty("force", Number(at?.force_n), one.uncertainty_n), parts.join(", "));
     }));
   }
   return {
@@ -65,7 +62,7 @@ export function candidatesView(open) {
         slots[i].ask("design", { ...request, ...wish, top: 1 }, (answer) => {
           found[i] = answer.candidates[0] ?? (answer.closest ? `None: ${inWords(answer.closest.reason)}.`
             : "None of the search.");
-          if (!i) said.replaceChildren(...(answer.decision ?? []).map((line) => el("li", {}, inWords(line))));
+          if (!i) said.replaceChildren(...decisionView(answer).children);
           paint();
         }, (problem) => {
           found[i] = inWords(problem.message);
@@ -73,6 +70,5 @@ export function candidatesView(open) {
         });
       });
     },
-    end() { slots.forEach((slot) => slot.end()); },
   };
 }

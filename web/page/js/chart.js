@@ -1,13 +1,13 @@
 // A chart: curves over a picture or none, as SVG (lines.js); with a table, PNG, SVG and CSV.
 import { atEnd } from "./life.js";
-import { csv, download, el } from "./dom.js";
+import { button, csv, download, el } from "./dom.js";
 import { table } from "./form.js";
 import { Lines } from "./lines.js";
 import { KINDS } from "./plot.js";
+import { isDark, onTheme } from "./theme.js";
 import { number, outside } from "./units.js";
 
 export { KINDS };
-
 
 const VIRIDIS = [[68, 1, 84], [71, 44, 122], [59, 81, 139], [44, 113, 142], [33, 144, 141], [39, 173, 129],
   [92, 200, 99], [170, 220, 50], [253, 231, 37]];
@@ -19,100 +19,46 @@ export function viridisAt(share, most) {
 }
 /** Without its palest end, which a white page would swallow. @param {number} share */
 export const viridis = (share, most = 0.82) => `rgb(${viridisAt(share, most).join(",")})`;
+/** The colour of a share, to be seen on the page. @param {number} share */
+export const shade = (share) => (isDark() ? viridis(0.3 + 0.7 * share, 1) : viridis(share));
 /** The colour of a pressure: the same in every chart of a page. @param {number} pressure @param {number} top */
-export function pressureColour(pressure, top) {
-  const dark = isDark();
-  return dark ? viridis(0.25 + 0.75 * (pressure / top), 1) : viridis(pressure / top);
-}
-export const isDark = () =>
-  document.documentElement.dataset.theme
-    ? document.documentElement.dataset.theme === "dark"
-    : matchMedia("(prefers-color-scheme: dark)").matches;
-
-export class Chart {
+export const pressureColour = (pressure, top) => shade(pressure / top);
+export class Chart extends Lines {
   /**
    * @param {string} name of its files
-   * @param {{ tools?: Node, tall?: boolean, drag?: (x: number, y: number, settled: boolean) => void }} [options]
+   * @param {{ tools?: Node, tall?: boolean, drag?: (x: number, y: number, settled: boolean) => unknown }} [options]
    */
   constructor(name, { tools, tall, drag } = {}) {
+    super(el("div", { class: "plot" }), name, drag);
     this.name = name;
-    /** @type {Spec | undefined} */ this.spec = undefined;
-    this.plot = el("div", { class: "plot" });
     this.table = el("div", { class: "scroll", hidden: true, tabindex: 0 });
-    this.asTable = el("button", { type: "button", "aria-pressed": false, onclick: () => this.flip() }, "Table");
-    const save = (/** @type {"csv" | "svg" | "png"} */ kind) =>
-      el("button", { type: "button", onclick: () => this.save(kind) }, kind.toUpperCase());
+    this.asTable = button("Table", () => this.flip(), { "aria-pressed": false });
+    const save = (/** @type {"csv" | "svg" | "png"} */ kind) => button(kind.toUpperCase(), () => this.save(kind));
     const bar = el("div", { class: "row" }, tools ?? null, el("span", { class: "grow" }), this.asTable, save("csv"),
       save("svg"), save("png"));
     this.element = el("section", { class: tall ? "chart tall" : "chart", "aria-label": name.replaceAll("-", " ") }, bar,
-      this.plot, this.table);
-    this.ring = el("i", { class: "ring", hidden: true });
-    /** @type {number[] | undefined} */ this.at = undefined;
-    this.ends = new AbortController();
-    const { signal } = this.ends;
-    this.lines = new Lines(this.plot, name, drag, signal);
-    /** What drawing took the last time, in milliseconds. */
-    this.cost = 0;
-    this.sized = new ResizeObserver(() => this.plot.offsetWidth && this.draw());
-    this.sized.observe(this.plot);
-    atEnd(() => this.destroy());
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw(), { signal });
-    document.addEventListener("theme", () => this.draw(), { signal });
-    this.plot.addEventListener("zoomed", () => this.placeMark(), { signal });
-  }
-
-  /** Nothing of it is kept, and no listener. */
-  destroy() {
-    this.ends.abort();
-    this.sized.disconnect();
-    this.spec = undefined;
-    this.element.remove();
-  }
-
-  /**
-   * A ring over the curves at values of the axes; none without. Nothing is drawn anew for it.
-   * @param {number} [x] @param {number} [y]
-   */
-  mark(x, y) {
-    this.at = x === undefined || y === undefined ? undefined : [x, y];
-    this.placeMark();
-  }
-
-  /** What lies at a place of the plot, as values of its axes. @param {number} px @param {number} py */
-  values(px, py) { return this.lines.values(px, py); }
-
-  placeMark() {
-    const place = this.at && this.lines.place(this.at[0], this.at[1]);
-    this.ring.hidden = !place;
-    if (!place) return;
-    this.ring.style.transform = `translate(${place[0]}px, ${place[1]}px)`;
-    if (this.ring.parentElement !== this.plot) this.plot.append(this.ring);
+      this.host, this.table);
+    const sized = new ResizeObserver(() => this.host.offsetWidth && this.draw());
+    sized.observe(this.host);
+    onTheme(() => this.draw());
+    // An answer that comes after the page was left has nothing to draw on.
+    atEnd(() => { sized.disconnect(); this.element.remove(); });
   }
 
   flip() {
     const on = this.asTable.getAttribute("aria-pressed") !== "true";
     this.asTable.setAttribute("aria-pressed", String(on));
     this.table.hidden = !on;
-    this.plot.hidden = on;
+    this.host.hidden = on;
     if (on) this.tabulate();
     else this.draw();
   }
 
   /** @param {Spec} spec */
   show(spec) {
-    // An answer that comes after the page was left.
-    if (this.ends.signal.aborted) return;
     this.spec = spec;
     if (!this.table.hidden) this.tabulate();
     this.draw();
-  }
-
-  draw() {
-    if (!this.spec || this.plot.hidden) return;
-    const began = performance.now();
-    this.lines.draw(this.spec);
-    this.cost = performance.now() - began;
-    this.placeMark();
   }
 
   /** What the columns of the table are. */
@@ -141,8 +87,8 @@ export class Chart {
   async save(kind) {
     if (!this.spec) return;
     if (kind === "csv") return download(`${this.name}.csv`, csv([this.head(), ...this.rows()]), "text/csv");
-    const size = { width: Math.max(640, this.plot.clientWidth), height: Math.max(400, this.plot.clientHeight) };
-    const url = await this.lines.picture(kind, size);
+    const size = { width: Math.max(640, this.host.clientWidth), height: Math.max(400, this.host.clientHeight) };
+    const url = await this.picture(kind, size);
     el("a", { href: url, download: `${this.name}.${kind}` }).click();
     if (url.startsWith("blob:")) setTimeout(() => URL.revokeObjectURL(url), 10_000);
   }
@@ -158,11 +104,8 @@ export function isobar(points) {
   const free = last && "force_n" in last ? last.free_contraction : undefined;
   const taut = slack < 0 ? points : points.slice(0, slack), at = taut.map((q) => 100 * (q.contraction ?? NaN));
   const ends = slack > 0 && typeof free === "number" && 100 * free > at[slack - 1] ? [100 * free] : [];
-  return {
-    x: [...at, ...ends],
-    y: [...taut.map((q) => ("force_n" in q ? outside("force", q.force_n) : null)), ...ends.map(() => 0)],
-    half: [...taut, ...(ends.length ? [last] : [])].map((q) =>
-      "force_n" in q && q.uncertainty_n ? outside("force", q.uncertainty_n) : null,
-    ),
-  };
+  const half = (/** @type {CurveAnswer["points"][number]} */ q) =>
+    ("force_n" in q && q.uncertainty_n ? outside("force", q.uncertainty_n) : null);
+  return { x: [...at, ...ends], half: [...taut, ...(ends.length ? [last] : [])].map(half),
+    y: [...taut.map((q) => ("force_n" in q ? outside("force", q.force_n) : null)), ...ends.map(() => 0)] };
 }

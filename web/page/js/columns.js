@@ -23,6 +23,10 @@ export function headings(text) {
   return [];
 }
 
+/** What columns were read as. @param {{ column: string, quantity: string, unit?: string | null }[]} list */
+export const columnLine = (list) =>
+  list.map((c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`).join(", ");
+
 /** @param {() => void} changed */
 export function columnChoice(changed) {
   /** Quantity to heading and unit. @type {Map<string, [string, string]>} */
@@ -51,13 +55,9 @@ export function columnChoice(changed) {
   return {
     element,
     /** Another table. @param {string[]} list */
-    offer(list) {
-      rows.forEach(({ column }) => column.options(list));
-    },
+    offer(list) { rows.forEach(({ column }) => column.options(list)); },
     /** Where the engine has to ask. */
-    open() {
-      element.open = true;
-    },
+    open() { element.open = true; },
     /** As requests have it. */
     value: () =>
       Object.fromEntries(

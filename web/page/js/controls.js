@@ -1,9 +1,8 @@
 // A quantity as a slider with a field beside it, and a choice from a list.
 import { understood } from "./ask.js";
-import { capital, el } from "./dom.js";
+import { addOptions, button, capital, el } from "./dom.js";
 import { changeUnit, expectation, hasChoice, inside, meant, number, onAnyUnits, outside, show,
   unitName } from "./units.js";
-import { atEnd } from "./life.js";
 import { sketched } from "./sketch.js";
 import { inWords } from "./words.js";
 
@@ -26,8 +25,7 @@ export const saying = (field, box) => (text = "", wrong = false) => {
   box.className = wrong ? "wrong" : "note small soft";
   box.textContent = wrong ? inWords(text) : text;
   box.hidden = !text;
-  if (wrong && text) field.setAttribute("aria-invalid", "true");
-  else field.removeAttribute("aria-invalid");
+  field.ariaInvalid = wrong && text ? "true" : null;
 };
 
 /** A field with a slider, where that has ends. */
@@ -53,8 +51,7 @@ class Quantity {
     this.field = el("input", { type: "text", id, autocomplete: "off", spellcheck: "false",
       "aria-describedby": `${id}w` });
     this.unit = hasChoice(kind)
-      ? el("button", { type: "button", class: "bare", title: "Change the unit everywhere",
-        onclick: () => changeUnit(kind) })
+      ? button("", () => changeUnit(kind), { class: "bare", title: "Change the unit everywhere" })
       : el("span", { class: "soft" });
     const below = el("p", { id: `${id}w`, hidden: true, role: "status" });
     this.say = saying(this.field, below);
@@ -64,13 +61,11 @@ class Quantity {
     sketched(this.element, key, field);
     if (about) this.element.dataset.about = about;
     this.#listen();
-    atEnd(onAnyUnits(() => this.#paint()));
+    onAnyUnits(() => this.#paint());
     this.#paint();
   }
 
-  get value() {
-    return this.#now;
-  }
+  get value() { return this.#now; }
   /** @param {number | undefined} v */
   set(v) {
     if (v === this.#now) return;
@@ -104,9 +99,7 @@ class Quantity {
   }
 
   /** Whether somebody is typing. */
-  #typing() {
-    return document.activeElement === this.field && this.field.value !== this.#painted;
-  }
+  #typing() { return document.activeElement === this.field && this.field.value !== this.#painted; }
   /**
    * A value as it stands in the field; with its sign where it is in %, so that it can be read again.
    * @param {number} v
@@ -236,57 +229,35 @@ export function choice(label, options, value, change) {
     element,
     /** @param {string} v */
     set(v) {
-      if (![...select.options].some((o) => o.value === v)) select.append(el("option", { value: v }, v));
+      addOptions(select, [v]);
       select.value = v;
     },
     /** The name of the first one, which is the usual. @param {string} text */
-    first(text) {
-      if (select.options[0].textContent !== text) select.options[0].textContent = text;
-    },
+    first(text) { if (select.options[0].textContent !== text) select.options[0].textContent = text; },
     /** All to choose from, by name and text. @param {[string, string][]} list */
-    labels(list) {
-      select.replaceChildren(...list.map(([name, text]) => el("option", { value: name }, text)));
-    },
-    /** More to choose from, where they are not there yet. @param {string[]} names */
-    options(names) {
-      const there = new Set([...select.options].map((o) => o.value));
-      select.append(...names.filter((n) => !there.has(n)).map((n) => el("option", { value: n }, n)));
-    },
+    labels(list) { select.replaceChildren(...list.map(([name, text]) => el("option", { value: name }, text))); },
+    /** More to choose from. @param {string[]} names */
+    options(names) { addOptions(select, names); },
   };
 }
 
+/** Boxes that take a file which is dropped on them. @type {WeakMap<Element, (file: File | undefined) => void>} */
+export const boxes = new WeakMap();
+
 /**
- * A field for text that the engine reads: a file's text, or words. Drops of files are taken too.
+ * A field for text that the engine reads: a file's text. Drops of files are taken too.
  * @param {string} label @param {string} accept @param {(name: string, text: string) => void} take
  */
 export function fileField(label, accept, take) {
-  const input = el("input", { type: "file", accept, class: "unseen" });
-  const box = el("div", { class: "drop" }, el("button", { type: "button", onclick: () => input.click() }, label),
-    el("p", { class: "small soft", style: "margin:4px 0 0" }, "or drop it here"), input);
-  input.setAttribute("aria-label", label);
-  input.tabIndex = -1;
   const read = async (/** @type {File | undefined} */ file) => {
     if (file) take(file.name, await file.text());
   };
-  input.addEventListener("change", () => {
+  const input = el("input", { type: "file", accept, class: "unseen", "aria-label": label, tabindex: -1, onchange() {
     read(input.files?.[0]);
     input.value = "";
-  });
-  onDrop(box, read);
+  } });
+  const box = el("div", { class: "drop" }, button(label, () => input.click()),
+    el("p", { class: "small soft", style: "margin:4px 0 0" }, "or drop it here"), input);
+  boxes.set(box, read);
   return box;
-}
-
-/** @param {HTMLElement} box @param {(file: File | undefined) => void} read */
-export function onDrop(box, read) {
-  box.addEventListener("dragover", (event) => {
-    event.preventDefault();
-    box.classList.add("over");
-  });
-  box.addEventListener("dragleave", () => box.classList.remove("over"));
-  box.addEventListener("drop", (event) => {
-    event.preventDefault();
-    event.stopPropagation();
-    box.classList.remove("over");
-    read(event.dataTransfer?.files[0]);
-  });
 }

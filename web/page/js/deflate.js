@@ -6,11 +6,8 @@ const MOST = 4_000_000;
 /** Texts as they stand in an address. @type {Map<string, string>} */ const known = new Map();
 
 /** @param {Uint8Array} bytes */
-const toText = (bytes) =>
-  btoa(Array.from(bytes, (b) => String.fromCharCode(b)).join("")).replaceAll("+", "-").replaceAll("/", "_").replaceAll(
-    "=",
-    "",
-  );
+const toText = (bytes) => btoa(Array.from(bytes, (b) => String.fromCharCode(b)).join(""))
+  .replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 /** @param {string} text */
 const toBytes = (text) => Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
 
@@ -45,9 +42,8 @@ export const packed = (text) => known.get(text) ?? text;
 /** What stands in an address, as a text. @param {string} word @returns {Promise<string>} */
 export async function unpack(word) {
   if (!word.startsWith(MARK)) return word;
-  const text = new TextDecoder("utf-8", { fatal: true }).decode(
-    await piped(toBytes(word.slice(MARK.length)), new DecompressionStream("deflate-raw")),
-  );
+  const bytes = await piped(toBytes(word.slice(MARK.length)), new DecompressionStream("deflate-raw"));
+  const text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
   known.set(text, word);
   return text;
 }

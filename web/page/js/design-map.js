@@ -1,63 +1,46 @@
 // The map of a design: what fits over diameter and wall, by `universal`: the pressure that each muscle needs, and the
 // limit that others miss.
-import { Slot, engine } from "./ask.js";
+import { Slot } from "./ask.js";
 import { picture as drawnMuscle } from "./candidates.js";
 import { OF_PULL, border, extended, inside } from "./border.js";
-import { Chart, KINDS } from "./chart.js";
+import { Chart, KINDS, viridisAt } from "./chart.js";
 import { el, token } from "./dom.js";
 import { corners, levels, picture, pieces, sampled, valueBetween } from "./map.js";
 import { muscle } from "./muscle.js";
 import { outside, show, unitName } from "./units.js";
 
-/** @typedef {Commands["design"]} Design */
-/** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /**
  * @typedef {Candidate | NonNullable<Design["answer"]["closest"]>} Best
- * @typedef {{ D: number[], S: number[], fits: Map<string, Candidate>, nodes: import("./border.js").Node[][],
+ * @typedef {{ D: number[], S: number[], fits: Map<string, Candidate>, nodes: GridNode[][],
  *   limits: string[] }} Found
  */
 /** Diameters and walls; the picture is finer than they are. */
 const ACROSS = 29, UP = 25, FINER = 8;
 /** The same while the target is dragged. */
 const LIVE = { across: 15, up: 13, finer: 6 };
-/** From the least pressure to the largest. */
-const RAMP = [[33, 144, 141], [92, 200, 99], [253, 231, 37]];
 
-/**
- * @param {(candidate: import("./state.js").Chosen, at: { p: number, e: number }) => string} linked the address of a
- *   muscle
- */
+/** @param {(candidate: Chosen, at: { p: number, e: number }) => string} linked the address of a muscle */
 export function designMap(linked) {
   /** @type {Design["answer"] | undefined} */ let answer;
   /** @type {Design["request"]} */ let of = {};
   /** @type {Found | undefined} */ let found;
-  let mapping = new AbortController(), finer = FINER;
-  const live = new Slot();
-  const title = el("h2", {}, "Feasible region over diameter and wall (first estimate: universal)");
-  const feasible = new Chart("design-map", {
-    tools: title,
-    tall: true,
-    drag(x, y, settled) {
-      if (settled) pick(x, y);
-    },
-  });
+  let finer = FINER;
+  const slot = new Slot();
+  const tools = el("h2", {}, "Feasible region over diameter and wall (first estimate: universal)");
+  const feasible = new Chart("design-map", { tools, tall: true, drag: (x, y, settled) => settled && pick(x, y) });
   feasible.element.hidden = true;
   const picked = el("p", { class: "small", style: "min-height:1.5em" });
   hovering(feasible, () => found);
   const best = () => answer?.candidates[0] ?? answer?.closest ?? undefined;
 
-  async function map() {
-    const middle = best();
-    // A joint is searched over its pulley too: there is no one map.
-    mapping.abort();
-    if (!middle || of.torques) { feasible.element.hidden = true; return; }
-    const { signal } = (mapping = new AbortController());
-    const request = asked(of, middle);
-    live.end();
-    finer = FINER;
-    found = read(request, await engine().ask("design", request, { signal }));
-    feasible.element.hidden = false;
-    draw();
+  /** @param {ReturnType<typeof asked>} request @param {number} fine @param {() => void} [fail] */
+  function find(request, fine, fail) {
+    slot.ask("design", request, (next) => {
+      finer = fine;
+      found = read(request, next);
+      feasible.element.hidden = false;
+      draw();
+    }, fail);
   }
 
   function draw() {
@@ -70,8 +53,7 @@ export function designMap(linked) {
     const middle = best(), [d, s] = measures(x, y);
     if (!middle || !answer) return;
     const e = "points" in middle ? Number(middle.points[0]?.contraction ?? 0.1) : 0.1;
-    const link = linked({ ...middle, rubber: middle.rubber ?? "", outer_diameter_mm: d, wall_mm: s },
-      { p: Number(answer.max_pressure_mpa), e });
+    const link = linked({ ...middle, outer_diameter_mm: d, wall_mm: s }, { p: Number(answer.max_pressure_mpa), e });
     picked.replaceChildren(`D0 ${show("length", d)}, s ${show("length", s)}: `, el("a", { href: link },
       "see this muscle"));
   }
@@ -81,20 +63,17 @@ export function designMap(linked) {
     /** @param {Design["answer"]} next answer of the search @param {Design["request"]} request that it was asked by */
     show(next, request) {
       [answer, of] = [next, request];
-      map().catch((problem) => { if (problem.name !== "AbortError") feasible.element.hidden = true; });
+      const middle = best(), hide = () => { feasible.element.hidden = true; };
+      // A joint is searched over its pulley too: there is no one map.
+      if (!middle || of.torques) { slot.end(); return hide(); }
+      find(asked(of, middle), FINER, hide);
     },
     /** The map of another target, while it is dragged. @param {{ force_n: number, contraction: number }} target */
     preview(target) {
       const middle = best();
       if (!middle || feasible.element.hidden) return;
-      const request = asked({ ...of, ...target }, middle, LIVE.across, LIVE.up);
-      live.ask("design", request, (next) => {
-        finer = LIVE.finer;
-        found = read(request, next);
-        draw();
-      }, () => {});
+      find(asked({ ...of, ...target }, middle, LIVE.across, LIVE.up), LIVE.finer);
     },
-    end() { mapping.abort(); live.end(); feasible.destroy(); },
   };
 }
 
@@ -106,7 +85,7 @@ function measures(x, y) {
 
 /** The muscle below the pointer, as it is and as it bulges. @param {Chart} chart @param {() => Found | undefined} of */
 function hovering(chart, of) {
-  const card = el("div", { class: "card small", hidden: true }), { plot } = chart;
+  const card = el("div", { class: "card small", hidden: true }), { host: plot } = chart;
   const nearest = (/** @type {number[]} */ list, /** @type {number} */ v) =>
     list.reduce((a, b) => (Math.abs(b - v) < Math.abs(a - v) ? b : a));
   chart.element.append(card);
@@ -195,8 +174,7 @@ function spec({ D, S, nodes, limits }, best, finer) {
   };
   const image = picture(field, (value, px, py) => {
     if (value === null) return limits.length ? [...tints[missed(px, py)], 90] : [0, 0, 0, 0];
-    const t = (2 * (value - low)) / span, k = t < 1 ? 0 : 1;
-    return [...RAMP[k].map((a, c) => a + (t - k) * (RAMP[k + 1][c] - a)), 255];
+    return [...viridisAt(0.5 + (0.5 * (value - low)) / span, 1), 255];
   });
   const { series, notes } = levels(field, unitName("pressure"));
   const [misses, needs] = [true, false].map((out) => y.flatMap((v, j) => x.flatMap((u, i) => {
@@ -219,7 +197,7 @@ function spec({ D, S, nodes, limits }, best, finer) {
 
 /**
  * The name of a limit in the middle of the muscles that miss it.
- * @param {string} limit @param {import("./border.js").Node[][]} nodes @param {number[]} x @param {number[]} y
+ * @param {string} limit @param {GridNode[][]} nodes @param {number[]} x @param {number[]} y
  */
 function place(limit, nodes, x, y) {
   const hit = nodes.flatMap((row, j) => row.flatMap((n, i) => (!n.fits && n.limit === limit ? [[i, j]] : [])));

@@ -2,9 +2,9 @@
 import { Slot } from "./ask.js";
 import { Chart, KINDS, isobar } from "./chart.js";
 import { el } from "./dom.js";
+import { candidate, fields } from "./state.js";
 import { outside, show, unitName } from "./units.js";
 
-/** @typedef {Commands["design"]} Design */
 /** @typedef {{ force_n: number, contraction: number }} Target */
 const digits = (/** @type {number} */ v, /** @type {number} */ n) => Number(v.toPrecision(n));
 
@@ -62,18 +62,13 @@ export function designTarget(act) {
       series = [];
       draw();
       if (!best) return;
-      const muscle = file ? { muscle: file } : { outer_diameter_mm: best.outer_diameter_mm, wall_mm: best.wall_mm,
-        length_mm: best.length_mm, rubber: best.rubber,
-        ...(best.sleeve ? { braid: best.sleeve, strand_diameter_mm: of.strand_diameter_mm,
-          strand_modulus_mpa: of.strand_modulus_mpa } : { angle_deg: best.angle_deg }) };
-      const stiffness = of.stiffness === undefined || of.stiffness === null ? {} : { stiffness: of.stiffness };
-      slot.ask("curve", { ...muscle, ...stiffness, test: "isobaric", pressures_mpa: [answer.max_pressure_mpa],
+      const muscle = file ? { muscle: file } : fields(candidate(best, of, { p: 0, e: 0 }));
+      slot.ask("curve", { ...muscle, test: "isobaric", pressures_mpa: [answer.max_pressure_mpa],
         model: "universal", extrapolate: true }, ({ points }) => {
         const name = `best muscle at ${show("pressure", answer.max_pressure_mpa, 3)}`;
         series = [{ name, end: "best muscle", colour: KINDS[0], strong: true, ...isobar(points) }];
         draw();
       }, () => {});
     },
-    end() { slot.end(); },
   };
 }

@@ -1,12 +1,10 @@
 // The answer of a design as people read it: the best muscle, the table of all, what is not sure, and what would fit.
 import { picture } from "./candidates.js";
-import { capital, csv, download, el } from "./dom.js";
+import { button, capital, csv, download, el } from "./dom.js";
 import { table, warnings } from "./form.js";
 import { number, outside, show, unitName, withUncertainty } from "./units.js";
 import { inWords } from "./words.js";
 
-/** @typedef {Commands["design"]["answer"]} Answer */
-/** @typedef {Answer["candidates"][number]} Candidate */
 /** Prices of tubes and sleeves by their names, where the catalogue has them. @typedef {Map<string, string>} Prices */
 
 /** The least pull to spare at any of its points, and the ± there. @param {Candidate} c */
@@ -82,9 +80,15 @@ function rowsOf(candidates, prices) {
   return [head, ...candidates.map((c) => list.map(([, , , of]) => of(c)))];
 }
 
+/** The decision: what each line is about, and the line. @param {Design["answer"]} answer */
+export const decisionView = ({ decision = [] }) => el("ul", { class: "decision" }, ...decision.map((line) => {
+  const [, about, rest] = /^(\S+)(.*)$/.exec(inWords(line)) ?? [];
+  return el("li", {}, el("b", {}, about), rest);
+}));
+
 /**
  * The decision, and how to ask for a muscle that is sure.
- * @param {Answer} answer @param {(words: Record<string, string>) => void} ask
+ * @param {Design["answer"]} answer @param {(words: Record<string, string>) => void} ask
  */
 function head(answer, ask) {
   const [best] = answer.candidates, words = answer.uncertainty_words, { joint } = best;
@@ -93,22 +97,19 @@ function head(answer, ask) {
   const sentences = [words?.text, words?.bench].flatMap((text) => (text ? [`${inWords(text)}.`] : []));
   return [
     el("h2", {}, size),
-    el("ul", { class: "decision" }, ...(answer.decision ?? []).map((line) => el("li", {}, inWords(line)))),
+    decisionView(answer),
     joint && el("p", {}, `Pulley of radius ${show("length", joint.radius_mm, 3)}, `
       + `${show("ratio", joint.contraction_at_neutral, 3)} contracted at the neutral angle.`),
-    !answer.searched.guaranteed && el("button", { type: "button", onclick: () => ask({ sure: "95 %" }) },
-      "Design for a guaranteed pull (95 %)"),
+    !answer.searched.guaranteed && button("Design for a guaranteed pull (95 %)", () => ask({ sure: "95 %" })),
     sentences.length > 0 && el("p", { class: "small soft" }, sentences.join(" ")),
   ];
 }
 
-/** Tables below that of the muscles. @param {Answer} answer */
-function details({ candidates: [best] }) {
-  const points = best.points.map((p) => [withUncertainty("force", p.force_n, p.uncertainty_n),
+/** Where it is asked at several points. @param {Candidate} best */
+function points(best) {
+  const rows = best.points.map((p) => [withUncertainty("force", p.force_n, p.uncertainty_n),
     show("ratio", p.contraction, 3), show("pressure", p.pressure_mpa, 3)]);
-  return [
-    points.length > 1 && table(["pull", "at", "set"], points, { text: [], label: "the operating points" }),
-  ];
+  return rows.length > 1 && table(["pull", "at", "set"], rows, { text: [], label: "the operating points" });
 }
 
 /** A candidate in use, to the scale of all. @param {Candidate} c @param {Candidate[]} all */
@@ -125,7 +126,7 @@ const there = (list) => list.flatMap((part) => (part ? [part] : []));
 
 /**
  * What was found.
- * @param {Answer} answer @param {Prices} prices
+ * @param {Design["answer"]} answer @param {Prices} prices
  * @param {{ open: (c: Candidate) => void, ask: (words: Record<string, string>) => void }} act
  */
 export function foundView(answer, prices, { open, ask }) {
@@ -141,23 +142,23 @@ export function foundView(answer, prices, { open, ask }) {
     table(["", ...list.map(([name]) => name)], rows, { text, pick: (i) => open(candidates[i]),
       label: "Muscles that fit, best first" }),
     el("p", { class: "row small soft" }, el("span", { class: "grow" }, words),
-      el("button", { type: "button", onclick: save, title: "The table of the muscles as a file" }, "CSV of the table")),
-    ...details(answer),
+      button("CSV of the table", save, { title: "The table of the muscles as a file" })),
+    points(candidates[0]),
     boughtView(answer),
     assumptions.length > 0 && el("details", { class: "small" }, el("summary", {}, "What was assumed"),
       el("ul", {}, ...assumptions.map((line) => el("li", {}, capital(inWords(line)))))),
   ]);
 }
 
-/** Muscles as sold that would do. @param {Answer} answer */
+/** Muscles as sold that would do. @param {Design["answer"]} answer */
 function boughtView({ bought }) {
-  const one = (/** @type {NonNullable<Answer["bought"]>[number]} */ b) =>
+  const one = (/** @type {NonNullable<Design["answer"]["bought"]>[number]} */ b) =>
     `${b.product} (${b.name}, L0 ${show("length", b.length_mm)}): ${withUncertainty("force", b.force_n, b.uncertainty_n)} `
     + `at ${show("ratio", b.wanted.contraction, 3)} and ${show("pressure", b.pressure_mpa, 3)}`;
   return bought?.length ? el("p", { class: "small" }, `Sold muscles that fit: ${bought.map(one).join("; ")}.`) : null;
 }
 
-/** What comes closest where nothing fits. @param {Answer} answer */
+/** What comes closest where nothing fits. @param {Design["answer"]} answer */
 export function closestView(answer) {
   const c = answer.closest, size = c && `D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}`;
   return there([
@@ -170,7 +171,7 @@ export function closestView(answer) {
   ]);
 }
 
-/** @param {Answer} answer */
+/** @param {Design["answer"]} answer */
 export function rejectedView({ rejected }) {
   const sizes = (/** @type {number[]} */ list) => list.map((v) => show("length", v));
   const rows = (rejected ?? []).map((r) => [...sizes([r.outer_diameter_mm, r.wall_mm, r.length_mm]), inWords(r.reason)]);

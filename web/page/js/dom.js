@@ -20,6 +20,18 @@ export function el(tag, attributes = {}, ...children) {
   return element;
 }
 
+/**
+ * A button.
+ * @param {string} text @param {(event: MouseEvent) => unknown} act @param {Record<string, unknown>} [more] attributes
+ */
+export const button = (text, act, more) => el("button", { type: "button", onclick: act, ...more }, text);
+
+/** Names to choose from, where they are not there yet. @param {HTMLSelectElement} select @param {string[]} names */
+export function addOptions(select, names) {
+  const there = new Set([...select.options].map((o) => o.value));
+  select.append(...names.filter((value) => !there.has(value)).map((value) => el("option", { value }, value)));
+}
+
 /** @param {string} id @returns {HTMLElement} */
 export const byId = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
@@ -39,8 +51,7 @@ export function say(text) {
 export function problemBox(thrown) {
   const problem = problemOf(thrown);
   const hint = problem.hint ? el("p", { class: "small" }, capital(inWords(problem.hint))) : null;
-  return el("div", { class: "problem", role: "alert" },
-    el("p", {}, capital(inWords(problem.message))), hint);
+  return el("div", { class: "problem", role: "alert" }, el("p", {}, capital(inWords(problem.message))), hint);
 }
 
 /**
@@ -91,33 +102,24 @@ export function csv(rows) {
  * @param {string} label @param {[string, string][]} tabs @param {string} chosen @param {(name: string) => void} choose
  */
 export function tabs(label, tabs, chosen, choose) {
-  const list = el("div", { role: "tablist", "aria-label": label });
-  const buttons = tabs.map(([name, text]) =>
-    el("button", {
-      role: "tab",
-      type: "button",
-      "aria-selected": name === chosen,
-      tabindex: name === chosen ? 0 : -1,
-      "data-name": name,
-      onclick: () => pick(name),
-    }, text)
-  );
-  function pick(/** @type {string} */ name) {
-    for (const button of buttons) {
-      const on = button.dataset.name === name;
-      button.setAttribute("aria-selected", String(on));
-      button.tabIndex = on ? 0 : -1;
+  const buttons = tabs.map(([name, text]) => button(text, () => { set(name); choose(name); }, { role: "tab",
+    "data-name": name }));
+  const list = el("div", { role: "tablist", "aria-label": label }, ...buttons);
+  function set(/** @type {string} */ name) {
+    for (const one of buttons) {
+      const on = one.dataset.name === name;
+      one.setAttribute("aria-selected", String(on));
+      one.tabIndex = on ? 0 : -1;
     }
-    choose(name);
   }
+  set(chosen);
   list.addEventListener("keydown", (event) => {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!step) return;
-    const at = buttons.findIndex((button) => button === document.activeElement);
+    const at = buttons.findIndex((one) => one === document.activeElement);
     const next = buttons[(at + step + buttons.length) % buttons.length];
     next.focus();
     next.click();
   });
-  list.append(...buttons);
-  return { list, pick };
+  return { list, set };
 }

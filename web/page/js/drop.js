@@ -1,5 +1,6 @@
 // Files that are dropped anywhere, or chosen: what each is follows from what it holds, and each goes to the page that
 // it belongs to.
+import { boxes } from "./controls.js";
 import { headings } from "./columns.js";
 import { ofFile } from "./joint-words.js";
 import { keepFile } from "./kept.js";
@@ -55,14 +56,10 @@ async function take(files) {
   if (rubber) keepFile("rubber", { name: rubber.name, text: rubber.text });
   const lacks = (joint || drive) && !own && wanted[0];
   const what = files.map((file) => file.name).join(", ");
-  notice(
-    `Opened ${what}.${
-      lacks ? ` It names ${wanted[0]}, which was not among the files: the muscle of this page takes its place.` : ""
-    }`,
-  );
+  notice(`Opened ${what}.`, lacks ? ` It names ${wanted[0]}, which was not among the files: the muscle of this page `
+    + "takes its place." : "");
   if (drive) return visit("motion", { drive: drive.text });
-  if (joint)
-    return visit("joint", { ...ofFile, joint: joint.text, file2: second?.text });
+  if (joint) return visit("joint", { ...ofFile, joint: joint.text, file2: second?.text });
   // Over the curves of the page Muscle they are at their place too.
   if (data && document.body.dataset.page !== "muscle") return visit("data", {});
   if (plan) return visit("formula", {});
@@ -94,22 +91,20 @@ export async function takeFiles(files) {
 
 /** The whole window takes files; boxes for one kind of file come first. */
 export function dropAnywhere() {
-  const hasFiles = (/** @type {DragEvent} */ event) =>
-    event.dataTransfer?.types.includes("Files") && !(/** @type {Element} */ (event.target).closest?.(".drop"));
-  window.addEventListener("dragover", (event) => {
-    if (hasFiles(event)) {
-      event.preventDefault();
-      document.body.classList.add("dropping");
-    }
-  }, true);
-  window.addEventListener("dragleave", (event) => {
-    if (!event.relatedTarget) document.body.classList.remove("dropping");
-  });
-  window.addEventListener("drop", (event) => {
-    document.body.classList.remove("dropping");
-    if (!hasFiles(event)) return;
+  const { classList } = document.body;
+  addEventListener("dragover", (event) => {
+    if (!event.dataTransfer?.types.includes("Files")) return;
     event.preventDefault();
-    event.stopPropagation();
-    takeFiles([...(event.dataTransfer?.files ?? [])]);
-  }, true);
+    classList.toggle("dropping", !(/** @type {Element} */ (event.target).closest(".drop")));
+  });
+  addEventListener("dragleave", (event) => { if (!event.relatedTarget) classList.remove("dropping"); });
+  addEventListener("drop", (event) => {
+    classList.remove("dropping");
+    const files = [...(event.dataTransfer?.files ?? [])];
+    if (!files.length) return;
+    event.preventDefault();
+    const box = /** @type {Element} */ (event.target).closest(".drop");
+    if (box) boxes.get(box)?.(files[0]);
+    else takeFiles(files);
+  });
 }

@@ -1,5 +1,5 @@
 // Figures of the engine (data: panels, axes, series, marks) as charts.
-import { Chart, KINDS, isDark, viridis } from "./chart.js";
+import { Chart, KINDS, shade } from "./chart.js";
 import { capital, el, token } from "./dom.js";
 
 /** @typedef {NonNullable<Commands["curve"]["answer"]["figure"]>} Figure */
@@ -30,7 +30,7 @@ export class Figures {
     this.grid.replaceChildren(...this.charts.slice(0, figure.panels.length).map((c) => c.element));
     figure.panels.forEach((panel, i) => {
       const heading = this.charts[i].element.querySelector("h3");
-      if (heading) heading.textContent = panel.title || capital(`${named(panel.y)} over ${named(panel.x)}`);
+      if (heading) heading.textContent = capital(panel.title || `${named(panel.y)} over ${named(panel.x)}`);
       this.charts[i].show(spec(panel, figure));
     });
     this.caption.textContent = figure.caption;
@@ -51,7 +51,7 @@ function spec(panel, figure) {
     const n = s.colour ?? i;
     if (s.neutral && figure.palette !== "sequential") return token("--ink");
     if (figure.palette !== "sequential") return KINDS[n % KINDS.length];
-    return isDark() ? viridis(0.42 + (0.58 * n) / most, 1) : viridis(n / most);
+    return shade(n / most);
   };
   /** @returns {Series} */
   const one = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {

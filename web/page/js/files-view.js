@@ -1,5 +1,5 @@
 // Files that the engine made: each as a download, and all of them in one archive.
-import { download, el } from "./dom.js";
+import { button, download, el } from "./dom.js";
 import { number } from "./units.js";
 import { zip } from "./zip.js";
 
@@ -20,11 +20,11 @@ export function filesView(files, archive) {
   const all = files.map((file) => ({ name: file.name, about: file.about, bytes: bytesOf(file) }));
   const rows = all.map(({ name, about, bytes }) =>
     el("li", {},
-      el("button", { type: "button", onclick: () => download(name, bytes, "application/octet-stream") }, name),
+      button(name, () => download(name, bytes, "application/octet-stream")),
       ` ${about} `, el("span", { class: "soft" }, size(bytes.length)))
   );
   const every = () => download(`${archive}.zip`, zip(all), "application/zip");
   return el("div", { class: "files" }, el("ul", { class: "plain" }, ...rows),
     files.length > 1 &&
-      el("p", {}, el("button", { type: "button", class: "main", onclick: every }, `All files (${archive}.zip)`)));
+      el("p", {}, button(`All files (${archive}.zip)`, every, { class: "main" })));
 }

@@ -2,23 +2,16 @@
 // to end it.
 import { longWork, understood } from "./ask.js";
 import { saying } from "./controls.js";
-import { capital, el, problemBox } from "./dom.js";
+import { addOptions, button, capital, dim, el, problemBox } from "./dom.js";
 import { isAbort, problemOf } from "./engine/problem.js";
+import { atEnd } from "./life.js";
 import { muscle } from "./muscle.js";
 import { expectation, meant, withUnit } from "./units.js";
 import { sketched } from "./sketch.js";
 import { inWords } from "./words.js";
 
 /**
- * `pair`: a list of two quantities joined by @, such as 700N@15%, 300N@20%: kinds and fields of both. `words`: a list
- * of words. `or`: words that may stand in place of a quantity. `factor`: a ratio that nobody writes in %. `hidden`:
- * until it is shown.
  * @typedef {number | number[] | { low: number, high: number } | undefined} Value
- * What a form reads; which fields with which values there are its list of fields decides, and the engine checks.
- * @typedef {Record<string, any>} Read
- * @typedef {{ key: string, field: string, label: string, kind?: Kind, list?: boolean, pair?: [Kind, string][],
- *   words?: boolean, or?: string[], factor?: boolean, hidden?: boolean, options?: [string, string][], value?: string,
- *   hint?: string }} Field
  * @typedef {{ input: HTMLInputElement | HTMLSelectElement, say: (text?: string, wrong?: boolean) => void,
  *   row: HTMLElement }} Row
  * @typedef {{ key: string, text: string, kind: Kind, list: boolean, take: (value: Value) => void }} Asked
@@ -109,9 +102,7 @@ class Form {
   }
 
   /** @param {string} key @param {string} message */
-  mark(key, message) {
-    this.rows.get(key)?.say(message, true);
-  }
+  mark(key, message) { this.rows.get(key)?.say(message, true); }
 
   /**
    * Fields of a request, or nothing where a text cannot be understood: it is marked. An interval without a step is its
@@ -128,9 +119,11 @@ class Form {
     const { asked, notes, values } = reading;
     const readings = await understood(asked.map(({ text, kind, list }) => ({ text, kind, list })));
     asked.forEach(({ key, list, take }, i) => {
-      const { problem, value, values } = readings[i];
+      const { problem, value, values, interval } = readings[i];
       if (problem) this.mark(key, problem.message);
-      else take(list ? (intervals && ends(readings[i])) || values : value);
+      // Without a step a search takes it as a whole.
+      else if (intervals && interval) take({ low: interval[0], high: interval[1] });
+      else take(list ? values : value);
     });
     const bad = new Set(asked.flatMap(({ key }, i) => (readings[i].problem ? [key] : [])));
     for (const [key, note] of notes) if (!bad.has(key)) this.rows.get(key)?.say(note);
@@ -157,9 +150,7 @@ class Form {
     if (of) of.row.hidden = !on;
   }
   /** What is typed. @param {string} key */
-  text(key) {
-    return this.rows.get(key)?.input.value.trim() ?? "";
-  }
+  text(key) { return this.rows.get(key)?.input.value.trim() ?? ""; }
   /** @param {string} key @param {string} text */
   put(key, text) {
     const of = this.rows.get(key);
@@ -167,11 +158,9 @@ class Form {
   }
   /** Names to choose from, where they are not there yet. @param {string} key @param {string[]} names */
   options(key, names) {
-    const input = this.rows.get(key)?.input, option = (/** @type {string} */ value) => el("option", { value }, value);
-    if (input instanceof HTMLSelectElement) {
-      const there = new Set([...input.options].map((o) => o.value));
-      input.append(...names.filter((name) => !there.has(name)).map(option));
-    } else if (input && !input.hasAttribute("list")) {
+    const input = this.rows.get(key)?.input;
+    if (input instanceof HTMLSelectElement) addOptions(input, names);
+    else if (input && !input.hasAttribute("list")) {
       const list = el("datalist", { id: `${input.id}l` }, ...names.map((value) => el("option", { value })));
       input.setAttribute("list", list.id);
       input.after(list);
@@ -189,23 +178,17 @@ class Form {
 export const form = (fields, submit) => new Form(fields, submit);
 
 /**
- * The ends of an interval without a step, which a search takes as a whole.
- * @param {import("./ask.js").Readings[number]} reading @returns {{ low: number, high: number } | undefined}
- */
-function ends({ interval }) {
-  return interval ? { low: interval[0], high: interval[1] } : undefined;
-}
-
-/**
  * A button that starts long work, with progress, a way to end it, and its problems below.
  * @template {keyof Commands} K @param {string} label @param {K} command
  * @param {() => Promise<Commands[K]["request"] | undefined>} request nothing where
  *   there is none to ask
- * @param {(answer: Commands[K]["answer"]) => void} take @param {(problem: Problem) => void} [fail]
+ * @param {(answer: Commands[K]["answer"]) => void} take
+ * @param {{ fields?: { at: (problem: Problem) => unknown }, shown?: HTMLElement[] }} [about] fields that a problem is
+ *   marked at, and what is shown of an answer: dimmed beside the problem of a later question
  */
-export function job(label, command, request, take, fail) {
-  const start = el("button", { type: "button", class: "main", onclick: () => run() }, label);
-  const stop = el("button", { type: "button", hidden: true, onclick: () => ends?.abort() }, "Cancel");
+export function job(label, command, request, take, { fields, shown = [] } = {}) {
+  const start = button(label, () => run(), { class: "main" });
+  const stop = button("Cancel", () => ends?.abort(), { hidden: true });
   const bar = el("progress", { hidden: true, "aria-label": `${label}: progress` });
   const words = el("span", { class: "small soft" });
   const said = el("div", {});
@@ -223,33 +206,28 @@ export function job(label, command, request, take, fail) {
     said.replaceChildren();
     words.textContent = "";
     bar.removeAttribute("value");
-    const late = setTimeout(() => {
-      bar.hidden = false;
-      stop.hidden = false;
-    }, 150);
+    const late = setTimeout(() => { bar.hidden = stop.hidden = false; }, 150);
     try {
-      take(await longWork(command, asked, { signal: mine.signal, progress(done, total) {
+      await take(await longWork(command, asked, { signal: mine.signal, progress(done, total) {
         bar.max = total;
         bar.value = done;
         words.textContent = `${done} of ${total}`;
       } }));
       words.textContent = "";
+      dim(shown, false);
     } catch (problem) {
-      if (isAbort(problem)) words.textContent = ends === mine ? "Cancelled." : "";
-      else {
+      words.textContent = isAbort(problem) && ends === mine ? "Cancelled." : "";
+      if (!isAbort(problem)) {
         said.replaceChildren(problemBox(problem));
-        words.textContent = "";
-        fail?.(problemOf(problem));
+        fields?.at(problemOf(problem));
+        dim(shown, true);
       }
     }
     clearTimeout(late);
-    if (ends === mine) {
-      bar.hidden = true;
-      stop.hidden = true;
-    }
+    if (ends === mine) bar.hidden = stop.hidden = true;
   }
-  return { element: el("div", {}, el("div", { class: "row" }, start, stop, bar, words), said), run,
-    end: () => ends?.abort() };
+  atEnd(() => ends?.abort());
+  return { element: el("div", {}, el("div", { class: "row" }, start, stop, bar, words), said), run };
 }
 
 /**
@@ -261,18 +239,9 @@ export function job(label, command, request, take, fail) {
 export function table(head, rows, { text = [0], pick, label } = {}) {
   const cell = (/** @type {"td" | "th"} */ tag, /** @type {string | Node} */ value, /** @type {number} */ i) =>
     el(tag, { class: text.includes(i) ? "text" : undefined, scope: tag === "th" ? "col" : undefined }, value);
-  const body = rows.map((row, i) =>
-    el("tr", {
-      class: pick ? "pick" : undefined,
-      tabindex: pick ? 0 : undefined,
-      onclick: pick ? () => pick(i) : undefined,
-      onkeydown: pick
-        ? (/** @type {KeyboardEvent} */ event) => {
-          if (event.key === "Enter") pick(i);
-        }
-        : undefined,
-    }, ...row.map((value, k) => cell("td", value, k)))
-  );
+  const picked = (/** @type {number} */ i) => (pick ? { class: "pick", tabindex: 0, onclick: () => pick(i),
+    onkeydown(/** @type {KeyboardEvent} */ event) { if (event.key === "Enter") pick(i); } } : {});
+  const body = rows.map((row, i) => el("tr", picked(i), ...row.map((value, k) => cell("td", value, k))));
   return el("div", { class: "scroll", tabindex: pick ? undefined : 0, role: "region", "aria-label": label ?? "table" },
     el("table", {}, el("thead", {}, el("tr", {}, ...head.map((h, i) => cell(h ? "th" : "td", h, i)))),
       el("tbody", {}, ...body)));
@@ -281,3 +250,10 @@ export function table(head, rows, { text = [0], pick, label } = {}) {
 /** Warnings of an answer. @param {string[] | undefined} list */
 export const warnings = (list) =>
   el("ul", { class: "warnings" }, ...(list ?? []).map((w) => el("li", {}, capital(inWords(w)))));
+
+/**
+ * A page of controls, and what they lead to beside them.
+ * @param {string} label @param {(Node | string | null)[]} controls @param {Node[]} middle
+ */
+export const bench = (label, controls, middle) => el("div", { class: "bench two" },
+  el("section", { class: "controls", "aria-label": label }, ...controls), el("div", { class: "middle" }, ...middle));

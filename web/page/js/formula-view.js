@@ -1,7 +1,7 @@
 // A fitted formula as people see it: its errors, its figures, and maps of its pull.
 import { engine } from "./ask.js";
 import { Chart, viridisAt } from "./chart.js";
-import { download, el } from "./dom.js";
+import { button, download, el } from "./dom.js";
 import { Figures } from "./figure.js";
 import { table } from "./form.js";
 import { atEnd } from "./life.js";
@@ -29,11 +29,10 @@ export function errorsView(file) {
   return [
     el("h2", {}, file.name),
     el("p", { class: "small" }, el("code", {}, file.equation)),
-    table(["against finite elements", "points", "rms", "95 %", "largest"], rows, {
-      label: "errors of the formula, of the blocked force",
-    }),
+    table(["against finite elements", "points", "rms", "95 %", "largest"], rows,
+      { label: "errors of the formula, of the blocked force" }),
     el("p", { class: "small soft" }, "Errors as shares of the blocked force."),
-    el("p", {}, el("button", { type: "button", onclick: save }, "Download the formula")),
+    el("p", {}, button("Download the formula", save)),
   ];
 }
 

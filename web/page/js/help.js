@@ -1,7 +1,7 @@
 // Help: what a page is for, how it is used, and the page of the book that says more.
 import { address } from "./address.js";
 import { dialog } from "./dialog.js";
-import { el } from "./dom.js";
+import { button, el } from "./dom.js";
 import { DOCUMENTATION } from "./kind.js";
 import { muscle } from "./muscle.js";
 import { pageOf } from "./pages.js";
@@ -55,7 +55,7 @@ export function helpLink() {
           el("code", {}, `docs/${pageOf(page).help.split("#")[0]}.md`), ". On the command line: ",
           el("code", {}, "mckibben help"), "."),
     ]);
-  const element = el("button", { type: "button", onclick: open }, "Help");
+  const element = button("Help", open);
   return { element, show(/** @type {string} */ name) {
     page = name;
   } };

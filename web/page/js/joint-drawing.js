@@ -5,7 +5,6 @@ import { body, contracted } from "./body.js";
 import { KINDS, pressureColour } from "./chart.js";
 import { number, outside, show, unitName } from "./units.js";
 
-/** @typedef {import("./joint-view.js").Point} Point */
 /**
  * Radius, limits and contraction at the neutral angle of the joint; length, diameter and braid angle of its muscle.
  * @typedef {{ r: number, low: number, high: number, e0: number, length: number, diameter: number,
@@ -18,7 +17,7 @@ const at = (/** @type {number} */ radius, /** @type {number} */ degrees) =>
 
 /**
  * A muscle of the drawing: its rubber has the colour of its pressure.
- * @param {Measures} m @param {1 | 2} which @param {Point | undefined} point @param {number} supply @param {number} left
+ * @param {Measures} m @param {1 | 2} which @param {JointPoint | undefined} point @param {number} supply @param {number} left
  */
 function tube(m, which, point, supply, left) {
   const y = which === 1 ? -m.r : m.r, e = point?.[`contraction_${which}`] ?? m.e0, p = point?.[`pressure_${which}_mpa`];
@@ -33,52 +32,44 @@ function tube(m, which, point, supply, left) {
 
 /**
  * The arm and its muscles as SVG; its axis is the origin.
- * @param {Point | undefined} point @param {number} angle in degrees @param {number} supply @param {Measures} m
+ * @param {JointPoint | undefined} point @param {number} angle in degrees @param {number} supply @param {Measures} m
  */
 export function jointDrawing(point, angle, supply, m) {
-  const arm = 0.45 * m.length,
-    most = Math.max(Math.abs(m.low), Math.abs(m.high)),
-    spare = m.r * ((most * Math.PI) / 180) + m.diameter;
-  const left = -(m.length * (1 - m.e0) + spare),
-    size = m.length / 26,
-    width = arm * 1.25 - left + 0.1 * m.length;
+  const arm = 0.45 * m.length, most = Math.max(Math.abs(m.low), Math.abs(m.high)), size = m.length / 26;
+  const left = -(m.length * (1 - m.e0) + m.r * ((most * Math.PI) / 180) + m.diameter);
+  const width = arm * 1.25 - left + 0.1 * m.length;
   const tall =
     2 * Math.max(arm * Math.sin((Math.min(90, most) * Math.PI) / 180) + 0.1 * m.length, m.r + 1.6 * m.diameter);
-  const large = m.high - m.low > 180 ? 1 : 0;
-  const range = `<path d="M0 0L${at(arm, m.low)}A${arm} ${arm} 0 ${large} 0 ${at(arm, m.high)}Z" class="range"/>`;
-  const muscles =
-    tube(m, 1, point, supply, left) +
-    (point && point.pressure_2_mpa === undefined ? "" : tube(m, 2, point, supply, left));
-  const bar = niceUp(0.13 * m.length),
-    scale = `<path d="M${left} ${tall / 2 - 0.03 * m.length}v${0.015 * m.length}h${bar}v${-0.015 * m.length}" ` +
-      `fill="none" class="line"/><text x="${left + bar + 4}" y="${tall / 2 - 0.01 * m.length}">` +
-      `${show("length", bar, 2)}</text>`;
+  const range = `<path d="M0 0L${at(arm, m.low)}A${arm} ${arm} 0 ${m.high - m.low > 180 ? 1 : 0} 0 ${at(arm, m.high)}Z" `
+    + 'class="range"/>';
+  const second = !point || point.pressure_2_mpa !== undefined;
+  const muscles = tube(m, 1, point, supply, left) + (second ? tube(m, 2, point, supply, left) : "");
+  const bar = niceUp(0.13 * m.length), scale = `<path d="M${left} ${tall / 2 - 0.03 * m.length}v${0.015 * m.length}`
+    + `h${bar}v${-0.015 * m.length}" fill="none" class="line"/><text x="${left + bar + 4}" `
+    + `y="${tall / 2 - 0.01 * m.length}">${show("length", bar, 2)}</text>`;
   const wall = `<path d="M${left - 0.5 * m.diameter} ${-m.r - m.diameter}V${m.r + m.diameter}" class="wall"/>`;
-  const legend = `<text x="${arm * 0.2}" y="${-tall / 2 + 0.05 * m.length}">colour: pressure, 0 to ${show("pressure", supply, 3)}</text>`;
-  return (
-    `<svg class="section joint" viewBox="${left - 0.04 * m.length} ${-tall / 2} ${width} ${tall}" ` +
-      `font-size="${size}">${range}${wall}${muscles}<circle r="${m.r}" class="pulley"/>` +
-    `<path d="M0 0L${at(arm, angle)}" class="arm" stroke-width="${0.035 * m.length}"/><circle ` +
-    `r="${0.02 * m.length}" fill="currentColor"/>` +
-    `<circle cx="${at(arm, angle).replace(" ", '" cy="')}" r="${0.035 * m.length}" fill="${KINDS[1]}"/>` +
-    `${load(point, angle, arm, size)}${scale}${legend}</svg>`
-  );
+  const legend = `<text x="${arm * 0.2}" y="${-tall / 2 + 0.05 * m.length}">colour: pressure, 0 to `
+    + `${show("pressure", supply, 3)}</text>`;
+  return `<svg class="section joint" viewBox="${left - 0.04 * m.length} ${-tall / 2} ${width} ${tall}" `
+    + `font-size="${size}">${range}${wall}${muscles}<circle r="${m.r}" class="pulley"/>`
+    + `<path d="M0 0L${at(arm, angle)}" class="arm" stroke-width="${0.035 * m.length}"/><circle `
+    + `r="${0.02 * m.length}" fill="currentColor"/>`
+    + `<circle cx="${at(arm, angle).replace(" ", '" cy="')}" r="${0.035 * m.length}" fill="${KINDS[1]}"/>`
+    + `${load(point, angle, arm, size)}${scale}${legend}</svg>`;
 }
 
 /**
  * The torque that the joint holds against its load, as an arrow about the axis.
- * @param {Point | undefined} point @param {number} angle @param {number} arm @param {number} size
+ * @param {JointPoint | undefined} point @param {number} angle @param {number} arm @param {number} size
  */
 function load(point, angle, arm, size) {
   const torque = Number(point?.torque_nm ?? 0);
   if (Math.abs(torque) < 1e-6) return "";
   const r = 0.6 * arm, sweep = Math.sign(torque) * 28, tip = angle + sweep, back = tip - Math.sign(torque) * 5;
   const text = `${number(outside("torque", torque), 3)} ${unitName("torque")}`;
-  return (
-    `<path d="M${at(r, angle)}A${r} ${r} 0 0 ${torque > 0 ? 0 : 1} ` +
-      `${at(r, tip)}M${at(0.94 * r, back)}L${at(r, tip)}L${at(1.06 * r, back)}" class="load"/>` +
-    `<text x="${at(1.1 * r, tip).replace(" ", '" y="')}" font-size="${size}">${text}</text>`
-  );
+  return `<path d="M${at(r, angle)}A${r} ${r} 0 0 ${torque > 0 ? 0 : 1} ${at(r, tip)}M${at(0.94 * r, back)}`
+    + `L${at(r, tip)}L${at(1.06 * r, back)}" class="load"/>`
+    + `<text x="${at(1.1 * r, tip).replace(" ", '" y="')}" font-size="${size}">${text}</text>`;
 }
 
 /**
@@ -86,21 +77,11 @@ function load(point, angle, arm, size) {
  * @param {number[]} angles @param {(number | null)[][]} torques by pair @returns {Series[]}
  */
 export function reachable(angles, torques) {
-  const known = angles.map((_, i) =>
-    torques.map((list) => list[i]).filter((v) => typeof v === "number" && Number.isFinite(v)),
-  );
+  const known = angles.map((_, i) => torques.map((list) => list[i]).filter((v) => typeof v === "number"));
   const there = angles.map((_, i) => i).filter((i) => known[i].length > 1);
   if (there.length < 2) return [];
-  const ends = (/** @type {(...list: number[]) => number} */ of) =>
-    there.map((i) => of(.../** @type {number[]} */ (known[i])));
+  const ends = (/** @type {(...list: number[]) => number} */ of) => there.map((i) => of(...known[i]));
   const x = there.map((i) => angles[i]);
-  return [
-    {
-      name: "reachable torque",
-      band: true,
-      colour: KINDS[0],
-      x: [...x, ...[...x].reverse()],
-      y: [...ends(Math.max), ...ends(Math.min).reverse()],
-    },
-  ];
+  return [{ name: "reachable torque", band: true, colour: KINDS[0], x: [...x, ...[...x].reverse()],
+    y: [...ends(Math.max), ...ends(Math.min).reverse()] }];
 }

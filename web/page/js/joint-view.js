@@ -5,14 +5,8 @@ import { capital, el } from "./dom.js";
 import { reachable } from "./joint-drawing.js";
 import { number, outside, show, unitName } from "./units.js";
 
-/** @typedef {Commands["joint"]["answer"]} Answer */
-/**
- * A point as the page shows it.
- * @typedef {Answer["points"][number] & { model: string, words?: string | null }} Point
- */
-/** @typedef {NonNullable<Answer["map"]>} Reached */
+/** @typedef {NonNullable<JointAnswer["map"]>} Reached */
 /** @typedef {NonNullable<Reached["points"][number]>} Reach */
-/** @typedef {{ answer: Answer, angles: number[], pairs: number[][] }} Family */
 
 /** The angle under the pointer in degrees. @param {HTMLElement} stage @param {PointerEvent} event */
 export function angleAt(stage, event) {
@@ -27,13 +21,12 @@ const badge = (model) =>
   el("p", { class: model === "fe" ? "badge final" : "badge" }, model === "fe" ? "Final: finite elements"
     : `First estimate: ${model}`);
 
-/** @param {Point} point @param {string} which muscles these are */
+/** @param {JointPoint} point @param {string} which muscles these are */
 export function numbersView(point, which) {
   const half = (/** @type {number | null | undefined} */ u) => (u ? ` ± ${number(u, 2)}` : "");
-  const stiffness = (/** @type {Point} */ { stiffness_nm_per_rad: k, stiffness_uncertainty_nm_per_rad: u }) =>
-    `${number(outside("angular-stiffness", k), 3)}${half(u && outside("angular-stiffness", u))} ${
-      unitName("angular-stiffness")
-    }`;
+  const stiffness = (/** @type {JointPoint} */ { stiffness_nm_per_rad: k, stiffness_uncertainty_nm_per_rad: u }) =>
+    `${number(outside("angular-stiffness", k), 3)}${half(u && outside("angular-stiffness", u))} `
+    + unitName("angular-stiffness");
   const closed = [point.stiffness_shut_isothermal_nm_per_rad, point.stiffness_shut_adiabatic_nm_per_rad]
     .flatMap((k) => (typeof k === "number" ? [number(outside("angular-stiffness", k), 3)] : []));
   // Less than a milligram's weight is what the solution leaves of a slack muscle.
@@ -57,14 +50,13 @@ export function numbersView(point, which) {
 
 /**
  * Torques over the angle at pairs of pressures.
- * @param {Family} family @param {Point | undefined} point @returns {Spec}
+ * @param {Family} family @param {JointPoint | undefined} point @returns {Spec}
  */
 export function torqueChart({ answer, angles, pairs }, point) {
   const series = pairs.map((pair, i) => {
     const rows = answer.points.slice(i * angles.length, (i + 1) * angles.length);
     const name = pair.map((p) => number(outside("pressure", p), 3)).join(" | ") + " " + unitName("pressure");
-    return { name, end: name, colour: KINDS[i], x: angles,
-      y: rows.map((q) => outside("torque", q.torque_nm)) };
+    return { name, end: name, colour: KINDS[i], x: angles, y: rows.map((q) => outside("torque", q.torque_nm)) };
   });
   const marks = point ? [{ x: point.angle_deg, y: outside("torque", point.torque_nm ?? 0), text: "required" }] : [];
   return { x: "angle φ [°]", y: `torque [${unitName("torque")}]`, yaxis: {},

@@ -20,8 +20,6 @@ const STATED = { r: "joint.radius", low: "", high: "", e0: "muscle_1.contraction
 const IN_FILE = /** @type {(keyof typeof STATED)[]} */ (Object.keys(STATED));
 /** No words beside a joint file: it states them. */
 export const ofFile = Object.fromEntries([...IN_FILE, "range"].map((key) => [key, undefined]));
-/** Both limits in one word, as joint files and links of before have them. */
-export const RANGE = "range";
 
 export class JointWords {
   files = { joint: "", file2: "" };
@@ -30,18 +28,14 @@ export class JointWords {
 
   /** @param {URLSearchParams} params */
   async read(params) {
-    // Links of before have the stiffness of the joint under the name of that of the strands.
-    if (/rad/.test(params.get("k") ?? "")) {
-      params.set("K", params.get("k") ?? "");
-      params.delete("k");
-    }
     for (const key of FILES) this.files[key] = params.get(key) ?? "";
     this.over = new Set(KEYS.filter((key) => params.has(key)));
     Object.assign(this.v, USUAL);
     await this.fromFile();
-    if (params.has(RANGE)) {
-      await this.#limits(params.get(RANGE));
-      for (const key of /** @type {const} */ (["low", "high"])) this.over.add(key);
+    // Both limits in one word, as links of before have them.
+    if (params.has("range")) {
+      await this.#limits(params.get("range"));
+      this.over.add("low").add("high");
     }
     await this.#take(KEYS.filter((key) => params.has(key)).map((key) => [key, params.get(key) ?? ""]));
   }

@@ -1,9 +1,10 @@
 // Muscles of the library: identified from measured points, each a button that opens it.
 import { address } from "./address.js";
 import { engine } from "./ask.js";
-import { capital, el } from "./dom.js";
+import { button, capital, download, el } from "./dom.js";
 import { muscle } from "./muscle.js";
-import { thumbnail } from "./thumbnail.js";
+import { fileName } from "./toml.js";
+import { card, thumbnail } from "./thumbnail.js";
 import { show, withUncertainty } from "./units.js";
 
 /** @typedef {Commands["parts-list"]["answer"]["muscles"][number]} Entry */
@@ -16,24 +17,34 @@ export async function openPart(name, at = {}) {
   location.hash = address("muscle", { ...muscle.params(), ...at });
 }
 
+/**
+ * What to do with a muscle file that was made: it becomes the muscle, or is saved.
+ * @param {string} file @param {string} put @param {string} keep labels of the buttons @param {string} name of the file
+ */
+export const muscleButtons = (file, put, keep, name) => el("p", { class: "row" },
+  button(put, async () => {
+    await muscle.take(file);
+    location.hash = address("muscle", muscle.params());
+  }, { class: "main" }), button(keep, () => download(fileName(name, ".toml"), file, "application/toml")));
+
 /** @param {Entry} entry @param {() => void} opened @param {(problem: unknown) => void} fail */
-function card(entry, opened, fail) {
+function entryCard(entry, opened, fail) {
   const { name, blocked_force_n: force, uncertainty_n: half } = entry;
   const pull = force && half
     ? `, ${withUncertainty("force", force, half)} blocked at ${show("pressure", entry.pressure_mpa, 3)}`
     : "";
   const size = `D0 ${show("length", entry.outer_diameter_mm, 3)}, L0 ${show("length", entry.length_mm)}`;
-  return el("button", { type: "button", class: "card", title: `${entry.source}; ${entry.terms}`,
-    onclick: () => openPart(name).then(opened, fail) },
-    el("span", { class: "picture" }, thumbnail(entry)), el("b", {}, capital(entry.product ?? entry.title)),
-    el("span", { class: "small soft" }, `${name}: ${size}${pull}`));
+  const box = card(() => openPart(name).then(opened, fail), el("span", {}, thumbnail(entry)),
+    capital(entry.product ?? entry.title), `${name}: ${size}${pull}`);
+  box.title = `${entry.source}; ${entry.terms}`;
+  return box;
 }
 
 /** Buttons of all muscles of the library. @param {(problem: unknown) => void} fail @param {() => void} opened */
 export function library(fail, opened) {
   const box = el("div", { class: "gallery" }, el("span", { class: "small soft" }, "The library is being read."));
   engine().ask("parts-list", { kind: "muscles" }).then(
-    ({ muscles }) => box.replaceChildren(...muscles.map((entry) => card(entry, opened, fail))),
+    ({ muscles }) => box.replaceChildren(...muscles.map((entry) => entryCard(entry, opened, fail))),
     fail,
   );
   return el("div", {}, el("h2", {}, "Identified from measured points"), box);

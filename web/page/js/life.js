@@ -1,12 +1,9 @@
-// What the page that is shown has begun, and what ends it: listeners and views outlive their elements otherwise.
+// What the page that is shown has begun ends with it: questions, listeners and views outlive their elements otherwise.
 
-/** @type {(() => void)[]} */ let ends = [];
+/** @type {(() => unknown)[]} */ let ends = [];
 
-/** Ends with the page that is shown. @template {() => void} F @param {F} end @returns {F} */
-export function atEnd(end) {
-  ends.push(end);
-  return end;
-}
+/** Ends with the page that is shown. @param {() => unknown} end */
+export const atEnd = (end) => void ends.push(end);
 
 /** The page is left: all that it has begun ends. */
 export function endAll() {
@@ -15,11 +12,17 @@ export function endAll() {
   all.forEach((end) => end());
 }
 
-/**
- * A view or a chart of the page that is shown: destroyed with it.
- * @template T @param {T & { destroy?: () => void }} view @returns {T}
- */
-export function held(view) {
-  atEnd(() => view.destroy?.());
-  return view;
+/** Listeners to one thing: those of the page that is shown (`on`) end with it, others stay. */
+export function signal() {
+  /** @type {Set<() => void>} */ const listeners = new Set();
+  return {
+    tell: () => listeners.forEach((tell) => tell()),
+    /** @param {() => void} tell */
+    stay: (tell) => void listeners.add(tell),
+    /** @param {() => void} tell */
+    on(tell) {
+      listeners.add(tell);
+      atEnd(() => listeners.delete(tell));
+    },
+  };
 }

@@ -1,5 +1,5 @@
 // Curves on the page: crosshair, zoom, and drags in values of the axes. The drawing itself is in plot.js.
-import { el, say, token } from "./dom.js";
+import { button, el, say, token } from "./dom.js";
 import { colourOf, drawing, frame, nearest, reachOf } from "./plot.js";
 import { number, plusMinus } from "./units.js";
 
@@ -7,73 +7,83 @@ import { number, plusMinus } from "./units.js";
 const NEAR = 48;
 /** So long the pointer rests before what is below it is computed, in milliseconds. */
 const REST = 200;
-const colours = () => ({ ink: token("--ink"), line: token("--line"), faint: token("--faint"), paper: token("--paper")
-});
+const colours = () => ({ ink: token("--ink"), line: token("--line"), faint: token("--faint"),
+  paper: token("--paper") });
 /** The unit of an axis. @param {string} title */
 const unit = (title) => { const [, u] = /\[(.+)\]/.exec(title) ?? []; return u ? ` ${u}` : ""; };
 
 export class Lines {
   /**
    * @param {HTMLElement} host @param {string} name
-   * @param {((x: number, y: number, settled: boolean) => void) | undefined} drag @param {AbortSignal} signal its end
+   * @param {((x: number, y: number, settled: boolean) => unknown) | undefined} drag
    */
-  constructor(host, name, drag, signal) {
+  constructor(host, name, drag) {
     this.host = host;
     this.drag = drag;
     /** @type {Spec | undefined} */ this.spec = undefined;
     /** @type {import("./plot.js").Frame | undefined} */ this.at = undefined;
-    /** @type {import("./plot.js").Reach | undefined} */ this.zoomed = undefined;
+    /** @type {Reach | undefined} */ this.zoomed = undefined;
     /** What the keyboard reads: curve and point. @type {[number, number] | undefined} */ this.read = undefined;
     this.resting = 0;
     /** Where the pointer rests on the plot. @type {[number, number] | undefined} */ this.pointer = undefined;
+    /** What drawing took the last time, in milliseconds. */
+    this.cost = 0;
+    /** Where the ring is, in values of the axes. @type {[number, number] | undefined} */ this.marked = undefined;
     this.drawn = el("div", {});
+    this.ring = el("i", { class: "ring", hidden: true });
     this.dot = el("i", { class: "dot", hidden: true });
     this.tip = el("div", { class: "tip small", hidden: true });
     this.hair = el("i", { class: "hair", hidden: true });
     this.box = el("i", { class: "box", hidden: true });
-    this.all = el("button", { type: "button", class: "all small", hidden: true, onclick: () => this.zoom(undefined) },
-      "Show all");
-    host.replaceChildren(this.drawn, this.hair, this.box, this.dot, this.tip, this.all);
+    this.all = button("Show all", () => this.zoom(undefined), { class: "all small", hidden: true });
+    host.replaceChildren(this.drawn, this.hair, this.box, this.dot, this.tip, this.all, this.ring);
     host.tabIndex = 0;
     host.setAttribute("role", "group");
     host.setAttribute("aria-label",
       `${name.replaceAll("-", " ")}: arrow keys read its points, + and − zoom, 0 shows all`);
-    this.listen(signal);
+    this.listen();
   }
 
-  /** @param {Spec} spec */
-  draw(spec) {
-    this.spec = spec;
-    const { clientWidth: width, clientHeight: height } = this.host;
-    if (!width || !height) return;
+  draw() {
+    const { spec, host: { clientWidth: width, clientHeight: height } } = this;
+    if (!spec || !width || !height) return;
+    const began = performance.now();
     this.at = frame(spec, width, height, this.zoomed ?? reachOf(spec));
     this.drawn.innerHTML = drawing(spec, this.at, colours());
     this.all.hidden = !this.zoomed;
+    this.placeMark();
     // What is below the pointer is read off anew.
     if (this.pointer) this.hover(this.pointer[0], this.pointer[1]);
     else if (!this.tip.hidden) this.clear();
+    this.cost = performance.now() - began;
   }
 
   /**
-   * Where values lie, in pixels of the plot; at its edge, where they lie beyond.
-   * @param {number} x @param {number} y
+   * A ring over the curves at values of the axes; none without. Nothing is drawn anew for it.
+   * @param {number} [x] @param {number} [y]
    */
-  place(x, y) {
-    const { at } = this;
-    if (!at) return undefined;
+  mark(x, y) {
+    this.marked = x === undefined || y === undefined ? undefined : [x, y];
+    this.placeMark();
+  }
+  /** At the edge of the plot where its values lie beyond. */
+  placeMark() {
+    const { at, marked } = this;
+    this.ring.hidden = !at || !marked;
+    if (!at || !marked) return;
     const within = (/** @type {number} */ v, /** @type {number} */ low, /** @type {number} */ size) =>
       Math.min(low + size, Math.max(low, v));
-    return [within(at.px(x), at.left, at.w), within(at.py(y), at.top, at.h)];
+    const [x, y] = [within(at.px(marked[0]), at.left, at.w), within(at.py(marked[1]), at.top, at.h)];
+    this.ring.style.transform = `translate(${x}px, ${y}px)`;
   }
 
-  /** @param {number} px @param {number} py */
+  /** What lies at a place, as values of the axes. @param {number} px @param {number} py */
   values(px, py) { return this.at && [this.at.x(px), this.at.y(py)]; }
 
-  /** @param {import("./plot.js").Reach | undefined} reach nothing for all */
+  /** @param {Reach | undefined} reach nothing for all */
   zoom(reach) {
     this.zoomed = reach;
-    if (this.spec) this.draw(this.spec);
-    this.host.dispatchEvent(new Event("zoomed"));
+    this.draw();
   }
 
   /** @param {number} by @param {number} [px] @param {number} [py] */
@@ -87,14 +97,14 @@ export class Lines {
       y: about(at.reach.y, cy, py === undefined || py < at.top + at.h) });
   }
 
-  /** What lies at a place, in words. @param {{ which: number, x: number, y: number, half?: number }} found */
+  /** What lies at a place, in words. @param {Found} found */
   words({ which, x, y, half }) {
     const spec = /** @type {Spec} */ (this.spec);
     return `${spec.series[which].name}: ${number(x, 4)}${unit(spec.x)}, ${plusMinus(y, half)}${unit(spec.y)}`;
   }
 
-  /** @param {{ which: number, x: number, y: number, half?: number }} found */
-  show(found) {
+  /** @param {Found} found */
+  point(found) {
     const { at, spec } = this;
     if (!at || !spec) return;
     const [px, py] = [at.px(found.x), at.py(found.y)];
@@ -102,13 +112,9 @@ export class Lines {
     this.dot.style.cssText = `transform:translate(${px}px,${py}px);border-color:${colour}`;
     this.hair.style.cssText = `left:${px}px;top:${at.top}px;height:${at.h}px`;
     this.tip.textContent = this.words(found);
-    this.tip.style.cssText =
-      px > at.left + at.w / 2
-        ? `right:${at.width - px + 12}px;top:${Math.max(0, py - 34)}px`
-        : `left:${px + 12}px;top:${Math.max(0, py - 34)}px`;
-    [this.dot, this.hair, this.tip].forEach((part) => {
-      part.hidden = false;
-    });
+    const side = px > at.left + at.w / 2 ? `right:${at.width - px + 12}px` : `left:${px + 12}px`;
+    this.tip.style.cssText = `${side};top:${Math.max(0, py - 34)}px`;
+    [this.dot, this.hair, this.tip].forEach((part) => { part.hidden = false; });
   }
 
   clear() {
@@ -117,11 +123,10 @@ export class Lines {
     [this.dot, this.hair, this.tip, this.box].forEach((part) => { part.hidden = true; });
   }
 
-  /** @param {AbortSignal} signal */
-  listen(signal) {
+  listen() {
     const { host } = this;
     const on = (/** @type {string} */ event, /** @type {(event: never) => void} */ act, options = {}) =>
-      host.addEventListener(event, /** @type {EventListener} */ (act), { signal, ...options });
+      host.addEventListener(event, /** @type {EventListener} */ (act), options);
     /** @type {{ px: number, py: number, what: "drag" | "x" | "y" | "box" } | undefined} */ let from;
     const where = (/** @type {PointerEvent | MouseEvent} */ event) => {
       const box = host.getBoundingClientRect();
@@ -131,10 +136,8 @@ export class Lines {
       this.at && this.drag?.(this.at.x(px), this.at.y(py), settled);
     on("pointerdown", (/** @type {PointerEvent} */ event) => {
       if (event.button !== 0 || !this.at || event.target === this.all) return;
-      const [px, py] = where(event),
-        { left, top, h } = this.at;
-      const what =
-        py > top + h ? "x" : px < left ? "y" : this.drag ? "drag" : event.pointerType === "touch" ? undefined : "box";
+      const [px, py] = where(event), { left, top, h } = this.at, touch = event.pointerType === "touch";
+      const what = py > top + h ? "x" : px < left ? "y" : this.drag ? "drag" : touch ? undefined : "box";
       if (!what) return;
       from = { px, py, what };
       this.clear();
@@ -158,16 +161,12 @@ export class Lines {
     on("pointerleave", () => { this.pointer = undefined; if (!from) this.clear(); });
     on("blur", () => this.clear());
     on("dblclick", () => this.zoom(undefined));
-    on(
-      "wheel",
-      (/** @type {WheelEvent} */ event) => {
-        if (!event.ctrlKey && !event.metaKey) return;
-        event.preventDefault();
-        const [px, py] = where(event);
-        this.zoomAbout(Math.exp(0.002 * event.deltaY), px, py);
-      },
-      { passive: false },
-    );
+    on("wheel", (/** @type {WheelEvent} */ event) => {
+      if (!event.ctrlKey && !event.metaKey) return;
+      event.preventDefault();
+      const [px, py] = where(event);
+      this.zoomAbout(Math.exp(0.002 * event.deltaY), px, py);
+    }, { passive: false });
     on("keydown", (/** @type {KeyboardEvent} */ event) => {
       if (event.target === host && this.key(event.key)) event.preventDefault();
     });
@@ -182,19 +181,19 @@ export class Lines {
     this.host.style.cursor = py > at.top + at.h ? "ew-resize" : px < at.left ? "ns-resize" : "crosshair";
     const found = px >= at.left && py <= at.top + at.h ? nearest(spec, at, px, py) : undefined;
     if (!found || found.far >= NEAR) return this.clear();
-    this.show(found);
+    this.point(found);
     clearTimeout(this.resting);
     if (spec.exact) this.resting = window.setTimeout(() => this.compute(found), REST);
   }
 
   /**
    * What is below the pointer that rests, computed.
-   * @param {{ which: number, x: number, y: number, half?: number }} found
+   * @param {Found} found
    */
   compute(found) {
     const { spec, pointer } = this;
     spec?.exact?.(spec.series[found.which], found.x, (y, half) => {
-      if (this.spec === spec && this.pointer === pointer) this.show({ ...found, y, half: half ?? undefined });
+      if (this.spec === spec && this.pointer === pointer) this.point({ ...found, y, half: half ?? undefined });
     });
   }
 
@@ -254,7 +253,7 @@ export class Lines {
     const y = s.y[next];
     if (typeof y !== "number") return;
     const found = { which, x: s.x[next], y, half: s.half?.[next] ?? undefined };
-    this.show(found);
+    this.point(found);
     this.read = [which, next];
     say(this.words(found));
   }

@@ -1,8 +1,8 @@
 // The frame around the pages: which one is shown follows from the address.
 import { engine, loadUnits } from "./ask.js";
-import { address, onWritten, read } from "./address.js";
+import { address, onWritten, read, write } from "./address.js";
 import { muscleBar } from "./bar.js";
-import { byId, el, problemBox } from "./dom.js";
+import { button, byId, el, problemBox } from "./dom.js";
 import { dropAnywhere } from "./drop.js";
 import { helpLink } from "./help.js";
 import { keepWords, onKept, wordsOf } from "./kept.js";
@@ -19,7 +19,7 @@ import { themeButton } from "./theme.js";
 import { welcome } from "./welcome.js";
 
 const main = byId("main");
-/** @typedef {{ load: (params: URLSearchParams) => Promise<void>, unmount: () => void }} View */
+/** @typedef {{ load: (params: URLSearchParams) => Promise<void> }} View */
 /** @type {{ name: string, page: View } | undefined} */ let shown;
 let routes = 0;
 
@@ -61,7 +61,10 @@ async function keep() {
 }
 
 const help = helpLink();
-const bar = muscleBar(walk);
+const bar = muscleBar(walk, () => {
+  write(linked(shown?.name ?? "muscle"));
+  muscle.tell();
+});
 byId("tools").append(help.element, themeButton());
 byId("bar").append(bar.element);
 
@@ -84,12 +87,9 @@ async function walk(by) {
 function frame(name) {
   const { text, about, place } = pageOf(name), list = viewsOf(place);
   last.set(place, name);
-  const current = (/** @type {HTMLElement} */ a, /** @type {boolean} */ on) =>
-    on ? a.setAttribute("aria-current", "page") : a.removeAttribute("aria-current");
-  for (const a of places) current(a, a.dataset.place === place);
-  const links = list.length > 1 ? list.map((view) => el("a", { "data-name": view.name, href: `#${view.name}` },
-    view.text)) : [];
-  for (const a of links) current(a, a.dataset.name === name);
+  for (const a of places) a.ariaCurrent = a.dataset.place === place ? "page" : null;
+  const links = list.length > 1 ? list.map((view) => el("a", { "data-name": view.name, href: `#${view.name}`,
+    "aria-current": view.name === name && "page" }, view.text)) : [];
   views.replaceChildren(...links);
   views.hidden = !links.length;
   byId("claim").textContent = about;
@@ -128,7 +128,6 @@ async function route() {
 
 /** The page that is shown ends, with all that it has begun. */
 function leave() {
-  shown?.page.unmount();
   shown = undefined;
   endAll();
 }
@@ -136,8 +135,7 @@ function leave() {
 /** @param {unknown} problem */
 function fail(problem) {
   leave();
-  main.replaceChildren(problemBox(problem),
-    el("p", {}, el("button", { type: "button", class: "main", onclick: start }, "Try again")));
+  main.replaceChildren(problemBox(problem), el("p", {}, button("Try again", start, { class: "main" })));
 }
 
 async function start() {

@@ -47,7 +47,7 @@ export function sampled(x, y, by, at) {
  * A pixel for each place of a field.
  * @param {Field} field @param {(value: number | null, x: number, y: number) => number[]} colour red, green, blue and
  *   opacity up to 255
- * @returns {import("./plot.js").Picture}
+ * @returns {Picture}
  */
 export function picture({ x, y, values }, colour) {
   const [width, height] = [x.length, y.length], canvas = el("canvas", { width, height });
@@ -67,7 +67,7 @@ export function picture({ x, y, values }, colour) {
 
 /** Pieces of the line of a value. @param {Field} field @param {number} level */
 function levelLine({ x, y, values }, level) {
-  const out = /** @type {import("./border.js").Segment[]} */ ([]);
+  const out = /** @type {Segment[]} */ ([]);
   for (let j = 0; j + 1 < y.length; j++) {
     for (let i = 0; i + 1 < x.length; i++) {
       const around = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]], v = around.map(([a, b]) => values[b][a]);
@@ -87,7 +87,7 @@ function levelLine({ x, y, values }, level) {
 
 /**
  * Pieces of lines as a curve that nobody reads off.
- * @param {import("./border.js").Segment[]} list @param {object} look
+ * @param {Segment[]} list @param {object} look
  */
 export const pieces = (list, look) => /** @type {Series} */ ({ name: "", silent: true,
   x: list.flatMap(([a, , b]) => [a, b, b]), y: list.flatMap(([, a, , b]) => [a, b, null]), ...look });

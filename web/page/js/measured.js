@@ -1,26 +1,22 @@
 // The table of measured points that pages share: opened on the page Data, or dropped anywhere. It is kept over a
 // reload.
 import { fileOf, keepFile } from "./kept.js";
+import { signal } from "./life.js";
 import { thinned, thinnedWords } from "./thin.js";
 
 /** @typedef {{ pressure_mpa: number, contraction: number, force_n: number }} Point */
-/** @typedef {{ name: string, text: string }} File */
 
-/** @type {Set<() => void>} */
-const listeners = new Set();
+const changed = signal();
+export const onMeasured = changed.on;
 
 export const measured = {
-  /** As it is used: a long one is thinned. @returns {File | undefined} */
-  get file() {
-    return fileOf("data");
-  },
+  /** As it is used: a long one is thinned. @returns {TextFile | undefined} */
+  get file() { return fileOf("data"); },
   /** What to say of a table that was thinned. @returns {string} */
-  get said() {
-    return fileOf("data-said") ?? "";
-  },
+  get said() { return fileOf("data-said") ?? ""; },
   /** What its headings do not say, as requests have it. @type {Record<string, string>} */ columns: {},
 
-  /** @param {File | undefined} file @param {Record<string, string>} [columns] */
+  /** @param {TextFile | undefined} file @param {Record<string, string>} [columns] */
   set(file, columns = {}) {
     if (file !== this.file) {
       const of = thinned(file?.text ?? "");
@@ -28,14 +24,6 @@ export const measured = {
       keepFile("data", file && { name: file.name, text: of.text });
     }
     this.columns = columns;
-    listeners.forEach((tell) => tell());
+    changed.tell();
   },
-};
-
-/** @param {() => void} tell @returns {() => void} what ends it */
-export const onMeasured = (tell) => {
-  listeners.add(tell);
-  return () => {
-    listeners.delete(tell);
-  };
 };

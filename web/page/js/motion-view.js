@@ -3,7 +3,6 @@ import { KINDS } from "./chart.js";
 import { table } from "./form.js";
 import { number, outside, show, unitName } from "./units.js";
 
-/** @typedef {Commands["motion"]["answer"]} Run */
 /** Whether it is a joint's. @param {Run} run */
 export const isJoint = (run) => Boolean(run.series.angle_deg);
 /** Series of pressures. */
@@ -44,9 +43,7 @@ function speed(run) {
 
 /** @param {Run} run */
 export function figures(run) {
-  const time = (
-    /** @type {number | null | undefined} */ x,
-  ) => (x === null || x === undefined ? "–" : `${number(x, 3)} s`);
+  const time = (/** @type {number | null | undefined} */ x) => (x == null ? "–" : `${number(x, 3)} s`);
   return table(["", ""], [
     ["Rise time, 10–90 %", time(run.rise_time_s)],
     ["Settling time, 2 %", time(run.settling_time_s)],
@@ -63,10 +60,8 @@ export function figures(run) {
 /** The state at a place of the record, in a line. @param {Run} run @param {number} i */
 export function stateLine(run, i) {
   const { series: s } = run;
-  if (isJoint(run))
-    return `${number(s.angle_deg?.[i], 3)}°, ${
-      [s.pressure_1_mpa, s.pressure_2_mpa].flatMap((p) => (p ? [show("pressure", p[i], 3)] : [])).join(" and ")
-    }`;
+  const both = [s.pressure_1_mpa, s.pressure_2_mpa].flatMap((p) => (p ? [show("pressure", p[i], 3)] : []));
+  if (isJoint(run)) return `${number(s.angle_deg?.[i], 3)}°, ${both.join(" and ")}`;
   return `${show("pressure", s.pressure_mpa?.[i], 3)}, ${number(100 * (s.contraction?.[i] ?? NaN), 3)} %`;
 }
 

@@ -1,7 +1,8 @@
 // The muscle that all pages share: its state, what the engine read of it, and the address.
 import { engine, understood } from "./ask.js";
-import { query } from "./address.js";
+import { address, query, write } from "./address.js";
 import { pack } from "./deflate.js";
+import { signal } from "./life.js";
 import { canonical, fields, fromWords, keys, missing, opened, prototype, say, shownValue, takeMeasures, texts, words,
   MEASURES } from "./state.js";
 import { nameIn, named } from "./toml.js";
@@ -24,7 +25,7 @@ export async function loadMeasures() {
 export class MuscleState {
   /** @type {State} */ #state = prototype();
   /** @type {Shown | undefined} */ #shown = undefined;
-  /** @type {Set<() => void>} */ #listeners = new Set();
+  #changed = signal();
   #telling = 0;
 
   constructor() {
@@ -35,45 +36,34 @@ export class MuscleState {
      * @type {{ name: string, missing: string, least_diameter_mm: number, largest_diameter_mm: number }[]}
      */
     this.sleeves = [];
-    /** @type {[string, string][]} */
-    this.unknown = [];
-    /** @type {Map<string, string>} */
-    this.wrong = new Map();
-    /** @type {{ of: string, file: Promise<string> } | undefined} */
-    this.written = undefined;
+    /** @type {[string, string][]} */ this.unknown = [];
+    /** @type {Map<string, string>} */ this.wrong = new Map();
+    /** @type {{ of: string, file: Promise<string> } | undefined} */ this.written = undefined;
     /** Until the address is read: a question before that would be about another muscle. @type {Promise<unknown>} */
     this.ready = Promise.resolve();
   }
 
-  get state() {
-    return this.#state;
-  }
+  get state() { return this.#state; }
   set state(next) {
     this.#state = next;
     this.touch();
   }
   /** What the engine read of file and fields, the last time that it could. */
-  get shown() {
-    return this.#shown;
-  }
+  get shown() { return this.#shown; }
   set shown(next) {
     this.#shown = next;
     this.touch();
   }
 
-  /** Is called some time after it changed. @param {() => void} tell */
-  onChange(tell) {
-    this.#listeners.add(tell);
-  }
+  /** Is called some time after it changed. */
+  onChange = this.#changed.stay;
   /** Tells it soon. */
-  touch() {
-    this.#telling ||= window.setTimeout(() => this.tell(), 120);
-  }
+  touch() { this.#telling ||= window.setTimeout(() => this.tell(), 120); }
   /** Tells at once that it changed. */
   tell() {
     clearTimeout(this.#telling);
     this.#telling = 0;
-    this.#listeners.forEach((tell) => tell());
+    this.#changed.tell();
   }
 
   /** Its name. */
@@ -88,20 +78,12 @@ export class MuscleState {
     this.touch();
   }
 
-  get p() {
-    return this.state.p;
-  }
-  get e() {
-    return this.state.e;
-  }
-  get F() {
-    return this.state.F;
-  }
+  get p() { return this.state.p; }
+  get e() { return this.state.e; }
+  get F() { return this.state.F; }
 
   /** Fields of a request. */
-  fields() {
-    return fields(this.state);
-  }
+  fields() { return fields(this.state); }
 
   /** @param {string} key @param {number | string | undefined} value */
   set(key, value) {
@@ -133,9 +115,7 @@ export class MuscleState {
   }
 
   /** What its sleeve needs beside its name, and is not said yet. */
-  missing() {
-    return missing(this.state, this.sleeves);
-  }
+  missing() { return missing(this.state, this.sleeves); }
 
   /** The muscle file with its name, for people to keep. */
   async toml() {
@@ -146,14 +126,14 @@ export class MuscleState {
   /** The measures in a line. @param {Shown | undefined} [s] of another one */
   line(s = this.shown) {
     if (!s) return "none yet";
-    const size = `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${show("length", s.length_mm)}`;
-    return `${size}, θ0 ${show("angle", s.angle_deg)}, ${partName(s.rubber)}, ${braidName(s.braid)}`;
+    const [D, wall, L] = [s.outer_diameter_mm, s.wall_mm, s.length_mm].map((v) => show("length", v));
+    return `D0 ${D}, s ${wall}, L0 ${L}, θ0 ${show("angle", s.angle_deg)}, ${partName(s.rubber)}, ${braidName(s.braid)}`;
   }
 
+  /** Muscle and words of a page as its address. @param {string} page @param {Partial<Words>} own */
+  place(page, own) { write(address(page, { ...this.params(), ...own })); }
   /** Words of the address. */
-  params() {
-    return this.paramsOf(this.state);
-  }
+  params() { return this.paramsOf(this.state); }
 
   /** The muscle as one word, for pages where its words mean other things; empty for the prototype. */
   word() {

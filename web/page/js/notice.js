@@ -1,13 +1,14 @@
 // One line above the page: what was done with a file, and what a link has lost.
-import { byId, el } from "./dom.js";
+import { button, byId, el } from "./dom.js";
 import { problemOf } from "./engine/problem.js";
+import { inWords } from "./words.js";
 
 /** @param {string} text @param {(Node | string)[]} more */
 export function notice(text, ...more) {
   const box = byId("notice");
-  const close = el("button", { type: "button", class: "bare", "aria-label": "Close this message", onclick: () => {
+  const close = button("Close", () => {
     box.hidden = true;
-  } }, "Close");
+  }, { class: "bare", "aria-label": "Close this message" });
   box.replaceChildren(el("span", {}, text), ...more, close);
   box.hidden = false;
 }
@@ -15,5 +16,5 @@ export function notice(text, ...more) {
 /** A problem in the same place. @param {unknown} thrown @param {string} [what] */
 export function noticeProblem(thrown, what = "") {
   const { message, hint } = problemOf(thrown);
-  notice([what, message, hint].filter(Boolean).join(" "));
+  notice([what, inWords(message), inWords(hint)].filter(Boolean).join(" "));
 }

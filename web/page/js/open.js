@@ -1,6 +1,6 @@
 // Open: a file of any kind, a muscle of the gallery, of the library, or of the project.
 import { dialog } from "./dialog.js";
-import { el, problemBox } from "./dom.js";
+import { button, el, problemBox } from "./dom.js";
 import { takeFiles } from "./drop.js";
 import { gallery } from "./gallery.js";
 import { library } from "./library.js";
@@ -19,7 +19,7 @@ export function openDialog() {
     });
     return [
       el("p", { class: "row" },
-        el("button", { type: "button", class: "main", onclick: () => input.click() }, "Choose files"), input,
+        button("Choose files", () => input.click(), { class: "main" }), input,
         el("span", { class: "small soft" },
           "A muscle, a joint or a drive (TOML), measured points (CSV), or a project (JSON). You can also drop files "
             + "anywhere on the page.")),

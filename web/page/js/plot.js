@@ -1,32 +1,13 @@
-// Curves and points as SVG: the same drawing on the page and in files. Nothing here asks the document anything.
+// Spec and points as SVG: the same drawing on the page and in files. Nothing here asks the document anything.
+import { niceUp } from "./bench/round.js";
 import { number } from "./units.js";
-
-/**
- * `half`: half-widths of the ± at each point, drawn as a band; `band`: the points are the outline of one; `end`: a
- * label at the curve's end, or at its start; `z`: a third number of each point, for tables; `strong`: the curve of the
- * state among its family; `silent`: nobody reads it off; `smooth`: a cubic between its points; `fixed`: what does not
- * change along it.
- * @typedef {{ name: string, x: number[], y: (number | null)[], half?: (number | null | undefined)[], z?: number[],
- *   end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot",
- *   mode?: "lines" | "markers", width?: number, legend?: string, band?: boolean,
- *   strong?: boolean, silent?: boolean, smooth?: boolean,
- *   fixed?: number }} Series
- * @typedef {{ range?: number[], rangemode?: string }} Axis
- * @typedef {{ href: string, x: [number, number], y: [number, number] }} Picture below the curves, between these values
- * @typedef {{ x: number, y: number, text: string }} Place
- * What a chart shows: curves, rings, words at places, a picture; `rows` of its table where those are not the curves'.
- * @typedef {{ x: string, y: string, z?: string, series: Series[], marks?: Place[], notes?: Place[], picture?: Picture,
- *   rows?: (string | number | null)[][], xaxis?: Axis, yaxis?: Axis,
- *   exact?: (s: Series, x: number, take: (y: number, half?: number | null) => void) => void }} Curves
- * @typedef {{ ink: string, line: string, faint: string, paper: string }} Colours
- * @typedef {{ x: [number, number], y: [number, number] }} Reach
- */
 
 /** Okabe and Ito's colours, for what differs in kind; in the order of the figures of the command line. */
 export const KINDS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#8a8a8a"];
 const DASHES = { solid: "", dash: ' stroke-dasharray="7 4"', dot: ' stroke-dasharray="2 3"' };
 const FONT = 12.5, GLYPH = 6.8;
 
+/** @typedef {{ ink: string, line: string, faint: string, paper: string }} Colours */
 const finite = (/** @type {number | null | undefined} */ v) => typeof v === "number" && Number.isFinite(v);
 const escaped = (/** @type {string} */ text) =>
   text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c] ?? c);
@@ -34,7 +15,7 @@ const short = (/** @type {number} */ v) => v.toFixed(1);
 /** @param {Series} s @param {number} i */
 export const colourOf = (s, i) => s.colour ?? KINDS[i % KINDS.length];
 
-/** What the axes have to show of the curves. @param {Curves} spec @returns {Reach} */
+/** What the axes have to show of the curves. @param {Spec} spec @returns {Reach} */
 export function reachOf(spec) {
   const [x, y] = [[Infinity, -Infinity], [Infinity, -Infinity]];
   const take = (/** @type {number[]} */ r, /** @type {number} */ v) => {
@@ -76,9 +57,7 @@ function axisReach(found, axis, spare) {
 
 /** Round values between two others. @param {[number, number]} reach @param {number} most */
 export function ticks([low, high], most) {
-  const rough = (high - low) / Math.max(1, most), power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * ([1, 2, 2.5, 5, 10].find((m) => m * power >= rough * 0.999) ?? 10);
-  const first = Math.ceil(low / step - 1e-9),
+  const step = niceUp((high - low) / Math.max(1, most)), first = Math.ceil(low / step - 1e-9),
     count = Math.floor(high / step + 1e-9) - first + 1;
   const values = Array.from({ length: Math.max(0, Math.min(50, count)) }, (_, i) =>
     Number(((first + i) * step).toPrecision(12)),
@@ -89,27 +68,17 @@ export function ticks([low, high], most) {
 
 /**
  * Where the axes lie, and values to pixels and back.
- * @param {Curves} spec @param {number} width @param {number} height @param {Reach} reach
+ * @param {Spec} spec @param {number} width @param {number} height @param {Reach} reach
  */
 export function frame(spec, width, height, reach) {
   const longest = Math.max(0, ...spec.series.map((s) => (s.at === "start" ? 0 : (s.end ?? "").length)));
   const across = ticks(reach.y, Math.max(2, height / 60));
   const left = 30 + GLYPH * Math.max(2, ...across.map((t) => t.text.length));
   const named = legends(spec, left, width), top = named.length ? named[named.length - 1].y + 12 : 12, bottom = 40;
-  const right = Math.min(0.4 * width, 16 + GLYPH * longest);
+  const right = Math.min(0.4 * width, 20 + 1.06 * GLYPH * longest);
   const [w, h] = [Math.max(20, width - left - right), Math.max(20, height - top - bottom)];
   const [fx, fy] = [w / (reach.x[1] - reach.x[0]), h / (reach.y[1] - reach.y[0])];
-  return {
-    width,
-    height,
-    left,
-    top,
-    w,
-    h,
-    reach,
-    across,
-    along: ticks(reach.x, Math.max(2, w / 80)),
-    named,
+  return { width, height, left, top, w, h, reach, across, named, along: ticks(reach.x, Math.max(2, w / 80)),
     px: (/** @type {number} */ v) => left + (v - reach.x[0]) * fx,
     py: (/** @type {number} */ v) => top + h - (v - reach.y[0]) * fy,
     x: (/** @type {number} */ p) => reach.x[0] + (p - left) / fx,
@@ -120,7 +89,7 @@ export function frame(spec, width, height, reach) {
 
 /**
  * Each name of the legend once, with the curve that it is first said of, and its place: in as many lines as it takes.
- * @param {Curves} spec @param {number} left @param {number} width
+ * @param {Spec} spec @param {number} left @param {number} width
  */
 function legends(spec, left, width) {
   /** @type {Map<string, number>} */
@@ -144,7 +113,7 @@ const onPaper = ({ ink, paper }, fill = ink) =>
 
 /**
  * The whole drawing.
- * @param {Curves} spec @param {Frame} at @param {Colours} colours @param {boolean} [file] as a file of its own
+ * @param {Spec} spec @param {Frame} at @param {Colours} colours @param {boolean} [file] as a file of its own
  */
 export function drawing(spec, at, colours, file = false) {
   const { width, height, left, top, w, h, px, py } = at, box = [left - 4, top - 4, w + 8, h + 8];
@@ -169,7 +138,7 @@ function image(picture, { px, py }) {
     + `height="${short(py(y0) - py(y1))}" preserveAspectRatio="none"/>`;
 }
 
-/** @param {Curves} spec @param {Frame} at @param {Colours} colours */
+/** @param {Spec} spec @param {Frame} at @param {Colours} colours */
 function axes(spec, { left, top, w, h, along, across, px, py }, { line, faint }) {
   const bottom = top + h, rule = (/** @type {string} */ d) => `<path d="${d}" stroke="${faint}"/>`;
   const down = along.map(({ value, text }) =>
@@ -233,7 +202,7 @@ function curve(s, which, at) {
 
 /**
  * Names at the ends of curves, moved apart where they would lie on one another.
- * @param {Curves} spec @param {Frame} at @param {Colours} colours
+ * @param {Spec} spec @param {Frame} at @param {Colours} colours
  */
 function labels(spec, { px, py, left, top, w, h, reach }, colours) {
   const ends = spec.series.flatMap((s, k) => {
@@ -252,7 +221,7 @@ function labels(spec, { px, py, left, top, w, h, reach }, colours) {
     words(x, y, text, onPaper(colours, colour) + (strong ? ' font-weight="600"' : ""))).join("");
 }
 
-/** @param {Curves} spec @param {Frame} at */
+/** @param {Spec} spec @param {Frame} at */
 const legend = (spec, { named }) => named.map(({ text, i, x, y }) => {
   const s = spec.series[i], colour = colourOf(s, i);
   const sign = s.mode === "markers"
@@ -302,10 +271,10 @@ export function valueAt(s, x, of = "y") {
 
 /**
  * What is nearest to a place in pixels: a point of a marked series, or a place on a curve.
- * @param {Curves} spec @param {Frame} at @param {number} x @param {number} y
+ * @param {Spec} spec @param {Frame} at @param {number} x @param {number} y
  */
 export function nearest(spec, at, x, y) {
-  /** @type {{ far: number, which: number, x: number, y: number, half?: number } | undefined} */ let best;
+  /** @type {(Found & { far: number }) | undefined} */ let best;
   const take = (/** @type {number} */ which, /** @type {number} */ vx, /** @type {number} */ vy,
     /** @type {number | undefined} */ half, more = 0) => {
     const far = Math.hypot(at.px(vx) - x, at.py(vy) - y) + more;

@@ -1,26 +1,22 @@
 // Print: one sheet with the muscle, what was typed on the page, and its numbers.
 import { engine } from "./ask.js";
+import { isLocal } from "./address.js";
 import { byId, el } from "./dom.js";
 import { muscle } from "./muscle.js";
 import { pageOf } from "./pages.js";
+import { setTheme } from "./theme.js";
 import { thumbnail } from "./thumbnail.js";
 import { pictures } from "./view3d.js";
 
 /** What stands in the fields that are shown: names and values. @returns {[string, string][]} */
 function inputs() {
-  const rows = [...document.querySelectorAll(".controls .quantity, .controls .choice")].filter((row) =>
-    !row.closest("[hidden], details:not([open])")
-  );
-  return rows.flatMap((row) => {
-    const name = row.querySelector("label, span")?.textContent?.trim() ?? "",
-      field = row.querySelector("input[type=text], select");
-    const list = field instanceof HTMLSelectElement,
-      text = list
-        ? field.selectedOptions[0]?.textContent ?? ""
-        : /** @type {HTMLInputElement | null} */ (field)?.value ?? "";
-    const unit = row.classList.contains("quantity") && !text.includes("%")
-      ? row.querySelector(":scope > button, :scope > span.soft")?.textContent ?? ""
-      : "";
+  const rows = [...document.querySelectorAll(".controls .quantity, .controls .choice")];
+  return rows.filter((row) => !row.closest("[hidden], details:not([open])")).flatMap((row) => {
+    const name = row.querySelector("label, span")?.textContent?.trim() ?? "";
+    const field = /** @type {HTMLInputElement | null} */ (row.querySelector("input[type=text], select"));
+    const text = field instanceof HTMLSelectElement ? field.selectedOptions[0]?.textContent : field?.value;
+    const unit = row.classList.contains("quantity") && !text?.includes("%")
+      ? row.querySelector(":scope > button, :scope > span.soft")?.textContent : "";
     return text ? [/** @type {[string, string]} */ ([name, `${text} ${unit}`.trim()])] : [];
   });
 }
@@ -32,7 +28,8 @@ const list = (rows) => el("dl", {}, ...rows.flatMap(([name, value]) => [el("dt",
 function picture() {
   const canvas = /** @type {HTMLCanvasElement | null} */ (document.querySelector("main .stage canvas"));
   const src = canvas && pictures.get(canvas)?.();
-  return src ? el("img", { src, alt: "The muscle in this state" }) : null;
+  return src ? el("img", { src, alt: "The muscle in this state" })
+    : document.querySelector("main .stage svg.joint")?.cloneNode(true) ?? null;
 }
 
 /** The sheet of the page as it is now. */
@@ -49,25 +46,19 @@ function sheet() {
         `mckibben workbench, ${engine().about}`)),
     picture(), el("div", { class: "columns" }, el("div", {}, el("h2", {}, "Inputs"), list(inputs())),
       el("div", {}, el("h2", {}, "Numbers"), .../** @type {Node[]} */ (numbers))), notes ?? null,
-    el("p", { class: "small link" }, location.href.length < 2000 ? location.href : ""));
+    el("p", { class: "small link" }, location.href.length < 2000 ? isLocal() ? location.hash : location.href : ""));
 }
 
 export function printing() {
-  const { dataset } = document.documentElement;
   /** @type {string | undefined} */ let theme;
-  /** Paper is light. @param {string | undefined} to */
-  const repaint = (to) => {
-    if (to) dataset.theme = to;
-    else delete dataset.theme;
-    document.dispatchEvent(new Event("theme"));
-  };
   addEventListener("beforeprint", () => {
-    theme = dataset.theme;
-    repaint("light");
+    ({ theme } = document.documentElement.dataset);
+    // Paper is light.
+    setTheme("light");
     byId("sheet").replaceChildren(sheet());
   });
   addEventListener("afterprint", () => {
     byId("sheet").replaceChildren();
-    repaint(theme);
+    setTheme(theme);
   });
 }

@@ -1,6 +1,6 @@
 // A project: several muscles, measured points, joint and drive in one file, and in this tab until it is closed.
 import { address } from "./address.js";
-import { download, el } from "./dom.js";
+import { button, download, el } from "./dom.js";
 import { everything, fileOf, keepFile, replaceAll } from "./kept.js";
 import { pack } from "./deflate.js";
 import { muscle } from "./muscle.js";
@@ -9,15 +9,11 @@ import { notice } from "./notice.js";
 
 const FORMAT = "mckibben-project";
 /**
- * A muscle of the project: its file with its name, and where it was looked at.
- * @typedef {{ name: string, file: string, point: Record<string, string> }} Kept
- */
-/**
- * @typedef {{ format: string, version: number, muscles: Kept[], shown: string, words: Record<string, Record<string,
- *   string>>, files: Omit<import("./kept.js").Files, "muscles"> }} Project
+ * @typedef {{ format: string, version: number, muscles: KeptMuscle[], shown: string, words: Record<string, Words>,
+ *   files: Omit<KeptFiles, "muscles"> }} Project
  */
 
-/** @returns {Kept[]} */
+/** @returns {KeptMuscle[]} */
 const kept = () => fileOf("muscles") ?? [];
 /** The point of the present muscle, as words of the address. */
 function point() {
@@ -33,7 +29,7 @@ async function add() {
   keepFile("muscles", [...kept().filter(({ name }) => name !== one.name), one]);
 }
 
-/** @param {Kept} one */
+/** @param {KeptMuscle} one */
 async function show({ file, point }) {
   await pack(file);
   location.hash = address("muscle", { ...point, file });
@@ -82,30 +78,30 @@ export async function openProject(text) {
  */
 export function shelf(fail, close) {
   const list = el("ul", { class: "shelf" });
-  const button = (/** @type {string} */ text, /** @type {() => Promise<void> | void} */ work, title = text) =>
-    el("button", { type: "button", "aria-label": title, onclick: async () => {
+  const act = (/** @type {string} */ text, /** @type {() => Promise<void> | void} */ work, title = text) =>
+    button(text, async () => {
       try {
         await work();
         paint();
       } catch (problem) {
         fail(problem);
       }
-    } }, text);
-  const open = async (/** @type {Kept} */ one) => {
+    }, { "aria-label": title });
+  const open = async (/** @type {KeptMuscle} */ one) => {
     await show(one);
     close();
   };
   function paint() {
     list.replaceChildren(...kept().map((one) =>
       el("li", { class: "row" }, el("span", { class: "grow" }, one.name || nameIn(one.file)),
-        button("Show", () => open(one), `Show ${one.name}`),
-        button("Remove", () => keepFile("muscles", kept().filter((other) => other !== one)), `Remove ${one.name}`))
+        act("Show", () => open(one), `Show ${one.name}`),
+        act("Remove", () => keepFile("muscles", kept().filter((other) => other !== one)), `Remove ${one.name}`))
     ));
   }
   paint();
   return el("div", {}, el("h3", {}, "Project"),
     el("p", { class: "small soft" },
       "Several muscles with their measured points, joint and drive. It lasts until this tab is closed; save it as a file."),
-    list, el("p", { class: "row" }, button("Add this muscle", add), button("Save the project",
+    list, el("p", { class: "row" }, act("Add this muscle", add), act("Save the project",
       async () => download(fileName(muscle.name, ".mckibben.json"), await saved(), "application/json"))));
 }

@@ -45,22 +45,19 @@ export const DRAWINGS = {
   L: () => BODY + dimension(46, 106, 194, 106, "L0"),
   angle: () => BODY + BRAID + ANGLE,
   p: () => BULGED + PRESSURE,
-  e: () =>
-    BULGED + '<path class="ghost" d="M30 33h16v54H30zM194 33h16v54H194z"/>' +
+  e: () => BULGED + '<path class="ghost" d="M30 33h16v54H30zM194 33h16v54H194z"/>' +
     dimension(62, 112, 178, 112, "L = L0 (1 − ε)"),
   F: () => BULGED + PULL,
   k: () => BODY + BRAID + arrow("M122 84 146 36M140 39l6-3v7", "k", [150, 34]),
   sd: () => STRAND + dimension(90, 60, 150, 60, "d"),
   strand_area_mm2: () => STRAND + "<text x='114' y='64'>A</text>",
-  sE: () =>
-    '<path class="strand thick" d="M40 60h160"/>' +
+  sE: () => '<path class="strand thick" d="M40 60h160"/>' +
     arrow("M40 60H14M200 60h26M20 55l-6 5 6 5M220 55l6 5-6 5", "E", [116, 50]),
   seating: () => BULGED + dimension(62, 104, 82, 104, "") + "<text x='86' y='108'>bonded end</text>",
   grip: () => BODY + dimension(46, 104, 70, 104, "") + "<text x='76' y='108'>grip</text>",
   slip: () => BODY + arrow("M30 96h22M46 91l6 5-6 5", "slip under load", [58, 100]),
   bulge: () => BULGED + dimension(120, 25, 120, 95, "D"),
-  stroke: () =>
-    BULGED + '<path class="ghost" d="M194 33h16v54H194z"/>' + dimension(186, 106, 202, 106, "") +
+  stroke: () => BULGED + '<path class="ghost" d="M194 33h16v54H194z"/>' + dimension(186, 106, 202, 106, "") +
     "<text x='120' y='110'>stroke</text>",
   r: () => PULLEY + dimension(150, 60, 150, 38, "") + "<text x='155' y='53'>r</text>",
   phi: () => PULLEY + arrow("M150 60h60M196 60a46 46 0 0 0-5-19", "φ", [202, 52]),
@@ -120,9 +117,7 @@ export function sketches() {
     of = row;
     waits = window.setTimeout(() => show(row), wait);
   };
-  document.addEventListener("pointerover", (event) => {
-    if (event.pointerType !== "touch") over(event, 400);
-  });
+  document.addEventListener("pointerover", (event) => { if (event.pointerType !== "touch") over(event, 400); });
   document.addEventListener("focusin", (event) => {
     if (/** @type {Element} */ (event.target).matches("input[type=text]")) over(event, 250);
   });
@@ -130,9 +125,7 @@ export function sketches() {
   document.addEventListener("pointerdown", (event) => {
     if (!box.contains(/** @type {Node} */ (event.target))) hide();
   });
-  document.addEventListener("keydown", (event) => {
-    if (event.key === "Escape") hide();
-  });
+  document.addEventListener("keydown", (event) => { if (event.key === "Escape") hide(); });
   // What comes above a row may scroll the page, and leaves the row where it is seen.
   const moved = () => Math.abs((of?.getBoundingClientRect().top ?? top) - top) > 4 && !box.hidden;
   addEventListener("scroll", () => { if (moved()) hide(); }, { capture: true, passive: true });

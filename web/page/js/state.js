@@ -1,18 +1,7 @@
 // The muscle of the page as one state, and what every page asks about it. Nothing here touches the document or the
-// engine: the muscle is
-// what the engine says that the muscle file and the fields over it are, and no page makes another one of them.
+// engine: the muscle is what the engine says that the muscle file and the fields over it are.
 
 import { replaced } from "./toml.js";
-
-/**
- * A quantity: key of the address, field of requests, key and table of muscle files, kind, unit of a plain number,
- * name, symbol, what it is, the
- * values that it may have and the one where nothing is stated, and the ends of its slider, where it has one.
- * @typedef {{ key: string, field: string, filed?: string, group?: string, kind: Kind, unit?:
- *   string, label: string, symbol?: string, about?: string,
- *   above?: number, minimum?: number, maximum?: number, usual?: number, low?: number, high?: number, around?: boolean
- * }} Measure
- */
 /**
  * What the page adds to measures of the program, by their fields: short keys of the address, and sliders; of those
  * `around` the muscle's own value the ends are where there is none.
@@ -32,11 +21,6 @@ const OWN = {
 /** Another way to state the cross-section of a strand; no measure of the program. @type {Measure} */
 const STRAND_DIAMETER = { key: "sd", field: "strand_diameter_mm", group: "braid", kind: "length",
   label: "Diameter of a strand", low: 0.05, high: 1 };
-
-/**
- * The muscle in a request: fields of measures, rubber, sleeve, file.
- * @typedef {Omit<Commands["check"]["request"], "pressure_mpa" | "model" | "muscle_file" | "only_data">} Fields
- */
 /** Measures of the muscle, as the program lists them. */
 export let MEASURES = /** @type {Measure[]} */ ([]);
 /**
@@ -48,20 +32,14 @@ export let STIFFNESS = STRAND_DIAMETER;
 
 /** @param {Commands["measures"]["answer"]} answer */
 export function takeMeasures({ measures }) {
-  MEASURES = measures.flatMap(
-    ({ key, group, field, label, quantity, unit, symbol, about, above, minimum, maximum, default: usual }) => {
-      if (!field) return [];
-      // Pressures of a muscle are moduli.
-      const kind =
-        /** @type {Kind} */ (quantity === "pressure" ? "modulus" : quantity ?? "number");
-      const name = label.charAt(0).toUpperCase() + label.slice(1);
-      const own = OWN[field],
-        found =
-          /** @type {Measure} */ ({ ...own, key: own?.key ?? field, field, filed: key, group, kind, label: name, symbol,
-            about, above, minimum, maximum, usual, unit: quantity ? undefined : unit });
-      return found.key === "sE" ? [STRAND_DIAMETER, found] : [found];
-    },
-  );
+  MEASURES = measures.flatMap(({ key, group, field, label, quantity, unit, default: usual, ...rest }) => {
+    if (!field) return [];
+    // Pressures of a muscle are moduli.
+    const kind = /** @type {Kind} */ (quantity === "pressure" ? "modulus" : quantity ?? "number");
+    const found = /** @type {Measure} */ ({ ...rest, ...OWN[field], key: OWN[field]?.key ?? field, field, filed: key,
+      group, kind, usual, label: label.charAt(0).toUpperCase() + label.slice(1), unit: quantity ? undefined : unit });
+    return found.key === "sE" ? [STRAND_DIAMETER, found] : [found];
+  });
   const of = (/** @type {string[]} */ keys) => keys.flatMap((key) => MEASURES.filter((m) => m.key === key));
   QUANTITIES = of(["D", "s", "L", "angle"]);
   STRANDS = of(["sd", "sE"]);
@@ -86,13 +64,6 @@ const NAMES = ["rubber", "braid"];
 /** Stiffnesses that have a name. */
 export const STIFFNESS_NAMES = ["inextensible", "paper"];
 export const FILE = "file";
-
-/**
- * `file`: a muscle file, empty for the prototype; `said`: what is said over it, and nothing else; `p`, and `e` or
- * `F`: where it is asked.
- * @typedef {{ file: string, said: Readonly<Record<string, number | string>>, p: number, e: number, F: number |
- *   undefined }} State
- */
 
 /** The prototype at its usual point. @returns {State} */
 export const prototype = () => ({ file: "", said: {}, p: 0.25, e: 0.15, F: undefined });
@@ -129,7 +100,7 @@ export function say(state, key, value) {
   return { ...state, said };
 }
 
-/** The muscle as fields of a request. @param {State} state @returns {Fields} */
+/** The muscle as fields of a request. @param {State} state @returns {MuscleFields} */
 export function fields({ file, said }) {
   /** @type {Record<string, unknown>} */
   const out = file ? { muscle: { name: "muscle.toml", text: file } } : {};
@@ -143,13 +114,10 @@ export function fields({ file, said }) {
  * @param {{ field: string, message: string }} problem
  */
 export function about({ field, message }) {
-  const at = (
-    /** @type {Measure} */ { filed },
-  ) => (filed && message.includes(filed) ? message.indexOf(filed) : Infinity);
+  const at = (/** @type {Measure} */ { filed }) => (filed ? message.indexOf(filed) : -1);
   // One key may begin with another.
-  const named = MEASURES.filter((m) => at(m) < Infinity).sort((a, b) =>
-    at(a) - at(b) || (b.filed ?? "").length - (a.filed ?? "").length
-  );
+  const named = MEASURES.filter((m) => at(m) >= 0)
+    .sort((a, b) => at(a) - at(b) || (b.filed ?? "").length - (a.filed ?? "").length);
   return ([...MEASURES, ...POINT].find((m) => m.field === field) ?? named[0])?.key;
 }
 
@@ -158,7 +126,7 @@ export const point = ({ p, e, F }) => ({ pressure_mpa: p, ...(F === undefined ? 
 
 /**
  * The muscle file that says the same: the file itself where nothing is said over it.
- * @param {State} state @param {(command: "check", request: Fields & { muscle_file: true, only_data: true }) =>
+ * @param {State} state @param {(command: "check", request: MuscleFields & { muscle_file: true, only_data: true }) =>
  *   Promise<Commands["check"]["answer"]>} ask
  */
 export async function canonical(state, ask) {
@@ -211,10 +179,8 @@ export function words({ file, said, p, e, F }, typed) {
 
 /** Texts of an address that the engine has to read. @param {URLSearchParams} params */
 export function texts(params) {
-  const list = [...MEASURES, ...POINT].filter(({ key }) => params.has(key)).map(({ key, kind }) => ({ key, kind,
-    text: params.get(key) ?? "" })
-  );
-  return list.filter(({ key, text }) => !(key === "k" && STIFFNESS_NAMES.includes(text)));
+  const list = [...MEASURES, ...POINT].map(({ key, kind }) => ({ key, kind, text: params.get(key) ?? "" }));
+  return list.filter(({ key, text }) => params.has(key) && !(key === "k" && STIFFNESS_NAMES.includes(text)));
 }
 
 /**
@@ -224,10 +190,8 @@ export function texts(params) {
  * @returns {{ state: State, wrong: Map<string, string> }}
  */
 export function fromWords(params, readings) {
-  /** @type {Record<string, number | string>} */
-  const said = {};
-  /** @type {Map<string, string>} */
-  const wrong = new Map();
+  /** @type {Record<string, number | string>} */ const said = {};
+  /** @type {Map<string, string>} */ const wrong = new Map();
   const at = { p: prototype().p, e: prototype().e, F: /** @type {number | undefined} */ (undefined) };
   texts(params).forEach(({ key }, i) => {
     const { value, problem } = readings[i];
@@ -254,8 +218,7 @@ const template = (hasMass) => `#:schema joint.schema.json\n\n[joint]\nradius = "
  * was typed over it.
  * @param {string} file the muscle's @param {string} second file of the other one; empty where it is the same
  * @param {{ r?: number, low?: number, high?: number, e0?: number, mass?: number, centre?: number,
-   inertia?: number }} of
- *   mm, degrees, ratio, kg, kg m²; the arm hangs at the neutral angle @param {string} [text] a joint file
+ *   inertia?: number }} of mm, degrees, ratio, kg, kg m²; the arm hangs at the neutral angle @param {string} [text] a joint file
  */
 export function joint(file, second, { r, low, high, e0, mass, centre, inertia }, text = template(Number(mass) > 0)) {
   const other = second ? "muscle-2.toml" : "muscle.toml", neutral = e0 === undefined ? undefined : String(e0);
@@ -291,12 +254,6 @@ export function side(state, own, { model, pressure_mpa, contraction, ...over }) 
     pressure_mpa: /** @type {number} */ (pressure_mpa ?? state.p),
     contraction: /** @type {number} */ (contraction ?? state.e) };
 }
-
-/**
- * What of a candidate makes a muscle.
- * @typedef {{ outer_diameter_mm: number, wall_mm: number, length_mm: number, angle_deg: number, rubber: string,
- *   tube?: string | null, sleeve?: string | null }} Chosen
- */
 /**
  * The muscle of a candidate of a design: what the search chose, with what it was given of the strands.
  * @param {Chosen} candidate @param {Commands["design"]["request"]} asked the request
@@ -305,7 +262,7 @@ export function side(state, own, { model, pressure_mpa, contraction, ...over }) 
 export function candidate(candidate, asked, { p, e }) {
   /** @type {Record<string, number | string>} */
   const said = { D: candidate.outer_diameter_mm, s: candidate.wall_mm, L: candidate.length_mm };
-  if (candidate.tube || asked.rubbers?.length) said.rubber = candidate.rubber;
+  if (candidate.tube || asked.rubbers?.length) said.rubber = candidate.rubber ?? "";
   if (candidate.sleeve) said.braid = candidate.sleeve;
   else said.angle = candidate.angle_deg;
   for (const { key, field } of [...STRANDS, STIFFNESS]) {

@@ -1,21 +1,34 @@
 // Light and dark: as the system has it, or as somebody chose it, which the browser keeps.
-import { isDark } from "./chart.js";
-import { el } from "./dom.js";
+import { button } from "./dom.js";
 import { remembered } from "./kept.js";
+import { signal } from "./life.js";
 
-const chosen = remembered("theme");
-const { dataset } = document.documentElement;
-if (chosen.get()) dataset.theme = chosen.get();
+const chosen = remembered("theme"), changed = signal();
+const system = () => matchMedia("(prefers-color-scheme: dark)");
+/** Is told of another theme. */
+export const onTheme = changed.on;
+export function isDark() {
+  const { theme } = document.documentElement.dataset;
+  return theme ? theme === "dark" : system().matches;
+}
+
+/** Another theme; that of the system without a word. @param {string | undefined} theme */
+export function setTheme(theme) {
+  const { dataset } = document.documentElement;
+  if (theme) dataset.theme = theme;
+  else delete dataset.theme;
+  changed.tell();
+}
 
 export function themeButton() {
-  const button = el("button", { type: "button", onclick: () => {
-    dataset.theme = isDark() ? "light" : "dark";
-    chosen.set(dataset.theme);
-    paint();
-    document.dispatchEvent(new Event("theme"));
-  } });
-  const paint = () => { button.textContent = isDark() ? "Light" : "Dark"; };
+  setTheme(chosen.get());
+  system().addEventListener("change", changed.tell);
+  const other = button("", () => {
+    chosen.set(isDark() ? "light" : "dark");
+    setTheme(chosen.get());
+  });
+  const paint = () => { other.textContent = isDark() ? "Light" : "Dark"; };
   paint();
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", paint);
-  return button;
+  changed.stay(paint);
+  return other;
 }

@@ -16,10 +16,8 @@ export function thinned(text, most = MOST_ROWS) {
 }
 
 /** @param {{ rows: number, kept: number, step: number }} of */
-export const thinnedWords = (
-  { rows, kept, step },
-) => (step === 1
-  ? ""
-  : `The table has ${rows.toLocaleString("en")} rows, more than ${MOST_ROWS.toLocaleString("en")}: every ${
-    step === 2 ? "second" : step === 3 ? "third" : `${step}th`
-  } one is used, ${kept.toLocaleString("en")} points.`);
+export function thinnedWords({ rows, kept, step }) {
+  const [all, most, used] = [rows, MOST_ROWS, kept].map((n) => n.toLocaleString("en"));
+  const which = step === 2 ? "second" : step === 3 ? "third" : `${step}th`;
+  return step === 1 ? "" : `The table has ${all} rows, more than ${most}: every ${which} one is used, ${used} points.`;
+}

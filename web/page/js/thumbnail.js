@@ -2,13 +2,12 @@
 import { body, ground } from "./body.js";
 import { el } from "./dom.js";
 
-/** @typedef {import("./body.js").Measures} Measures */
 const SVG = "http://www.w3.org/2000/svg";
 const WIDTH = 96, HEIGHT = 40;
 
 /**
  * Lengths by their logarithms, so that a muscle of 2 mm and one of 80 mm can both be seen.
- * @param {Measures} of @returns {string} the inside of an SVG of 96 by 40
+ * @param {MuscleMeasures} of @returns {string} the inside of an SVG of 96 by 40
  */
 function drawing({ outer_diameter_mm: D, length_mm: L, angle_deg: angle }) {
   const length = Math.min(74, Math.max(26, 30 + 20 * Math.log2(L / 100))),
@@ -19,7 +18,7 @@ function drawing({ outer_diameter_mm: D, length_mm: L, angle_deg: angle }) {
 
 /**
  * What a muscle of the gallery is besides a muscle: two of them on a pulley, or measured points over it.
- * @type {Record<string, (of: Measures) => string>}
+ * @type {Record<string, (of: MuscleMeasures) => string>}
  */
 const BESIDE = {
   joint: (of) => '<circle cx="78" cy="20" r="9" class="port"/><path d="M78 20 92 8" class="arm"/>'
@@ -31,7 +30,18 @@ const BESIDE = {
 };
 
 /**
- * @param {Measures | undefined} of nothing leaves it empty @param {string} [label] without one it is decoration
+ * A card to click.
+ * @param {() => unknown} act @param {Element} picture @param {string} title @param {string[]} lines the last is small
+ */
+export function card(act, picture, title, ...lines) {
+  const last = lines.length - 1;
+  picture.classList.add("picture");
+  return el("button", { type: "button", class: "card", onclick: act }, picture, el("b", {}, title),
+    ...lines.map((text, i) => el("span", { class: i === last && "small soft" }, text)));
+}
+
+/**
+ * @param {MuscleMeasures | undefined} of nothing leaves it empty @param {string} [label] without one it is decoration
  * @param {string} [page] what it is shown for
  */
 export function thumbnail(of, label, page = "") {

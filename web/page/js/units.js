@@ -1,10 +1,5 @@
 // Quantities as people read them. Inside everything is in mm, MPa, N, degrees; factors come from the engine.
-
-/**
- * Kinds of the engine, moduli (pressures that are always in MPa), and plain numbers (ratios that nobody writes in %).
- * @typedef {Commands["units"]["answer"]["kinds"][number]["kind"]} EngineKind
- * @typedef {EngineKind | "modulus" | "number"} Kind
- */
+import { signal } from "./life.js";
 /** The engine's kind. @param {Kind} kind @returns {EngineKind} */
 export const kindOf = (kind) => (kind === "modulus" ? "pressure" : kind === "number" ? "ratio" : kind);
 /** @type {Map<string, { expectation: string, units: { name: string, multiply: number, divide: number }[] }>} */
@@ -31,11 +26,8 @@ const CHOICES = {
 };
 /** @type {Record<string, string>} */
 const chosen = Object.fromEntries(Object.entries(CHOICES).map(([kind, list]) => [kind, list[0]]));
-/**
- * Those that a click tells, and those that an address tells too: fields, which write nothing into it.
- * @type {Set<() => void>}
- */
-const listeners = new Set(), /** @type {Set<() => void>} */ readers = new Set();
+/** What a click changed, and what an address did. */
+const clicked = signal(), read = signal();
 
 /** @param {Pick<Commands["units"]["answer"], "kinds">} answer of `units` */
 export function takeUnits(answer) {
@@ -54,9 +46,9 @@ export const bareIn = (text, kind) =>
 /** Names of its units. @param {string} kind */
 export const unitsOf = (kind) => (kinds.get(kind)?.units ?? []).map((u) => u.name);
 /** The unit inside. @param {string} kind */
-const baseUnit = (
-  kind,
-) => (kind === "modulus" ? "MPa" : kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "");
+const baseUnit = (kind) => kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "";
+/** The kind of quantities that have a unit inside. @param {string} unit */
+export const kindInside = (unit) => [...kinds.keys()].find((kind) => baseUnit(kind) === unit);
 /** As the engine writes it. @param {string} kind */
 const writtenUnit = (kind) => chosen[kind] ?? baseUnit(kind);
 /** As people write it. @param {string} kind */
@@ -170,7 +162,7 @@ export function changeUnit(kind, name) {
   const next = name ?? list[(list.indexOf(chosen[kind]) + 1) % list.length];
   if (!list.includes(next)) return;
   chosen[kind] = next;
-  listeners.forEach((tell) => tell());
+  clicked.tell();
 }
 /** Names that are not the usual ones, as they stand in an address. */
 export const unitsInAddress = () =>
@@ -180,21 +172,11 @@ export function unitsFromAddress(names) {
   const before = JSON.stringify(chosen);
   for (const [kind, list] of Object.entries(CHOICES))
     chosen[kind] = names.split(",").find((n) => list.includes(n)) ?? list[0];
-  if (JSON.stringify(chosen) !== before) readers.forEach((tell) => tell());
+  if (JSON.stringify(chosen) !== before) read.tell();
 }
-/** @param {() => void} tell */
-export const onUnits = (tell) => {
-  listeners.add(tell);
-  return () => listeners.delete(tell);
-};
-/** Is told of units that a click or an address changed. @param {() => void} tell */
-export const onAnyUnits = (tell) => {
-  listeners.add(tell);
-  readers.add(tell);
-  return () => {
-    listeners.delete(tell);
-    readers.delete(tell);
-  };
-};
+/** Is told of units that a click changed. */
+export const onUnits = clicked.on;
+/** Is told of units that a click or an address changed: fields, which write nothing into it. @param {() => void} tell */
+export const onAnyUnits = (tell) => [clicked, read].forEach((one) => one.on(tell));
 /** Whether it has several units to choose from. @param {string} kind */
 export const hasChoice = (kind) => (CHOICES[kind]?.length ?? 0) > 1;

@@ -5,6 +5,7 @@
 // follows from it on the graphics processor, so that a new shape costs one upload of a few kilobytes.
 import { body } from "./body.js";
 import { el } from "./dom.js";
+import { atEnd } from "./life.js";
 import { FRAGMENT, SURFACE } from "./shaders.js";
 
 const AROUND = 48;
@@ -40,17 +41,23 @@ function program(gl, vertex) {
   return made;
 }
 
+/** A texture whose texels are read as they are. @param {WebGL2RenderingContext} gl */
+function table(gl) {
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+    gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+  return texture;
+}
+
 /** @type {boolean | undefined} */ let slow;
 /** Whether WebGL runs without a graphics processor: smooth edges would then cost more than all the rest. */
 function software() {
   if (slow !== undefined) return slow;
   const gl = document.createElement("canvas").getContext("webgl2");
   const info = gl?.getExtension("WEBGL_debug_renderer_info");
-  slow = Boolean(
-    gl &&
-    info &&
-    /swiftshader|llvmpipe|software|basic render/i.test(String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL))),
-  );
+  slow = Boolean(info &&
+    /swiftshader|llvmpipe|software|basic render/i.test(String(gl?.getParameter(info.UNMASKED_RENDERER_WEBGL))));
   gl?.getExtension("WEBGL_lose_context")?.loseContext();
   return slow;
 }
@@ -126,6 +133,7 @@ export class View {
       this.draw(true);
     });
     this.sized.observe(stage);
+    atEnd(() => this.#destroy());
   }
 
   /** @param {WebGL2RenderingContext} gl */
@@ -135,14 +143,11 @@ export class View {
     const names = Array.from({ length: count }, (_, i) => gl.getActiveUniform(surface, i)?.name ?? "");
     /** @type {Record<string, WebGLUniformLocation | null>} */
     this.places = Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(surface, name)]));
-    this.texture = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, this.texture);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    this.texture = table(gl);
+    this.plugTexture = table(gl);
     gl.enable(gl.DEPTH_TEST);
     this.meshes = new Map();
     this.plug = undefined;
-    this.plugTexture = null;
   }
 
   /**
@@ -293,10 +298,7 @@ export class View {
     const profile = FITTING.map(([a, z]) => [a * r, end + z * r]);
     // The first and the last texel only give the others neighbours.
     const all = [profile[0], ...profile, profile[profile.length - 1]];
-    this.plugTexture ??= gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, this.plugTexture);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     const texels = new Float32Array(all.flatMap(([a, z]) => [a, z, 0, 0]));
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, all.length, 1, 0, gl.RGBA, gl.FLOAT, texels);
     this.plug ??= [1, -1].map((sign) => this.grid(profile.map((_, j) => sign * (j + 1)), round(0)));
@@ -362,12 +364,10 @@ export class View {
   }
 
   /** For a scale bar. */
-  get millimetresPerPixel() {
-    return (2 * (this.half ?? 1)) / Math.max(1, this.width);
-  }
+  get millimetresPerPixel() { return (2 * (this.half ?? 1)) / Math.max(1, this.width); }
 
   /** Nothing of it is kept. */
-  destroy() {
+  #destroy() {
     clearTimeout(this.rest);
     this.sized.disconnect();
     this.gl?.getExtension("WEBGL_lose_context")?.loseContext();
@@ -398,7 +398,7 @@ export class View {
    * Whether a place, as a share of the width, is at the right end of the muscle: its last tenth and what lies beyond.
    * @param {number} share
    */
-  atEnd(share) {
+  #isAtEnd(share) {
     const { restLength } = this.show;
     const now = this.shape?.length_mm ?? restLength;
     const place = 0.5 + ((now - 0.5 * restLength) * Math.cos(this.turn[1])) / (2 * (this.half ?? 1));
@@ -428,7 +428,7 @@ export class View {
       down.set(event.pointerId, event);
       canvas.setPointerCapture(event.pointerId);
       if (down.size > 1) { from = undefined; apart = distance(); return; }
-      const box = canvas.getBoundingClientRect(), end = this.atEnd((event.clientX - box.left) / box.width);
+      const box = canvas.getBoundingClientRect(), end = this.#isAtEnd((event.clientX - box.left) / box.width);
       from = { x: event.clientX, y: event.clientY, turn: [...this.turn], end };
       canvas.style.cursor = end ? "ew-resize" : "grabbing";
     });

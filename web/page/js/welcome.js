@@ -3,7 +3,7 @@
 import { address } from "./address.js";
 import { engine } from "./ask.js";
 import { candidatesView } from "./candidates.js";
-import { byId, el } from "./dom.js";
+import { button, byId, el } from "./dom.js";
 import { form } from "./form.js";
 import { gallery } from "./gallery.js";
 import { remembered } from "./kept.js";
@@ -35,7 +35,7 @@ function question(hide) {
     const mine = ++asking, read = await fields.read();
     if (!read || mine !== asking) return;
     if (read.stroke_mm) delete read.contraction;
-    shown.ask(/** @type {import("./candidates.js").Design["request"]} */ (read));
+    shown.ask(/** @type {Design["request"]} */ (read));
   }
   // What each is.
   for (const [key, { row }] of fields.rows) {
@@ -50,7 +50,7 @@ function question(hide) {
   };
   return { ask, element: el("div", { class: "question" }, el("h2", {}, "What must it pull?"), fields.element,
     shown.element,
-    el("p", { class: "row" }, el("button", { type: "button", onclick: more }, "More wishes, all muscles and the map")),
+    el("p", { class: "row" }, button("More wishes, all muscles and the map", more)),
     el("details", { class: "small" }, el("summary", {}, "The narrowest in words"), shown.said)) };
 }
 
@@ -66,18 +66,18 @@ export function welcome(on) {
     location.hash = `#${page}`;
   };
   box.append(
-    el("button", { type: "button", class: "hide", onclick: () => {
+    button("Hide this", () => {
       hide();
       seen.set("1");
-    } }, "Hide this"),
+    }, { class: "hide" }),
     asked.element,
     el("div", { class: "ways" }, el("h2", {}, "I have a muscle"),
-      el("p", { class: "row" }, el("button", { type: "button", onclick: openDialog }, "Open a file or the library"),
-        el("button", { type: "button", onclick: go("parts") }, "Build it from parts")),
-      gallery(noticeProblem, hide, 1500),
+      el("p", { class: "row" }, button("Open a file or the library", openDialog),
+        button("Build it from parts", go("parts"))),
+      gallery(noticeProblem, hide),
       el("h2", {}, "I have measurements"),
-      el("p", { class: "row" }, el("button", { type: "button", onclick: go("data") }, "Pulls of a muscle"),
-        el("button", { type: "button", onclick: go("rubber") }, "A test of a rubber"))));
+      el("p", { class: "row" }, button("Pulls of a muscle", go("data")),
+        button("A test of a rubber", go("rubber")))));
   // The engine of the search is loaded with the first question, where it is not a server's.
   if (engine().files.length) asked.element.addEventListener("focusin", asked.ask, { once: true });
   else setTimeout(asked.ask, 600);

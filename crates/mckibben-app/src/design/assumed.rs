@@ -24,13 +24,13 @@ pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
     let mut out = vec![];
     if request.max_pressure_mpa.is_none() {
         out.push(format!(
-            "the supply gives {SUPPLY_MPA} MPa, because no pressure is given (`max_pressure_mpa`)"
+            "the supply gives {SUPPLY_MPA}\u{a0}MPa, because no pressure is given (`max_pressure_mpa`)"
         ));
     }
     if length_by(request).is_some() {
         let length_mm = number(spec.base.length_mm(), 5);
         let named = "(`length_mm`, or a muscle file)";
-        out.push(format!("the length L0 is {length_mm} mm, because none is given {named}"));
+        out.push(format!("the length L0 is {length_mm}\u{a0}mm, because none is given {named}"));
     }
     if !spec.tubes.is_empty() {
         let estimated = |braid: &Braid| braid.stiffness_factor > 1.0;
@@ -39,7 +39,7 @@ pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
         }
         let cast = rubbers(spec.tubes.iter().filter(|tube| tube.is_cast)).join(", ");
         if !cast.is_empty() {
-            let least = format!("walls of at least {LEAST_CAST_WALL_MM} mm");
+            let least = format!("walls of at least {LEAST_CAST_WALL_MM}\u{a0}mm");
             out.push(format!("tubes are sold, or cast of {cast} with {least}"));
         }
         return out;
@@ -68,8 +68,9 @@ pub(super) fn thin_wall(muscle: &Muscle) -> Option<String> {
     let least = LEAST.0.max(LEAST.1 * diameter);
     (wall < least * (1.0 - 1e-9)).then(|| {
         let [wall, diameter, least] = [wall, diameter, (10.0 * least).ceil() / 10.0].map(|mm| number(mm, 3));
-        let made =
-            format!("tubes of this diameter have walls of {least} mm or more; limit the walls (`wall_mm`)");
-        format!("a wall of {wall} mm on a tube of {diameter} mm is rarely available: {made}")
+        let made = format!(
+            "tubes of this diameter have walls of {least}\u{a0}mm or more; limit the walls (`wall_mm`)"
+        );
+        format!("a wall of {wall}\u{a0}mm on a tube of {diameter}\u{a0}mm is rarely available: {made}")
     })
 }

@@ -46,7 +46,7 @@ impl Decision<'_> {
             let range = q.uncertainty_n.map(|half| {
                 let [low, high] = [wanted_n - half, wanted_n + half]
                     .map(|n| if n * wanted_n > 0.0 { within(n, half) } else { "0".into() });
-                format!(" ({low} to {high} N, 95 %)")
+                format!(" ({low}\u{a0}N to {high}\u{a0}N, 95 %)")
             });
             format!(
                 "{} at {}{}",
@@ -57,7 +57,7 @@ impl Decision<'_> {
         };
         let points: Vec<String> = first.points.iter().map(point).collect();
         let facts = [
-            first.bulged_diameter_mm().map(|mm| format!("{} mm wide", number(mm, 3))),
+            first.bulged_diameter_mm().map(|mm| format!("{}\u{a0}mm wide", number(mm, 3))),
             first.muscle.mass_g().map(|g| format!("{} g", number(g, 3))),
             first
                 .largest(|q| q.air_normal_litres)

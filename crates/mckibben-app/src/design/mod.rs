@@ -88,7 +88,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     if longer.is_some() {
         let length_mm = crate::number(spec.base.length_mm(), 4);
         let because = "because of a shorter muscle the stroke is too large a share (`length_mm`)";
-        assumptions.insert(0, format!("the length L0 is {length_mm} mm, {because}"));
+        assumptions.insert(0, format!("the length L0 is {length_mm}\u{a0}mm, {because}"));
     }
     if let Some(count) = several.as_ref().and_then(|several| several.count) {
         let said =

@@ -32,10 +32,11 @@ impl RelaxationAnswer {
         let stroke = (request.stroke_mm, request.contraction);
         if let (Relaxation::Contraction { share, .. }, (Some(_), None)) = (&change, stroke) {
             let mm = (spec.base.length_mm() / share).ceil();
-            text += &format!("; or keep the stroke with a length of {mm} mm");
+            text += &format!("; or keep the stroke with a length of {mm}\u{a0}mm");
         }
         if let Demand::Joint(joint) = &spec.wanted {
-            text += &format!(", with a pulley of radius {} mm (`radius_mm`)", number(joint.radius_mm, 5));
+            text +=
+                &format!(", with a pulley of radius {}\u{a0}mm (`radius_mm`)", number(joint.radius_mm, 5));
         }
         Self { change, text }
     }

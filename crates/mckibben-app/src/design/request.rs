@@ -452,7 +452,7 @@ impl DesignRequest {
         if self.length_mm.is_some() {
             let have = largest * length;
             let message = format!(
-                "{stroke} mm, `length_mm` {length} mm and a contraction are too many data: with that length the largest contraction gives {have:.2} mm"
+                "{stroke}\u{a0}mm, `length_mm` {length}\u{a0}mm and a contraction are too many data: with that length the largest contraction gives {have:.2}\u{a0}mm"
             );
             let hint = "leave out `stroke_mm`, `length_mm` or the contraction";
             return Err(wrong(message, hint).in_field("stroke_mm"));

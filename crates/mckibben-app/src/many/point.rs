@@ -166,7 +166,7 @@ impl BoundModel {
 
     /// A derivative that is no number.
     pub(super) fn no_slope(&self, by: &str, p: f64, e: f64) -> Problem {
-        let message = format!("{} has no derivative by {by} at P = {p} MPa, ε = {e}", self.name());
+        let message = format!("{} has no derivative by {by} at P = {p}\u{a0}MPa, ε = {e}", self.name());
         Problem::new(ProblemKind::NoAnswer, message, "leave out `jac`")
     }
 

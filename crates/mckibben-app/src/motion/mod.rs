@@ -470,7 +470,7 @@ fn suction(motion: &Motion) -> Option<String> {
     let lowest = pressures.copied().fold(f64::INFINITY, f64::min);
     (motion.series.liquid && lowest < -SUCTION_MPA).then(|| {
         format!(
-            "the pressure falls to {} MPa: below atmospheric pressure a tube collapses, which is not modelled; withdraw the liquid more slowly, or less of it",
+            "the pressure falls to {}\u{a0}MPa: below atmospheric pressure a tube collapses, which is not modelled; withdraw the liquid more slowly, or less of it",
             number(lowest, 3)
         )
     })

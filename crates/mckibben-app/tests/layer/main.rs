@@ -122,7 +122,7 @@ fn a_named_sleeve_gives_angle_and_stiffness_of_the_tube_that_it_is_on() {
     assert!((wider["angle_deg"].as_f64().unwrap() - 41.04).abs() < 0.01, "{wider}");
     let problem = |request: Value| refusal("check", request);
     let said = problem(json!({ "muscle": { "name": "m.toml", "text": file } })).message;
-    assert!(said.contains("m.toml:5:8: braid.name") && said.contains("from 15 to 35 mm"), "{said}");
+    assert!(said.contains("m.toml:5:8: braid.name") && said.contains("15\u{a0}mm to 35\u{a0}mm"), "{said}");
     // What its seller does not state is an estimate, and marked as one.
     let estimated = reply("check", json!({ "only_data": true, "outer_diameter_mm": 20, "braid": "nfl-19" }));
     assert_eq!(estimated["stiffness_factor"], 3.0);
@@ -195,7 +195,7 @@ fn the_papers_braid_on_a_small_tube_is_a_warning_everywhere() {
     let small = json!({ "outer_diameter_mm": 20, "wall_mm": 1.5, "pressure_mpa": 0.2, "contraction": 0.1, "model": "thick-wall" });
     let said = |answer: &Value| {
         let warnings = answer["warnings"].as_array().unwrap().iter().map(|w| w.as_str().unwrap());
-        warnings.filter(|w| w.contains("the braid `paper` is known for D0 30 to 50 mm")).count()
+        warnings.filter(|w| w.contains("the braid `paper` is known for D0 30\u{a0}mm to 50\u{a0}mm")).count()
     };
     assert_eq!(said(&reply("force", small.clone())), 1);
     let mut named = small.clone();

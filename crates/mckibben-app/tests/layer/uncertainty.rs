@@ -27,11 +27,11 @@ fn the_bench_is_in_the_units_of_the_reader() {
     let text = |p: f64, units: &str| bench(31.4, p, &units.parse().unwrap()).unwrap();
     assert_eq!(
         text(0.3, "bar"),
-        "10 points on both branches at 1 bar and 3 bar would reduce the ± to about 31 N"
+        "10 points on both branches at 1\u{a0}bar and 3\u{a0}bar would reduce the ± to about 31\u{a0}N"
     );
     assert_eq!(
         text(0.25, "MPa"),
-        "10 points on both branches at 0.1 MPa and 0.25 MPa would reduce the ± to about 31 N"
+        "10 points on both branches at 0.1\u{a0}MPa and 0.25\u{a0}MPa would reduce the ± to about 31\u{a0}N"
     );
     assert_eq!(bench(31.4, 0.0, &Units::default()), None);
 }

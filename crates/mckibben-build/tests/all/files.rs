@@ -55,7 +55,7 @@ fn a_sleeve_is_cut_longer_where_it_is_narrower_as_by_hand() {
     let muscle = plan_of(10.0, 1.5, &Wishes::default()).muscle;
     let wishes = Wishes { sleeve_diameter_mm: Some(20.5), ..Wishes::default() };
     let error = Plan::new(muscle.clone(), operating(&muscle, 0.25), &wishes).unwrap_err().to_string();
-    assert!(error.contains("diameters up to 20.0 mm"), "{error}");
+    assert!(error.contains("diameters up to 20.0\u{a0}mm"), "{error}");
 }
 
 /// By hand: mounted with λp = 1.21, a tube of 10 × 1 mm was 11 × 1.1 mm; 200/1.21 + 40 mm of it.
@@ -92,7 +92,7 @@ fn ties_hold_a_thin_muscle_and_ferrules_a_thick_one() {
     assert_eq!(clamps(40.0, 2.0), Clamps::Crimped);
     let muscle = parse_muscle("[terminals]\ninsertion = 1\n").unwrap();
     let error = Plan::new(muscle.clone(), operating(&muscle, 0.25), &Wishes::default()).unwrap_err();
-    assert!(error.to_string().contains("at least 3 mm"), "{error}");
+    assert!(error.to_string().contains("at least 3\u{a0}mm"), "{error}");
 }
 
 /// Every file of every muscle is there and holds no number that is none.

@@ -68,7 +68,7 @@ fn made(
             if target.is_some() {
                 width::in_file();
             }
-            width::broken(&clean::lines(&text())).into_bytes()
+            width::broken(&clean::lines(&text().replace('\u{a0}', " "))).into_bytes()
         }
         Format::Json => format!("{:#}\n", json()?).into_bytes(),
         Format::Csv => {

@@ -125,7 +125,7 @@ pub fn burst_first(warnings: &[impl std::fmt::Display]) -> String {
         return String::new();
     }
     BEHIND.lock().unwrap_or_else(std::sync::PoisonError::into_inner).extend(others);
-    shown::sentence(&first.join("\n")).into_owned() + "\n\n"
+    shown::sentence(&first.join("\n")) + "\n\n"
 }
 
 /// What went wrong, in colour where the terminal shows it and `NO_COLOR` is not set.

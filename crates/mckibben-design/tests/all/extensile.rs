@@ -87,7 +87,7 @@ fn a_pull_and_a_push_at_once_and_strands_of_the_wrong_angle_are_refused() {
     assert!(matches!(design(&mixed, BUILD), Err(SpecError::Refused(_))));
     assert!(matches!(
         design(&spec(-30.0, 0.1, Limits::default()), BUILD),
-        Err(SpecError::Refused(said)) if said.contains("-30 N")
+        Err(SpecError::Refused(said)) if said.contains("-30\u{a0}N")
     ));
     let steep =
         Spec { braid: BraidChoice::Angle(Values::List(vec![30.0])), ..spec(-30.0, -0.1, Limits::default()) };

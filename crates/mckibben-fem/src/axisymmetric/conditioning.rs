@@ -34,7 +34,7 @@ impl Memory {
         let failed = |error| match error {
             FemError::Cancelled(_) => error,
             error => FemError::Refused(format!(
-                "the muscle cannot have been cycled at {pressure_mpa} MPa between rest length and free contraction: {error}; state another tube.material.conditioned"
+                "the muscle cannot have been cycled at {pressure_mpa}\u{a0}MPa between rest length and free contraction: {error}; state another tube.material.conditioned"
             )),
         };
         let mut memory = Self::new(softening, d);

@@ -27,7 +27,7 @@ pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<Point>>
     let rising = pressures_mpa.windows(2).all(|p| p[1] > p[0]);
     if !(first_mpa > 0.0 && rising && pressures_mpa.iter().all(|p| p.is_finite())) {
         return Err(FemError::Refused(format!(
-            "an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here"
+            "an input deck needs rising pressures above zero, the first of them {first_mpa}\u{a0}MPa here"
         )));
     }
     if contraction == 0.0 {

@@ -46,7 +46,7 @@ impl fmt::Display for Unstable {
             n => write!(f, "step {n} of the walk from rest")?,
         }
         let Self { directions, contraction, pressure_mpa: mpa, .. } = self;
-        write!(f, " is not stable ({directions} directions) at contraction {contraction:.4} and {mpa:.4} MPa")
+        write!(f, " is unstable ({directions} directions) at contraction {contraction:.4}, {mpa:.4}\u{a0}MPa")
     }
 }
 

@@ -149,7 +149,7 @@ fn a_pull_that_nothing_can_carry_is_refused_with_the_largest_one() {
         let error = model.reach(w, pull(force, 0.25)).unwrap_err();
         let FemError::OutOfReach { nearest_force_n, contraction, .. } = error else { panic!("{error:?}") };
         assert!((nearest_force_n - 921.0) * force > 0.0 && contraction * force < 0.0, "{error}");
-        assert!(error.to_string().contains("0.25 MPa"), "{error}");
+        assert!(error.to_string().contains("0.25\u{a0}MPa"), "{error}");
     }
 }
 

@@ -160,7 +160,7 @@ fn a_pressure_at_which_no_muscle_was_cycled_is_refused() {
     let law = Law::NeoHookean(NeoHookean { mu_mpa: 1e-4 });
     let error = Axisymmetric::new(&muscle(law, Some(1e6))).unwrap_err().to_string();
     assert!(
-        error.contains("1000000 MPa") && error.contains("state another tube.material.conditioned"),
+        error.contains("1000000\u{a0}MPa") && error.contains("state another tube.material.conditioned"),
         "{error}"
     );
 }

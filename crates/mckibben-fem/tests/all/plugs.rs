@@ -86,7 +86,7 @@ fn plugs_that_a_braid_or_bricks_do_not_have_are_refused() {
 #[test]
 fn an_impossible_plug_is_refused() {
     let message = muscle(BraidStiffness::Inextensible).with(&PLUG_DIAMETER, 40.0).unwrap_err().to_string();
-    assert!(message.contains("40 mm") && message.contains("bore of the tube 16 mm"), "{message}");
+    assert!(message.contains("40\u{a0}mm") && message.contains("bore of the tube 16\u{a0}mm"), "{message}");
 }
 
 /// `universal` has plugs as wide as the bore: its ± covers 95 % of the pulls of finite elements with other plugs, at up to three contractions of random

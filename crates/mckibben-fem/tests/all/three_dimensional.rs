@@ -50,9 +50,7 @@ fn a_pull_that_nothing_can_carry_is_refused_in_words() {
         .unwrap_err();
     let FemError::OutOfReach { nearest_force_n, .. } = error else { panic!("{error:?}") };
     assert!(nearest_force_n > 921.0);
-    assert!(
-        error.to_string().starts_with("rubber and strands cannot carry a pull of 1000000000 N at 0.25 MPa")
-    );
+    assert!(error.to_string().starts_with("rubber and strands cannot carry a pull of 1000000000\u{a0}N at"));
 }
 
 fn divided(text: &str) -> Result<f64, String> {

@@ -118,7 +118,7 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     let (ratio, why) = if middle > 2.5 {
         let why = if highest < 0.06 {
             format!(
-                "the highest pressure is {pressure} MPa; if the column holds bar or MPa under another name, rename it (pressure_bar, pressure_mpa)"
+                "the highest pressure is {pressure}\u{a0}MPa; if the column holds bar or MPa under another name, rename it (pressure_bar, pressure_mpa)"
             )
         } else if middle > 100.0 {
             "is force_n in mN or g?".into()
@@ -130,9 +130,9 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
         (middle, why)
     } else if high < 0.12 {
         let why = if highest > 30.0 {
-            format!("pressures reach {pressure} MPa; if they are kPa, name the column pressure_kpa")
+            format!("pressures reach {pressure}\u{a0}MPa; if they are kPa, name the column pressure_kpa")
         } else if highest > 1.5 {
-            format!("pressures reach {pressure} MPa; if they are bar, name the column pressure_bar")
+            format!("pressures reach {pressure}\u{a0}MPa; if they are bar, name the column pressure_bar")
         } else if high < 0.003 {
             "is force_n in kN?".into()
         } else {
@@ -193,7 +193,7 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
     let (p, e) = (show(a.at.pressure_mpa), show(a.at.contraction));
     let more = if pairs.len() > 1 { format!(", and {} more pairs", pairs.len() - 1) } else { String::new() };
     Some(format!(
-        "{which} contradict each other: {f} and {g} N at the same {p} MPa and contraction {e}{more}{branch}"
+        "{which} contradict each other: {f}\u{a0}N and {g}\u{a0}N at the same {p}\u{a0}MPa and contraction {e}{more}{branch}"
     ))
 }
 

@@ -107,18 +107,15 @@ fn fraction(first: f64, behind: &str) -> Option<(f64, &str)> {
 
 /// The factor of a unit as a fraction, or which error it is.
 pub(super) fn factor(unit: &str, text: &str, expected: Dimension) -> Result<(f64, f64), QuantityError> {
-    if unit.is_empty() {
-        return Ok((1.0, 1.0));
+    match (unit, expected.unit(unit)) {
+        ("", _) => Ok((1.0, 1.0)),
+        (_, Some(unit)) => Ok(unit.fraction),
+        _ => {
+            let other = Dimension::all().find(|d| d.unit(unit).is_some()).map(|d| format!("is {}", d.noun()));
+            let what = other.unwrap_or_else(|| format!("has the unknown unit \"{unit}\""));
+            Err(QuantityError::is(text, &what, expected))
+        }
     }
-    if let Some(unit) = expected.unit(unit) {
-        return Ok(unit.fraction);
-    }
-    let other = Dimension::all().find(|d| d.unit(unit).is_some());
-    let what = match other {
-        Some(other) => format!("is {}", other.noun()),
-        None => format!("has the unknown unit \"{unit}\""),
-    };
-    Err(QuantityError::is(text, &what, expected))
 }
 
 /// Refuses `2,5bar` where one value is wanted. Behind three digits a comma may also have separated thousands.
@@ -127,14 +124,18 @@ fn comma(text: &str, behind: &str) -> Result<(), QuantityError> {
     else {
         return Ok(());
     };
-    let text = text.trim();
     let digits = rest.chars().take_while(char::is_ascii_digit).count();
+    let (whole, decimals) = text.trim().split_once(',').unwrap_or((text, ""));
+    // Points before a comma separate thousands, as commas before a point do.
+    let [pointed, joined] = [".", ""].map(|mark| whole.replace('.', "") + mark + decimals);
     let meant = match digits {
-        3 => format!("{} or {}", text.replacen(',', ".", 1), text.replacen(',', "", 1)),
-        _ => text.replacen(',', ".", 1),
+        _ if whole.split('.').skip(1).any(|group| group.len() != 3) => String::new(),
+        3 if decimals[3..].starts_with('.') => format!("; write {joined}"),
+        3 if !whole.contains('.') => format!("; write {pointed} or {joined}"),
+        _ => format!("; write {pointed}"),
     };
     let why = "is not one number: a point begins the decimals and a comma separates the values of a list";
-    Err(QuantityError::about(text, format!("{why}; write {meant}")))
+    Err(QuantityError::about(text, why.to_owned() + &meant))
 }
 
 /// Reads a quantity and returns it in the unit used inside (mm, MPa, degrees, N, ratio, N/mm, mm²).
@@ -202,8 +203,8 @@ mod tests {
 
     #[test]
     fn a_comma_in_a_number_is_named_with_what_may_be_meant() {
-        for (text, meant) in [("2,5bar", "2.5bar"), ("1,250 kPa", "1.250 kPa or 1250 kPa"), ("0,05", "0.05")]
-        {
+        let cases = "2,5bar|2.5bar; 1,250kPa|1.250kPa or 1250kPa; 1.234,5|1234.5; 1,234.5|1234.5; 0,05|0.05";
+        for (text, meant) in cases.split("; ").filter_map(|case| case.split_once('|')) {
             let error = parse_quantity(text, Dimension::Pressure).unwrap_err();
             assert!(error.to_string().ends_with(&format!("write {meant}")), "{error}");
         }

@@ -26,7 +26,7 @@ fn what_cannot_be_is_said_with_its_values() {
 
     let error = refused(&drive(steps(&[(0.0, 0.0), (0.1, 0.8)]), valve()));
     assert!(
-        error.to_string().starts_with("the command is 0.8 MPa, above the supply pressure of 0.6 MPa"),
+        error.to_string().contains("is 0.8\u{a0}MPa, above the supply pressure of 0.6\u{a0}MPa;"),
         "{error}"
     );
     let error = refused(&drive(Target::Opening(vec![Command::Constant(1.0)]), regulator(0.1)));

@@ -92,8 +92,8 @@ fn no_pressure(
     (nearest_mpa, nearest_n): (f64, f64),
     braid_stops_at: Option<f64>,
 ) -> String {
-    let problem =
-        format!("no pressure gives {} N at a contraction of {}", short(force_n, 4), percent(contraction));
+    let (force, at) = (short(force_n, 4), percent(contraction));
+    let problem = format!("no pressure gives {force}\u{a0}N at a contraction of {at}");
     match braid_stops_at {
         Some(end) => format!(
             "{problem}: this braid contracts by {:.1} % at most (its angle is 54.7° there, and the pull is zero); reduce the contraction, or take a braid with a smaller angle",
@@ -103,7 +103,7 @@ fn no_pressure(
             "{problem}: at that contraction the muscle is slack at every pressure that the {model} model accepts; reduce the contraction"
         ),
         None => format!(
-            "{problem}: the nearest the {model} model reaches is {} N at {} MPa",
+            "{problem}: the nearest the {model} model reaches is {}\u{a0}N at {}\u{a0}MPa",
             short(nearest_n, 4),
             short(nearest_mpa, 6)
         ),
@@ -117,13 +117,14 @@ fn no_contraction(
     (nearest, nearest_n): (f64, f64),
     at_rest_n: Option<f64>,
 ) -> String {
-    let problem = format!("no contraction gives {} N at {} MPa", short(force_n, 4), short(pressure_mpa, 6));
+    let (force, at) = (short(force_n, 4), short(pressure_mpa, 6));
+    let problem = format!("no contraction gives {force}\u{a0}N at {at}\u{a0}MPa");
     let rest = match at_rest_n {
-        Some(f) if nearest < 0.0 => format!("at its length at rest the muscle pulls {} N, and ", short(f, 1)),
+        Some(f) if nearest < 0.0 => format!("at its length at rest it pulls {}\u{a0}N, and ", short(f, 1)),
         _ => String::new(),
     };
     format!(
-        "{problem}: {rest}the nearest the {model} model reaches is {} N at a contraction of {}",
+        "{problem}: {rest}the nearest the {model} model reaches is {}\u{a0}N at a contraction of {}",
         short(nearest_n, 4),
         percent(nearest)
     )

@@ -60,7 +60,7 @@ impl JointModel<'_> {
         let out_of_reach = |sought: String, [least, most]: [f64; 2], unit: &str| JointError::OutOfReach {
             most,
             message: format!(
-                "no pressures up to {max_pressure_mpa} MPa give {sought} at {} deg; the joint reaches {least:.4} to {most:.4} {unit} there",
+                "no pressures up to {max_pressure_mpa}\u{a0}MPa give {sought} at {} deg; the joint reaches {least:.4} to {most:.4} {unit} there",
                 wanted.angle_deg
             ),
         };

@@ -315,7 +315,7 @@ fn a_map_outside_of_a_models_range_is_refused_or_said() {
     muscles[0].muscle = muscles[0].muscle.with_section(30.0, 9.0).unwrap();
     let thick = Joint::new(muscles, None, Link::default(), (-60.0, 60.0)).unwrap();
     for (joint, supply, said) in [
-        (&within, 20.0, "pressure 20 MPa"),
+        (&within, 20.0, "pressure 20\u{a0}MPa"),
         (&stretched, 0.25, "contraction"),
         (&thick, 0.25, "wall_ratio 0.3"),
     ] {

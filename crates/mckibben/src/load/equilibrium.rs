@@ -36,7 +36,7 @@ pub struct Balance {
 pub enum LoadError {
     /// The muscle does not lift it.
     #[error(
-        "at {pressure_mpa} MPa the muscle pulls {pull_n:.1} N at its length at rest, and the load of {load_n:.1} N is not lifted: raise the pressure or take a stronger muscle"
+        "at {pressure_mpa}\u{a0}MPa the muscle pulls {pull_n:.1}\u{a0}N at its length at rest, and the load of {load_n:.1}\u{a0}N is not lifted: raise the pressure or take a stronger muscle"
     )]
     NotLifted {
         /// Pressure in MPa.
@@ -106,7 +106,7 @@ impl Evaluation<'_> {
                 (Some(excess), _) if excess < 0.0 => not_lifted(excess, 0.0),
                 (None, Some(error)) => error.into(),
                 _ => LoadError::Beyond(format!(
-                    "at {pressure_mpa} MPa the muscle pulls more than the load up to a contraction of {end:.4}, where {limit} ends"
+                    "at {pressure_mpa}\u{a0}MPa the muscle pulls more than the load up to a contraction of {end:.4}, where {limit} ends"
                 )),
             });
         }

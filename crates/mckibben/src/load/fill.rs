@@ -65,7 +65,7 @@ pub struct Fill {
 pub enum FillError {
     /// More than the model answers for.
     #[error(
-        "the muscle takes {:.4} cm³ up to {pressure_mpa} MPa and a contraction of {contraction:.4}, where the range of the model or of the load ends, and {:.4} cm³ are too much: push in less",
+        "the muscle takes {:.4} cm³ up to {pressure_mpa}\u{a0}MPa and a contraction of {contraction:.4}, where the range of the model or of the load ends, and {:.4} cm³ are too much: push in less",
         1e-3 * .largest_mm3, 1e-3 * .volume_mm3
     )]
     TooLarge {

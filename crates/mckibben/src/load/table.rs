@@ -21,14 +21,14 @@ impl LoadTable {
         if let Some(i) = points.iter().position(|(x, f)| !(x.is_finite() && f.is_finite())) {
             let (shortening_mm, force_n) = points[i];
             return Err(refused(format!(
-                "point {point} of the load is {shortening_mm} mm, {force_n} N: both must be finite numbers",
+                "point {point} of the load is {shortening_mm}\u{a0}mm, {force_n}\u{a0}N: both must be finite numbers",
                 point = i + 1
             )));
         }
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         match points.windows(2).find(|w| w[0].0 == w[1].0) {
             Some(twice) => {
-                Err(refused(format!("the load has two points at a shortening of {} mm", twice[0].0)))
+                Err(refused(format!("the load has two points at a shortening of {}\u{a0}mm", twice[0].0)))
             }
             None => Ok(Self { points }),
         }
@@ -80,7 +80,7 @@ mod tests {
     fn what_is_no_line_is_refused() {
         let refused = [
             (vec![(0.0, 1.0)], "there are 1"),
-            (vec![(1.0, 1.0), (0.0, 1.0), (1.0, 2.0)], "two points at a shortening of 1 mm"),
+            (vec![(1.0, 1.0), (0.0, 1.0), (1.0, 2.0)], "two points at a shortening of 1\u{a0}mm"),
             (vec![(0.0, f64::NAN), (1.0, 1.0)], "finite"),
         ];
         for (points, said) in refused {

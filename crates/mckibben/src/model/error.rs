@@ -52,7 +52,7 @@ pub enum ModelError {
     },
     /// Strands so soft, or a pressure so high, that no equilibrium exists.
     #[error(
-        "no equilibrium at {pressure_mpa} MPa and contraction {contraction}: the strands would stretch past {strand_stretch:.2} times their length; lower the pressure or take a stiffer braid"
+        "no equilibrium at {pressure_mpa}\u{a0}MPa and contraction {contraction}: the strands would stretch past {strand_stretch:.2} times their length; lower the pressure or take a stiffer braid"
     )]
     Overstretched {
         /// Pressure in MPa.
@@ -79,7 +79,7 @@ pub enum ModelError {
     NoEquilibrium(String),
     /// An iteration did not converge.
     #[error(
-        "no equilibrium found at {pressure_mpa} MPa and contraction {contraction}; try a nearby point, or another model"
+        "no equilibrium found at {pressure_mpa}\u{a0}MPa and contraction {contraction}; try a nearby point, or another model"
     )]
     NotConverged {
         /// Pressure in MPa.
@@ -105,7 +105,7 @@ pub enum ModelError {
     #[error("the model {0} has no volume of the cavity: take fe or thick-wall for measured volumes")]
     NoVolume(String),
     /// A formula that is not finite here.
-    #[error("the {model} formula has no finite value at {pressure_mpa} MPa and contraction {contraction}")]
+    #[error("the {model} formula has no value at {pressure_mpa}\u{a0}MPa and contraction {contraction}")]
     NotFinite {
         /// The model's name.
         model: String,

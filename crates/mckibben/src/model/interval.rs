@@ -85,18 +85,18 @@ pub struct RangeViolation {
 impl fmt::Display for RangeViolation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Interval { quantity: Quantity { name, unit }, low, high } = self.interval;
-        let space = if unit.is_empty() { "" } else { " " };
+        let unit = if unit.is_empty() { String::new() } else { format!("\u{a0}{unit}") };
         let round = |v: f64| (v * 1e6).round() / 1e6;
         let (rounded, low, high) = (round(self.value), round(low), round(high));
         // A hair beyond the bound is shown as it is.
         let hidden = rounded >= low && rounded <= high;
         let value = if hidden { format!("{:.1e}", self.value) } else { rounded.to_string() };
         if low == high {
-            write!(f, "{name} {value}{space}{unit}, which must be {low}{space}{unit}")
+            write!(f, "{name} {value}{unit}, which must be {low}{unit}")
         } else if high.is_infinite() {
-            write!(f, "{name} {value}{space}{unit}, which must be at least {low}{space}{unit}")
+            write!(f, "{name} {value}{unit}, which must be at least {low}{unit}")
         } else {
-            write!(f, "{name} {value}{space}{unit}, outside {low} to {high}{space}{unit}")
+            write!(f, "{name} {value}{unit}, outside {low}{unit} to {high}{unit}")
         }
     }
 }

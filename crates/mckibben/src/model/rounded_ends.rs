@@ -33,7 +33,7 @@ pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let least_mm = 2.0 * braid.r0 * cot2;
     if braid.length <= least_mm {
         return Err(ModelError::TooShort(format!(
-            "the {} model needs a muscle longer than {least_mm:.1} mm (its outer diameter times cot² of its braid angle); this one is {} mm: its ends would take up more than the middle gives",
+            "the {} model needs a muscle longer than {least_mm:.1}\u{a0}mm (its outer diameter times cot² of its braid angle); this one is {}\u{a0}mm: its ends would take up more than the middle gives",
             ENTRY.name, braid.length
         )));
     }

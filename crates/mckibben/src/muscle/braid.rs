@@ -138,7 +138,7 @@ impl Braid {
                 ["braid.angle"],
                 || {
                     format!(
-                        "braid.angle is {angle_deg} deg, but {name} has {of_sleeve_deg:.2} deg on a tube of {outer_diameter_mm} mm: leave one of them out"
+                        "braid.angle is {angle_deg} deg, but {name} has {of_sleeve_deg:.2} deg on a tube of {outer_diameter_mm}\u{a0}mm: leave one of them out"
                     )
                 },
             )?;
@@ -194,14 +194,14 @@ impl Braid {
             ["braid.thickness", "tube.outer_diameter"],
             || {
                 format!(
-                    "braid.thickness is {thickness_mm} mm; it must be below the tube's outer diameter of {outer_diameter_mm} mm (both layers of strands, not the sleeve's diameter)"
+                    "braid.thickness is {thickness_mm}\u{a0}mm; it must be below the tube's outer diameter of {outer_diameter_mm}\u{a0}mm (both layers of strands, not the sleeve's diameter)"
                 )
             },
         )?;
         let diameter_mm = self.diameter_mm.unwrap_or(outer_diameter_mm);
         Refused::unless(diameter_mm >= outer_diameter_mm, ["braid.diameter", "tube.outer_diameter"], || {
             format!(
-                "braid.diameter is {diameter_mm} mm, but the tube has an outer diameter of {outer_diameter_mm} mm: a sleeve that is pulled over a wider tube has the angle that it takes there; give that angle and leave the diameter out"
+                "braid.diameter is {diameter_mm}\u{a0}mm, but the tube has an outer diameter of {outer_diameter_mm}\u{a0}mm: a sleeve that is pulled over a wider tube has the angle that it takes there; give that angle and leave the diameter out"
             )
         })
     }
@@ -213,7 +213,7 @@ impl Braid {
         let scaled = self.stiffness == BraidStiffness::Paper && !(least..=largest).contains(&d);
         scaled.then(|| {
             format!(
-                "the braid `paper` is known for D0 {least} to {largest} mm; on {d} mm its stiffness is scaled like D0^{}, which no sleeve does: name a sleeve, or state stiffness or strands",
+                "the braid `paper` is known for D0 {least}\u{a0}mm to {largest}\u{a0}mm; on {d}\u{a0}mm its stiffness is scaled like D0^{}, which no sleeve does: name a sleeve, or state stiffness or strands",
                 Self::PAPER_EXPONENT
             )
         })

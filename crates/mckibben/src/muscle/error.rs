@@ -13,7 +13,7 @@ pub(super) fn must(key: &'static str, value: f64, unit: &str, must: &str) -> Mus
         "terminals.cone_factor" => Some("model.conical-ends.cone_factor"),
         _ => None,
     };
-    let given = format!("{value} {unit}");
+    let given = format!("{value}\u{a0}{unit}");
     let message = format!("{key} is {}; it must {must}", given.trim_end());
     MuscleError::new([field].into_iter().chain(of_model), message)
 }

@@ -88,7 +88,7 @@ impl Muscle {
         if let Some(MeasuredStrand { strand_length_mm, .. }) = braid.measured {
             Refused::unless(strand_length_mm > length_mm, ["braid.strand_length"], || {
                 format!(
-                    "braid.strand_length is {strand_length_mm} mm, not above the muscle's length of {length_mm} mm, which it must span slantwise"
+                    "braid.strand_length is {strand_length_mm}\u{a0}mm, not above the muscle's length of {length_mm}\u{a0}mm, which it must span slantwise"
                 )
             })?;
         }
@@ -101,13 +101,13 @@ impl Muscle {
         let (seating_mm, grip_mm) = (terminals.seating_mm.unwrap_or(0.0), terminals.grip_mm.unwrap_or(0.0));
         Refused::unless(seating_mm < length_mm, ["terminals.seating", "tube.length"], || {
             format!(
-                "terminals.seating is {seating_mm} mm; it must be below the muscle's length of {length_mm} mm"
+                "terminals.seating is {seating_mm}\u{a0}mm; it must be below the muscle's length of {length_mm}\u{a0}mm"
             )
         })?;
         let held_mm = seating_mm + 2.0 * grip_mm;
         Refused::unless(held_mm < length_mm, ["terminals.grip", "tube.length"], || {
             format!(
-                "terminals.grip is {grip_mm} mm at each end; twice that, with a seating of {seating_mm} mm, must be below the muscle's length of {length_mm} mm"
+                "terminals.grip is {grip_mm}\u{a0}mm at each end; twice that, with a seating of {seating_mm}\u{a0}mm, must be below the muscle's length of {length_mm}\u{a0}mm"
             )
         })?;
         let (plug_mm, bore_mm) = (2.0 * parts.plug_radius_mm(), 2.0 * tube.inner_radius_mm());
@@ -115,13 +115,13 @@ impl Muscle {
         let closes = (least * bore_mm..=largest * bore_mm).contains(&plug_mm);
         Refused::unless(closes, ["terminals.plug_diameter", "tube.outer_diameter"], || {
             format!(
-                "terminals.plug_diameter is {plug_mm} mm, and the bore of the tube {bore_mm} mm: a plug has between half of the bore and twice the bore"
+                "terminals.plug_diameter is {plug_mm}\u{a0}mm, and the bore of the tube {bore_mm}\u{a0}mm: a plug has between half of the bore and twice the bore"
             )
         })?;
         let widened = braid.angle_rad().sin() * parts.clamped_radius_mm() / tube.outer_radius_mm();
         Refused::unless(widened < 1.0, ["terminals.plug_diameter", "braid.angle"], || {
             format!(
-                "terminals.plug_diameter is {plug_mm} mm; a braid with an angle of {} degrees does not widen to the tube on it, with an outer diameter of {:.1} mm: take a narrower plug",
+                "terminals.plug_diameter is {plug_mm}\u{a0}mm; a braid with an angle of {} degrees does not widen to the tube on it, with an outer diameter of {:.1}\u{a0}mm: take a narrower plug",
                 braid.angle_deg,
                 2.0 * parts.clamped_radius_mm()
             )
@@ -278,7 +278,7 @@ impl Muscle {
         let off = |a: f64, b: f64| (a / b - 1.0).abs() > SHARE;
         (off(measured.strand_length_mm, length) || off(measured.turns, turns)).then(|| {
             format!(
-                "a strand of {} mm with {} turns contradicts the angle of {}°, by which it would have {length:.1} mm and {turns:.2} turns; only belforte uses the strand, all else the angle",
+                "a strand of {}\u{a0}mm with {} turns contradicts the angle of {}°, by which it would have {length:.1}\u{a0}mm and {turns:.2} turns; only belforte uses the strand, all else the angle",
                 measured.strand_length_mm, measured.turns, self.parts.braid.angle_deg
             )
         })

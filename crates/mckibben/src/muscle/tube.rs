@@ -51,7 +51,7 @@ impl Tube {
         let wall_mm = self.wall_mm;
         Refused::unless(wall_mm < radius_mm, ["tube.wall_thickness", "tube.outer_diameter"], || {
             format!(
-                "tube.wall_thickness is {wall_mm} mm, but the radius is {radius_mm} mm: the wall must be thinner than the radius (half of tube.outer_diameter)"
+                "tube.wall_thickness is {wall_mm}\u{a0}mm, but the radius is {radius_mm}\u{a0}mm: the wall must be thinner than the radius (half of tube.outer_diameter)"
             )
         })?;
         self.rubber.check()

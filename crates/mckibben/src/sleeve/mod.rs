@@ -96,11 +96,11 @@ impl SleeveShape {
         match angle {
             Some(angle_deg) if angle_deg < NEUTRAL_ANGLE_DEG => Ok(angle_deg),
             Some(angle_deg) => Err(wrong(format!(
-                "{name} has an angle of {angle_deg:.2} deg on {on} mm, and a muscle contracts below 54.7356 deg only: from {least} to {} mm",
+                "{name} has an angle of {angle_deg:.2} deg on {on}\u{a0}mm, and a muscle contracts below 54.7356 deg only: from {least}\u{a0}mm to {}\u{a0}mm",
                 short(self.helix.diameter_mm(NEUTRAL_ANGLE_DEG))
             ))),
             None => Err(wrong(format!(
-                "{name} fits tubes from {least} to {} mm; the tube has an outer diameter of {on} mm",
+                "{name} fits tubes from {least}\u{a0}mm to {}\u{a0}mm; the tube has an outer diameter of {on}\u{a0}mm",
                 short(largest_mm)
             ))),
         }

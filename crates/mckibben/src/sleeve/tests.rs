@@ -97,10 +97,10 @@ fn a_tube_outside_of_the_range_is_told_both_bounds() {
     let shape = library::find("nfl-19").unwrap().shape;
     let message = |d| shape.angle_deg_on(d).unwrap_err().to_string();
     for d in [14.9, 35.1, 0.0, -3.0, f64::NAN, f64::INFINITY] {
-        assert!(message(d).contains("fits tubes from 15 to 35 mm"), "{}", message(d));
+        assert!(message(d).contains("fits tubes from 15\u{a0}mm to 35\u{a0}mm"), "{}", message(d));
     }
     assert!(
-        message(34.0).contains("63.24 deg") && message(34.0).contains("from 15 to 31.0913 mm"),
+        message(34.0).contains("63.24 deg") && message(34.0).contains("from 15\u{a0}mm to 31.0913\u{a0}mm"),
         "{}",
         message(34.0)
     );
@@ -225,7 +225,7 @@ fn the_papers_braid_beyond_its_diameters_is_a_warning() {
     for d in [10.0, 29.9, 50.1] {
         assert_eq!(at(d).len(), 1, "{d}");
         assert!(
-            at(d)[0].contains("D0 30 to 50 mm") && at(d)[0].contains(&format!("on {d} mm")),
+            at(d)[0].contains("D0 30\u{a0}mm to 50\u{a0}mm") && at(d)[0].contains(&format!("on {d}\u{a0}mm")),
             "{:?}",
             at(d)
         );

@@ -10,8 +10,7 @@ export function along({ arrays, stations, across }) {
     return [...half.slice(1).reverse().map((x) => sign * x), ...half];
   };
   const radius = (/** @type {number} */ i) => mirror((j) => outside("length", arrays.r_mm[j * across + i]), 1);
-  const x = mirror((j) => outside("length", arrays.z_mm[j * across + across - 1]), -1),
-    unit = unitName("length");
+  const x = mirror((j) => outside("length", arrays.z_mm[j * across + across - 1]), -1), unit = unitName("length");
   return {
     x: `z from the middle [${unit}]`,
     y: `radius [${unit}], strand angle [°]`,

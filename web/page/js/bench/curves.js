@@ -2,13 +2,14 @@
 import { Slot } from "../ask.js";
 import { Chart, KINDS } from "../chart.js";
 import { el, tabs } from "../dom.js";
+import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
+import { onTheme } from "../theme.js";
 import { outside, unitName } from "../units.js";
 import { along } from "./along.js";
 import { FAMILY, OVERLAYS, familyOf, familySeries, overlay, ownOf, ownSeries, reachOf } from "./family.js";
 import { Points } from "./points.js";
 
-/** @typedef {import("./family.js").Answer} Answer */
 const TESTS = /** @type {[string, string][]} */ ([
   ["isobaric", "Isobaric"], ["isometric", "Isometric"], ["isotonic", "Isotonic"], ["along", "Along the muscle"]]);
 
@@ -18,9 +19,9 @@ export class Curves {
     this.store = store;
     const slot = () => new Slot({ lane: "curves" });
     this.slots = { family: slot(), own: slot(), over: slot(), exact: slot() };
-    /** @type {{ test: string, answer: Answer, top: number } | undefined} */ this.family = undefined;
-    /** @type {{ test: string, answer: Answer } | undefined} */ this.own = undefined;
-    /** @type {Answer[]} */ this.overlays = [];
+    /** @type {{ test: string, answer: CurveAnswer, top: number } | undefined} */ this.family = undefined;
+    /** @type {{ test: string, answer: CurveAnswer } | undefined} */ this.own = undefined;
+    /** @type {CurveAnswer[]} */ this.overlays = [];
     /** What was asked last. */
     this.keys = { family: "", own: "", over: "" };
     this.timer = 0;
@@ -38,8 +39,8 @@ export class Curves {
     });
     store.on("problem", () => this.mark());
     store.on("facts", () => this.soon());
-    this.redraw = () => this.draw();
-    document.addEventListener("theme", this.redraw);
+    onTheme(() => this.draw());
+    atEnd(() => clearTimeout(this.timer));
   }
 
   /** The mark is dragged along its curve. @param {number} x @param {boolean} settled */
@@ -74,13 +75,14 @@ export class Curves {
 
   /**
    * Asks what was not asked yet.
-   * @param {"family" | "own"} what @param {string} key @param {object} request @param {(answer: Answer) => void} take
+   * @param {"family" | "own"} what @param {string} key @param {object} request
+   * @param {(answer: CurveAnswer) => void} take
    */
   once(what, key, request, take) {
     if (key === this.keys[what]) return;
     this.keys[what] = key;
     const test = /** @type {"isobaric" | "isometric" | "isotonic"} */ (this.store.wanted.test);
-    const done = (/** @type {Answer} */ answer) => { take(answer); this.draw(); };
+    const done = (/** @type {CurveAnswer} */ answer) => { take(answer); this.draw(); };
     const fail = () => {
       this.keys[what] = "";
       if (what !== "own") return;
@@ -97,11 +99,11 @@ export class Curves {
     const key = JSON.stringify([names, fields, muscle.p, contractions]);
     if (key === this.keys.over) return;
     this.keys.over = key;
-    const found = /** @type {Answer[]} */ ([]), test_ = /** @type {const} */ ("isobaric");
+    const found = /** @type {CurveAnswer[]} */ ([]), test_ = /** @type {const} */ ("isobaric");
     const common = { test: test_, ...fields, extrapolate: true, pressures_mpa: [muscle.p], contractions };
     const next = () => {
       if (this.keys.over !== key) return;
-      const model = names.shift(), take = (/** @type {Answer} */ answer) => { found.push(answer); next(); };
+      const model = names.shift(), take = (/** @type {CurveAnswer} */ answer) => { found.push(answer); next(); };
       if (model) return this.slots.over.ask("curve", { ...common, model }, take, next);
       this.overlays = found;
       this.draw();
@@ -153,17 +155,8 @@ export class Curves {
   /** What the address says. */
   load() {
     const { test, over } = this.store.wanted;
-    const buttons = this.tab.list.querySelectorAll("button");
-    buttons.forEach((b) => b.setAttribute("aria-selected", String(b.dataset.name === test)));
+    this.tab.set(test);
     this.over.set(over.split(","));
-  }
-
-  end() {
-    clearTimeout(this.timer);
-    document.removeEventListener("theme", this.redraw);
-    Object.values(this.slots).forEach((slot) => slot.end());
-    this.points.end();
-    this.chart.destroy();
   }
 }
 

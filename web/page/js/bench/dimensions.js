@@ -99,8 +99,7 @@ function drawing({ ends, rest, up, radius, bulge }, shape, { restRadius, restLen
   const round = `<path class="over" d="M${at(top)}L${at(bottom)}"/><path d="M${at(top)}L${at(off(top, GAP))}"/>`;
   const words = (/** @type {Place} */ [x, y], /** @type {string} */ text, anchor = "middle") =>
     `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" text-anchor="${anchor}">${text}</text>`;
-  const below = middle(line),
-    above = off(top, GAP + 4);
+  const below = middle(line), above = off(top, GAP + 4);
   const atRest = `dashed: at rest ⌀ ${show("length", 2 * restRadius, 4)}, L0 ${show("length", restLength, 4)}`;
   return `${ghost}${long}${round}${words([below[0], below[1] + 15], `L ${show("length", shape.length_mm, 4)}`)}`
     + `${words(above, `⌀ ${show("length", shape.bulged_diameter_mm ?? 2 * restRadius, 4)}`)}`

@@ -1,11 +1,10 @@
 // Families of curves of the page Muscle: what is asked for them, and their answers as series.
-import { KINDS, isDark, isobar, pressureColour, viridis } from "../chart.js";
+import { KINDS, isobar, pressureColour, shade } from "../chart.js";
 import { muscle } from "../muscle.js";
 import { inside, outside, show } from "../units.js";
 import { niceUp, twoDigits } from "./round.js";
 
-/** @typedef {Commands["curve"]["answer"]} Answer */
-/** @typedef {Answer["points"][number]} Point */
+/** @typedef {CurveAnswer["points"][number]} Point */
 /** Other models that can be laid over. */
 export const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
 /** Points of a curve of the family, and of that of the state. */
@@ -68,17 +67,15 @@ function line(list, test) {
 }
 
 /**
- * @param {Answer} answer @param {string} test @param {number} top
- * @param {Answer | undefined} own a curve that is drawn besides
+ * @param {CurveAnswer} answer @param {string} test @param {number} top
+ * @param {CurveAnswer | undefined} own a curve that is drawn besides
  */
 export function familySeries(answer, test, top, own) {
   const count = answer.points.length / answer.fixed.length;
-  const hue = (/** @type {number} */ i) =>
-    isDark() ? viridis(0.3 + (0.7 * i) / answer.fixed.length, 1) : viridis(i / answer.fixed.length);
   return answer.fixed.flatMap((fixed, i) => {
     if (own && Math.abs(own.fixed[0] - fixed) < 1e-9) return [];
     const name = named(fixed, test),
-      colour = test === "isobaric" ? pressureColour(fixed, top) : hue(i);
+      colour = test === "isobaric" ? pressureColour(fixed, top) : shade(i / answer.fixed.length);
     return [
       /** @type {Series} */ ({ name, end: name, at: test === "isobaric" ? "start" : "end", colour,
         smooth: true, fixed, ...line(answer.points.slice(i * count, (i + 1) * count), test) }),
@@ -88,7 +85,7 @@ export function familySeries(answer, test, top, own) {
 
 /**
  * The curve of the state; both branches of its loop, where the friction is known.
- * @param {Answer} answer @param {string} test @param {number} top
+ * @param {CurveAnswer} answer @param {string} test @param {number} top
  */
 export function ownSeries(answer, test, top) {
   const name = named(answer.fixed[0], test),
@@ -107,7 +104,7 @@ export function ownSeries(answer, test, top) {
   });
 }
 
-/** @param {Answer} answer of another model */
+/** @param {CurveAnswer} answer of another model */
 export function overlay(answer) {
   const colour = KINDS[OVERLAYS.indexOf(answer.model) + 1] ?? KINDS[6];
   const { half, ...curve } = isobar(answer.points);

@@ -1,13 +1,12 @@
 // The numbers of the page Muscle: the pull with the parts of its ±, the margins, and what the engine warns of.
 import { engine } from "../ask.js";
-import { capital, el } from "../dom.js";
+import { button, capital, el } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { number, show, withUncertainty } from "../units.js";
 import { inWords } from "../words.js";
 import { partsView } from "./parts.js";
 import { solveView } from "./solve.js";
 import { tornadoView } from "./tornado.js";
-
 
 /** @param {Store} store */
 export function numbersView(store) {
@@ -16,16 +15,10 @@ export function numbersView(store) {
   const parts = partsView(store), tornado = tornadoView(store), solve = solveView(store);
   /** @type {HTMLElement[]} */ const values = [];
   let noted = "";
-  const half = el("button", {
-    type: "button",
-    class: "bare",
-    "aria-expanded": false,
-    title: "What the ± is made of",
-    onclick: () => {
-      parts.element.hidden = !parts.element.hidden;
-      half.setAttribute("aria-expanded", String(!parts.element.hidden));
-    },
-  });
+  const half = button("", () => {
+    parts.element.hidden = !parts.element.hidden;
+    half.setAttribute("aria-expanded", String(!parts.element.hidden));
+  }, { class: "bare", "aria-expanded": "false", title: "What the ± is made of" });
   const pull = el("span", {});
 
   function paint() {
@@ -58,7 +51,7 @@ export function numbersView(store) {
   }
   store.on("answer", paint);
   store.on("facts", paint);
-  return { element, paint, end() { tornado.end(); solve.end(); } };
+  return { element, paint };
 }
 
 /** @param {HTMLElement} element @param {string} text */
@@ -110,11 +103,8 @@ function meter(name, value, limit, text, from = 0) {
 /** @param {Store} store @param {NonNullable<Store["point"]>} point */
 function warned({ facts }, point) {
   const own = facts.said?.state === muscle.state ? facts.said.warnings : [];
-  const list = [...new Set([...own, .../** @type {string[]} */ (point.warnings ?? [])])].map((w) =>
-    capital(inWords(w)),
-  );
-  const unknown = muscle.unknown.length
-    ? [`Not understood in the address: ${muscle.unknown.map(([k]) => k).join(", ")}`]
-    : [];
-  return [...list, ...muscle.wrong.values(), ...unknown];
+  const unknown = muscle.unknown.map(([key]) => key).join(", ");
+  const list = new Set([...own, ...(point.warnings ?? []), ...muscle.wrong.values(),
+    unknown && `Not understood in the address: ${unknown}`]);
+  return [...list].filter(Boolean).map((w) => capital(inWords(w)));
 }

@@ -21,8 +21,7 @@ const PARTS = {
 
 /** @param {Store} store */
 export function partsView(store) {
-  const list = el("dl", { class: "parts" }),
-    note = el("p", { class: "small soft" });
+  const list = el("dl", { class: "parts" }), note = el("p", { class: "small soft" });
   const element = el("div", { class: "breakdown", role: "region", "aria-label": "Parts of the ±", hidden: true }, list,
     note);
   let key = "";

@@ -1,7 +1,8 @@
 // Measured points over the isobars, with their residuals against the muscle as it is now.
-import { Slot, engine } from "../ask.js";
+import { Slot } from "../ask.js";
 import { pressureColour } from "../chart.js";
-import { el, problemBox } from "../dom.js";
+import { button, el, problemBox } from "../dom.js";
+import { job } from "../form.js";
 import { measured, onMeasured } from "../measured.js";
 import { muscle } from "../muscle.js";
 import { outside, show } from "../units.js";
@@ -19,11 +20,19 @@ export class Points {
     this.key = "";
     this.words = el("span", {});
     this.said = el("div", {});
-    this.fit = el("button", { type: "button", onclick: () => this.identify() }, "Fit the rubber");
-    const remove = el("button", { type: "button", onclick: () => measured.set(undefined) }, "Remove the points");
-    this.line = el("div", { class: "row small", hidden: true }, this.words, this.fit, remove);
+    // The shear modulus that fits them best becomes the muscle's.
+    const fit = job("Fit the rubber", "identify", async () => measured.file && this.request(measured.file),
+      async ({ muscle_file: file }) => {
+        await muscle.take(file);
+        store.tell("sync");
+        store.ask();
+        store.follow();
+        store.settle();
+      });
+    const remove = button("Remove the points", () => measured.set(undefined));
+    this.line = el("div", { class: "row small", hidden: true }, this.words, fit.element, remove);
     this.element = el("div", { class: "points" }, this.line, this.said);
-    this.off = onMeasured(() => this.read());
+    onMeasured(() => this.read());
   }
 
   /** The question of an identification. @param {{ name: string, text: string }} table */
@@ -62,25 +71,6 @@ export class Points {
     }, (problem) => { this.key = ""; this.said.replaceChildren(problemBox(problem)); });
   }
 
-  /** The shear modulus that fits them best becomes the muscle's. */
-  async identify() {
-    if (!measured.file) return;
-    const { store } = this;
-    this.fit.disabled = true;
-    this.said.replaceChildren();
-    try {
-      const answer = await engine().ask("identify", this.request(measured.file));
-      await muscle.take(answer.muscle_file);
-      store.tell("sync");
-      store.ask();
-      store.follow();
-      store.settle();
-    } catch (problem) {
-      this.said.replaceChildren(problemBox(problem));
-    }
-    this.fit.disabled = false;
-  }
-
   /** Pressures of the isobars to draw: some of them, where the points have too many. */
   pressures() {
     const all = [...new Set(this.list.map((q) => q.pressure_mpa))].sort((a, b) => a - b).filter((p) => p > 0);
@@ -95,10 +85,5 @@ export class Points {
       const [x, y] = [at.map((q) => 100 * q.contraction), at.map((q) => outside("force", q.force_n))];
       return { name, mode: "markers", colour: pressureColour(p, top), x, y };
     });
-  }
-
-  end() {
-    this.off();
-    Object.values(this.slots).forEach((slot) => slot.end());
   }
 }

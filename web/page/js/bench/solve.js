@@ -1,10 +1,12 @@
 // Which pressure, contraction, diameter, wall or angle gives a wanted pull; the others stay as they are.
-import { engine, understood } from "../ask.js";
-import { el } from "../dom.js";
+import { engine } from "../ask.js";
+import { button, el } from "../dom.js";
 import { isAbort } from "../engine/problem.js";
+import { form } from "../form.js";
+import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, fields, point, say } from "../state.js";
-import { meant, show } from "../units.js";
+import { show } from "../units.js";
 import { inWords } from "../words.js";
 
 /** Secants at most, and as near as this, as a share of the wanted pull. */
@@ -13,43 +15,30 @@ const MOST = 12, NEAR = 2e-4;
 /** @param {Store} store */
 export function solveView(store) {
   const choices = [PRESSURE, CONTRACTION, ...QUANTITIES.filter((m) => m.key !== "L")];
-  const options = choices.map((m) => el("option", { value: m.key }, m.label));
-  const what = el("select", { "aria-label": "Solve for" }, ...options);
-  const wanted = el("input", { type: "text", "aria-label": "Wanted pull", placeholder: "500 N", size: 8,
-    autocomplete: "off", spellcheck: "false" });
+  const asked = form([{ key: "what", field: "what", label: "Solve for", value: PRESSURE.key,
+    options: choices.map((m) => [m.key, m.label]) },
+  { key: "pull", field: "force_n", label: "Wanted pull", kind: "force", hint: "500 N" }], () => solve());
   const said = el("p", { class: "small", role: "status" });
-  const submit = (/** @type {Event} */ event) => {
-    event.preventDefault();
-    solve();
-  };
-  const element = el("details", {}, el("summary", {}, "Solve for a wanted pull"),
-    el("form", { class: "row", onsubmit: submit }, what, el("span", {}, "for a pull of"), wanted,
-      el("button", { type: "submit" }, "Solve")), said);
+  const element = el("details", {}, el("summary", {}, "Solve for a wanted pull"), asked.element,
+    button("Solve", () => solve()), said);
   let ends = new AbortController();
 
   async function solve() {
     ends.abort();
-    const { signal } = (ends = new AbortController());
+    const { signal } = (ends = new AbortController()), { what, force_n: force } = await asked.read() ?? {};
+    if (force === undefined || signal.aborted) return;
     said.textContent = "…";
     try {
-      const measure = /** @type {Measure} */ (choices.find((m) => m.key === what.value));
-      const force = await pull(wanted.value.trim()), value = await solved(measure, force, signal);
+      const measure = /** @type {Measure} */ (choices.find((m) => m.key === what));
+      const value = await solved(measure, force, signal);
       said.textContent = `${measure.label} ${show(measure.kind, value, 4)} gives ${show("force", force, 4)}.`;
       store.changed(measure.key, value, true);
     } catch (problem) {
       if (!signal.aborted) said.textContent = inWords(/** @type {Error} */ (problem).message);
     }
   }
-  return { element, end: () => ends.abort() };
-}
-
-/** @param {string} text */
-async function pull(text) {
-  const { text: asked, value } = meant("force", text);
-  if (value !== undefined) return value;
-  const [reading] = await understood([{ text: asked, kind: "force" }]);
-  if (reading.problem) throw new Error(reading.problem.message);
-  return /** @type {number} */ (reading.value);
+  atEnd(() => ends.abort());
+  return { element };
 }
 
 /** @param {Measure} measure @param {number} force @param {AbortSignal} signal @returns {Promise<number>} */

@@ -1,9 +1,10 @@
 // The muscle in space with what belongs to its picture: the pull, a scale, the colours, the gauge.
 import { choice } from "../controls.js";
 import { viridis } from "../chart.js";
-import { el } from "../dom.js";
+import { button, el } from "../dom.js";
 import { gauge } from "../gauge.js";
 import { muscle } from "../muscle.js";
+import { playing } from "../play.js";
 import { PRESSURE } from "../state.js";
 import { number, show, withUncertainty } from "../units.js";
 import { View, reach } from "../view3d.js";
@@ -40,15 +41,13 @@ export function stageView(store, busy) {
   const measures = dimensions(stage, store, () => view);
   const colour = choice("Colour", SHOWN.map(([name, text]) => [name, text]), store.wanted.show,
     (name) => store.look({ show: name }));
-  const cut = el("button",
-    { type: "button", "aria-pressed": false, onclick: () => store.look({ cut: store.wanted.cut ? "" : "1" }) },
-    "Cut open");
+  const cut = button("Cut open", () => store.look({ cut: store.wanted.cut ? "" : "1" }), { "aria-pressed": false });
   const pump = pumping(store);
-  const measure = el("button", { type: "button", "aria-pressed": "true", onclick: () => {
+  const measure = button("Dimensions", () => {
     const on = measure.getAttribute("aria-pressed") !== "true";
     measure.setAttribute("aria-pressed", String(on));
     measures.show(on);
-  } }, "Dimensions");
+  }, { "aria-pressed": "true" });
 
   function paint() {
     const { shape, point } = store;
@@ -84,7 +83,6 @@ export function stageView(store, busy) {
     stage, tools: el("div", { class: "row" }, colour.element, cut, measure, pump.button),
     /** In other units. */
     units() { scaled = 0; legendKey = ""; paint(); paintScale(); measures.paint(); },
-    end() { pump.stop(); view.destroy(); },
   };
 }
 
@@ -109,35 +107,8 @@ function contracting(store) {
 }
 
 /** The pressure rises, the muscle shortens, and both go back. @param {Store} store */
-function pumping(store) {
-  let running = 0;
-  const button = el("button", { type: "button", title: "Fills it, lets it shorten, and lets go", onclick: start },
-    "Pump");
-  function start() {
-    if (running) return stop();
-    const { p, e } = muscle, began = performance.now();
-    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    button.textContent = "Stop";
-    const step = () => {
-      const share = Math.min(1, (performance.now() - began) / 4500);
-      // Three stills where motion is not wanted.
-      const t = 3 * (still ? Math.ceil(share * 3) / 3 : share);
-      const part = (/** @type {number} */ x) => Math.min(1, Math.max(0, x));
-      if (share < 1) store.ask({ pressure_mpa: p * (part(t) - part(t - 2)),
-        contraction: e * (part(t - 1) - part(t - 2)) });
-      else store.ask();
-      if (share < 1) running = still ? window.setTimeout(step, 660) : requestAnimationFrame(step);
-      else stop();
-    };
-    running = 1;
-    step();
-  }
-  function stop() {
-    if (!running) return;
-    cancelAnimationFrame(running);
-    clearTimeout(running);
-    running = 0;
-    button.textContent = "Pump";
-  }
-  return { button, stop };
-}
+const pumping = (store) => playing("Pump", (share) => {
+  const { p, e } = muscle, part = (/** @type {number} */ x) => Math.min(1, Math.max(0, x)), t = 3 * share;
+  store.ask(share < 1 ? { pressure_mpa: p * (part(t) - part(t - 2)), contraction: e * (part(t - 1) - part(t - 2)) }
+    : undefined);
+}, () => 4500, "Fills it, lets it shorten, and lets go");

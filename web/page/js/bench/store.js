@@ -1,7 +1,7 @@
 // What the views of the page Muscle share: what is to be shown, the newest answers, and the questions that lead to
 // them.
 import { Slot } from "../ask.js";
-import { address, write } from "../address.js";
+import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { PRESSURE, point as pointOf } from "../state.js";
 import { reach } from "../view3d.js";
@@ -39,6 +39,7 @@ export class Store {
     /** @type {Map<Event, ((more: never) => void)[]>} */ this.listeners = new Map();
     this.slots = { state: new Slot({ lane: "state", busy }), fact: new Slot(), start: new Slot(), range: new Slot() };
     this.timers = { follow: 0, start: 0 };
+    atEnd(() => Object.values(this.timers).forEach(clearTimeout));
   }
 
   /** @template {Event} E @param {E} what @param {(more: Told[E]) => void} tell */
@@ -67,7 +68,7 @@ export class Store {
   settle() {
     const { test, show, cut, over } = this.wanted;
     const own = { test: test === "isobaric" ? "" : test, show: show === "max_stretch" ? "" : show, cut, over };
-    write(address("muscle", { ...muscle.params(), ...own }));
+    muscle.place("muscle", own);
   }
 
   /** The point and its shape. @param {{ pressure_mpa: number, contraction: number }} [shown] in place of the state's */
@@ -147,11 +148,6 @@ export class Store {
       this.tell("ranges");
     };
     done();
-  }
-
-  end() {
-    Object.values(this.timers).forEach(clearTimeout);
-    Object.values(this.slots).forEach((slot) => slot.end());
   }
 }
 

@@ -1,6 +1,7 @@
 // What a small change of each measure does to the pull: one millimetre, a degree, 0.1 bar. Each is computed, on demand.
 import { engine } from "../ask.js";
 import { el } from "../dom.js";
+import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, fields, point, say } from "../state.js";
 import { number, outside, show, unitName } from "../units.js";
@@ -54,7 +55,8 @@ export function tornadoView(store) {
   element.addEventListener("toggle", start);
   store.on("changed", soon);
   store.on("answer", () => { if (element.open && of === "") soon(); });
-  return { element, end() { clearTimeout(timer); ends.abort(); } };
+  atEnd(() => { clearTimeout(timer); ends.abort(); });
+  return { element };
 }
 
 /** @param {Measure} m @param {number[]} changes @param {number} reach */

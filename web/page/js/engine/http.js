@@ -4,19 +4,15 @@ import { Problem, gone } from "./problem.js";
 
 const API = new URL("../../api/", import.meta.url);
 
-
 export class Engine {
-  get about() {
-    return "mckibben serve";
-  }
+  get about() { return "mckibben serve"; }
   /** Without its server there is no answer: nothing is kept. */
-  get files() {
-    return /** @type {string[]} */ ([]);
-  }
+  get files() { return /** @type {string[]} */ ([]); }
 
   /**
+   * Without progress of long work; the signal ends it.
    * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
-   * @param {{ lane?: import("./wasm.js").LaneName, signal?: AbortSignal }} [options]
+   * @param {How} [how]
    * @returns {Promise<Commands[K]["answer"]>}
    */
   async ask(command, request, { signal } = {}) {
@@ -30,15 +26,5 @@ export class Engine {
       if (signal?.aborted) throw new DOMException("cancelled", "AbortError");
       throw error instanceof Problem ? error : gone("the server cannot be reached");
     }
-  }
-
-  /**
-   * Long work, without progress; the signal ends it.
-   * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
-   * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} [options]
-   * @returns {Promise<Commands[K]["answer"]>}
-   */
-  job(command, request, options) {
-    return this.ask(command, request, options);
   }
 }

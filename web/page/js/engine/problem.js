@@ -11,11 +11,8 @@ export class Problem extends Error {
 }
 
 /** What was thrown, as a problem. @param {unknown} thrown */
-export const problemOf = (thrown) =>
-  thrown instanceof Problem ? thrown : new Problem({ kind: "page", message: messageOf(thrown) });
-
-/** What was thrown, in words. @param {unknown} thrown */
-export const messageOf = (thrown) => (thrown instanceof Error ? thrown.message : String(thrown));
+export const problemOf = (thrown) => (thrown instanceof Problem ? thrown
+  : new Problem({ kind: "page", message: thrown instanceof Error ? thrown.message : String(thrown) }));
 
 /** Whether it is only that nobody waits for the answer any more. @param {unknown} thrown */
 export const isAbort = (thrown) => thrown instanceof DOMException && thrown.name === "AbortError";

@@ -3,13 +3,11 @@
 // drags; the whole one is loaded when it is first needed.
 import { Problem, gone } from "./problem.js";
 
-
 /** Commands of the small module; it has no `fe3d`, and reads no files of formulas and loads. */
 const LIVE = ["force", "pressure", "contraction", "curve", "shape", "check", "measures", "quantities", "units"];
 /** What it lists. */
 const LISTED = ["sleeves", "rubbers", "models"];
 
-/** @typedef {"state" | "read" | "side" | "curves"} LaneName */
 
 /** @typedef {ConstructorParameters<typeof Problem>[0]} Said */
 /** What a worker answers: how far it is, an answer, a problem, or its end. */
@@ -85,8 +83,7 @@ class Lane {
   }
 
   /**
-   * @param {string} command @param {object} request
-   * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} options
+   * @param {string} command @param {object} request @param {How} how
    */
   ask(command, request, { signal, progress } = {}) {
     signal?.throwIfAborted();
@@ -140,35 +137,21 @@ export class Engine {
       whole: new Lane(whole), job: new Lane(whole) };
   }
 
-  get about() {
-    return "WebAssembly in this browser";
-  }
+  get about() { return "WebAssembly in this browser"; }
   /** What it needs without a network. */
-  get files() {
-    return ["live.wasm", "whole.wasm"];
-  }
+  get files() { return ["live.wasm", "whole.wasm"]; }
 
   /**
-   * Answers a request. `lane`: what waits for what; `state` comes first, and `read` is for what takes no time.
+   * Answers a request; the signal ends it.
    * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
-   * @param {{ lane?: LaneName, signal?: AbortSignal }} [options] @returns {Promise<Commands[K]["answer"]>}
+   * @param {How} [how] @returns {Promise<Commands[K]["answer"]>}
    */
-  async ask(command, request, { lane = "side", signal } = {}) {
+  async ask(command, request, { lane = "side", ...how } = {}) {
     const of =
       /** @type {{ model?: string, formulas?: object[], load_tables?: object[], kind?: string }} */ (request);
     const files = of.formulas?.length || of.load_tables?.length;
     const known = LIVE.includes(command) || (command === "parts-list" && LISTED.includes(of.kind ?? ""));
     const small = known && of.model !== "fe3d" && !files;
-    return this.lanes[small ? lane : "whole"].ask(command, request, { signal });
-  }
-
-  /**
-   * Long work with progress; the signal ends it.
-   * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
-   * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} [options]
-   * @returns {Promise<Commands[K]["answer"]>}
-   */
-  async job(command, request, options) {
-    return this.lanes.job.ask(command, request, options);
+    return this.lanes[small || lane === "job" ? lane : "whole"].ask(command, request, how);
   }
 }

@@ -1,12 +1,12 @@
 // Verification, validation, sources, limits.
 import { engine } from "../ask.js";
 import { DOCUMENTATION } from "../kind.js";
-import { el } from "../dom.js";
+import { button, el } from "../dom.js";
 import { job, table } from "../form.js";
 import { fileOf, keepFile } from "../kept.js";
 import { muscle } from "../muscle.js";
 import { isKept, keepAll } from "../offline.js";
-import { number } from "../units.js";
+import { number, show } from "../units.js";
 
 /** The verification was computed here: it is there again when one comes back. */
 const CHECKED = "checked";
@@ -14,14 +14,14 @@ const CHECKED = "checked";
 /** What works without a network, and a button for the rest. */
 function withoutNetwork() {
   const text = el("span", {});
-  const keep = el("button", { type: "button", onclick: async () => {
+  const keep = button("Make all places available offline", async () => {
     keep.disabled = true;
     text.textContent = "Fetching …";
     const wrong = await keepAll().then(() => "", (problem) => `That failed: ${problem.message}`);
     await say();
     if (wrong) text.textContent = wrong;
     keep.disabled = false;
-  } }, "Make all places available offline");
+  });
   const element = el("div", { hidden: true }, el("h2", {}, "Without a network"), el("p", { class: "row" }, text, keep));
   const say = async () => {
     const all = await isKept();
@@ -34,22 +34,34 @@ function withoutNetwork() {
   return element;
 }
 
-/** @param {HTMLElement} main */
-export function mount(main) {
+/** @typedef {Commands["validate"]["answer"]["cases"][number]} Case */
+const percent = (/** @type {number | null | undefined} */ x) => (x == null ? "–" : `${number(100 * x, 3)} %`);
+const value = (/** @type {Case} */ c) => [number(c.reference, 5), number(c.ours, 5), number(c.error, 2)];
+/**
+ * Tables of the cases, each of one kind of number: kind and measure of its cases, title, headings and cells.
+ * @type {[Case["kind"], Case["measure"], string, string[], (c: Case) => string[]][]}
+ */
+const TABLES = [
+  ["verification", "value", "Verification: exact solutions and identities", ["exact", "computed", "error"], value],
+  ["validation", "rms", "Validation: pull of measured muscles", ["rms residual", "blocked force", "rms / blocked force"],
+    (c) => [show("force", c.ours, 3), show("force", c.reference, 4), percent(c.error)]],
+  ["validation", "share", "Validation: the ± of the pull", ["points within the ±", "nominal"],
+    (c) => [percent(c.ours), percent(c.reference)]],
+  ["validation", "value", "Validation: other quantities", ["measured", "computed", "error"], value],
+];
+
+/** @type {Mount} */
+export const mount = (main) => {
   const cases = el("div", {});
   const models = el("div", {});
   const check = job("Compute them here", "validate", async () => ({}), (answer) => {
     keepFile(CHECKED, true);
-    const rows = (/** @type {string} */ kind) =>
-      answer.cases.filter((c) => c.kind === kind).map((c) =>
-        [c.name, c.source ?? "", number(c.reference, 5), number(c.ours, 5),
-        c.error === undefined ? "–" : number(c.error, 2), c.ok ? "holds" : "fails"]
-      );
-    const head = ["case", "source", "reference", "here", "error", ""];
-    cases.replaceChildren(el("h3", {}, "Verification: against exact solutions and identities"),
-      table(head, rows("verification"), { text: [0, 1, 5], label: "verification" }),
-      el("h3", {}, "Validation: against measured muscles"),
-      table(head, rows("validation"), { text: [0, 1, 5], label: "validation" }));
+    cases.replaceChildren(...TABLES.flatMap(([kind, measure, title, head, cells]) => {
+      const list = answer.cases.filter((c) => c.kind === kind && c.measure === measure);
+      const rows = list.map((c) => [c.name, c.source ?? "", ...cells(c), c.ok ? "holds" : "fails"]);
+      return [el("h3", {}, title), table(["case", "source", ...head, ""], rows, { text: [0, 1, head.length + 2],
+        label: title })];
+    }));
   });
   main.replaceChildren(
     el("div", { class: "prose" }, el("h2", {}, "What this is"),
@@ -79,23 +91,14 @@ export function mount(main) {
   );
   const ranBefore = () => Boolean(fileOf(CHECKED));
   engine().ask("parts-list", { kind: "models" }).then(
-    (answer) =>
-      models.replaceChildren(
-        table(["model", "what it is"], answer.models.map((m) => [m.name, m.description]), {
-          text: [0, 1],
-          label: "models",
-        }),
-      ),
+    (answer) => models.replaceChildren(table(["model", "what it is"],
+      answer.models.map((m) => [m.name, m.description]), { text: [0, 1], label: "models" })),
     () => {},
   );
   return {
-    /** @param {URLSearchParams} params */
     async load(params) {
       await muscle.read(params);
       if (ranBefore()) check.run();
     },
-    unmount() {
-      check.end();
-    },
   };
-}
+};

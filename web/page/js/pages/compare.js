@@ -1,17 +1,16 @@
 // The muscle beside another one, or beside another model of it: B is the same muscle, or that of a file, with what is
 // said over it.
 import { Slot } from "../ask.js";
-import { address, write } from "../address.js";
 import { Chart, KINDS, isobar } from "../chart.js";
 import { fileField } from "../controls.js";
 import { pack } from "../deflate.js";
-import { capital, dim, el, problemBox } from "../dom.js";
+import { button, capital, dim, el, problemBox } from "../dom.js";
 import { form, table, warnings } from "../form.js";
-import { atEnd, held } from "../life.js";
 import { muscle } from "../muscle.js";
 import { QUANTITIES, STIFFNESS, STIFFNESS_NAMES, STRANDS, missing, shownValue, side as asked } from "../state.js";
 import { number, onUnits, show, unitName, withUncertainty } from "../units.js";
 import { View } from "../view3d.js";
+import { braidName, partName } from "../words.js";
 
 const MODELS =
   /** @type {[string, string][]} */ (["fe", "universal", "thick-wall", "ideal", "paper", "chou-hannaford",
@@ -38,9 +37,9 @@ function sideForm(name, ask) {
 function sideOf(name, { ask, paint }) {
   const fields = sideForm(name, ask), stage = el("div", { class: "stage", style: "height:220px" }),
     which = el("p", { class: "small soft" }), said = el("div", {});
-  const view = held(/** @type {View & { destroy?: () => void }} */ (new View(stage)));
+  const view = new View(stage);
   const point = new Slot(), shape = new Slot({ lane: "state" }), curve = new Slot({ lane: "curves" });
-  const back = el("button", { type: "button", hidden: true, onclick: () => take("") }, "The same muscle again");
+  const back = button("The same muscle again", () => take(""), { hidden: true });
   const take = async (/** @type {string} */ text) => {
     await pack(text);
     side.file = text;
@@ -98,14 +97,11 @@ function sideOf(name, { ask, paint }) {
           && fields.text(`${name}braid`);
         put(m.key, sleeve ? "of the sleeve" : value === undefined ? "" : show(m.kind, value));
       }
-      put("rubber", muscle.shown?.rubber);
-      put("braid", muscle.shown?.sleeve);
-      put("k", muscle.shown?.braid);
+      put("rubber", partName(muscle.shown?.rubber));
+      put("braid", muscle.shown?.sleeve ?? "own angle");
+      put("k", braidName(muscle.shown?.braid));
       fields.usual(`${name}p`, show("pressure", muscle.p));
       fields.usual(`${name}e`, show("ratio", muscle.e));
-    },
-    end() {
-      [point, shape, curve].forEach((slot) => slot.end());
     },
   };
   return side;
@@ -122,8 +118,8 @@ const ROWS = [
   ["largest stretch", (x) => number(x.max_stretch, 3)],
 ];
 
-/** @param {HTMLElement} main */
-export function mount(main) {
+/** @type {Mount} */
+export const mount = (main) => {
   const sides = ["a", "b"].map((name) => sideOf(name, { ask: () => ask(), paint: () => paint() })), [, b] = sides;
   const chart = new Chart("compare", { tools: el("h2", {}, "Pull over contraction") }), numbers = el("div", {});
   main.replaceChildren(el("div", { class: "pair" }, el("div", {}, sides[0].element, numbers, chart.element),
@@ -131,8 +127,7 @@ export function mount(main) {
 
   async function ask() {
     sides.forEach((side) => side.usual());
-    write(address("compare", { ...muscle.params(), ...Object.assign({}, ...sides.map((s) => s.fields.texts())),
-      bfile: b.file }));
+    muscle.place("compare", { ...Object.assign({}, ...sides.map((s) => s.fields.texts())), bfile: b.file });
     await Promise.all(sides.map((side) => side.ask()));
   }
   function paint() {
@@ -145,9 +140,8 @@ export function mount(main) {
       : []));
     chart.show({ x: "contraction ε [%]", y: `pull F [${unitName("force")}]`, series });
   }
-  atEnd(onUnits(paint));
+  onUnits(paint);
   return {
-    /** @param {URLSearchParams} params */
     async load(params) {
       await muscle.read(params, [...sides.flatMap((s) => s.fields.keys), "bfile"]);
       for (const side of sides) side.fields.set(params);
@@ -155,8 +149,5 @@ export function mount(main) {
       b.fields.options("bbraid", muscle.sleeves.map((s) => s.name));
       await ask();
     },
-    unmount() {
-      sides.forEach((side) => side.end());
-    },
   };
-}
+};

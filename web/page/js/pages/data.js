@@ -1,20 +1,17 @@
 // Measured points: seen over the models, and constants identified from them.
-import { engine } from "../ask.js";
-import { address, write } from "../address.js";
-import { problemOf } from "../engine/problem.js";
-import { columnChoice, headings } from "../columns.js";
+import { Slot, engine } from "../ask.js";
+import { columnChoice, columnLine, headings } from "../columns.js";
 import { fileField } from "../controls.js";
-import { dim, download, el, problemBox } from "../dom.js";
+import { button, dim, el, problemBox } from "../dom.js";
 import { Figures } from "../figure.js";
-import { form, job, table, warnings } from "../form.js";
+import { bench, form, job, table, warnings } from "../form.js";
 import { example } from "../gallery.js";
 import { fileOf, keepFile } from "../kept.js";
-import { atEnd } from "../life.js";
+import { muscleButtons } from "../library.js";
 import { measured } from "../measured.js";
 import { muscle } from "../muscle.js";
 import { number, onUnits, show, unitName } from "../units.js";
 
-/** @typedef {Commands["compare"]["answer"]["understood"][number]["columns"][number]} Column */
 const HEADING = "pressure_bar,contraction,force_n\n", CONSTANTS = "constants";
 
 /** Points of this muscle with errors of 3 %, always the same. */
@@ -37,19 +34,12 @@ function identifiedView(answer) {
     return [p.name, `${number(p.value, 5)} ${p.unit ?? ""}`, half,
       p.identifiable ? "" : "not identifiable from these data"];
   });
-  const see = async () => {
-    await muscle.take(answer.muscle_file);
-    location.hash = address("muscle", muscle.params());
-  };
   return [
     el("h2", {}, "Identified"),
     table(["constant", "value", "95 %", ""], rows, { text: [0, 3], label: "constants" }),
     el("p", {}, `Residuals ${show("force", answer.rms_n, 3)} rms, ${show("force", answer.rms_before_n, 3)} before.`),
     warnings(answer.warnings),
-    el("p", { class: "row" },
-      el("button", { type: "button",
-        onclick: () => download("identified.toml", answer.muscle_file, "application/toml") }, "Download the muscle"),
-      el("button", { type: "button", onclick: see }, "See it move")),
+    muscleButtons(answer.muscle_file, "See it move", "Download the muscle", "identified"),
   ];
 }
 
@@ -72,7 +62,7 @@ const BEGIN = "Drop a table of measured points. The figure compares it with the 
 class DataPage {
   /** @type {Commands["compare"]["answer"] | undefined} */ #compared;
   /** @type {Commands["identify"]["answer"] | undefined} */ #known;
-  #looking = new AbortController();
+  #looking = new Slot();
 
   /** @param {HTMLElement} main */
   constructor(main) {
@@ -85,29 +75,26 @@ class DataPage {
     this.figures = new Figures("data");
     this.fitted = new Figures("identified");
     this.identify = job("Identify", "identify", () => this.#request(), (answer) => this.#identified(answer),
-      () => dim([this.found, this.fitted.element], true));
-    main.replaceChildren(el("div", { class: "bench two" }, this.#controls(),
-      el("div", { class: "middle" }, this.understood, this.errors, this.figures.element, this.found,
-        this.fitted.element)));
+      { shown: [this.found, this.fitted.element] });
+    main.replaceChildren(bench("Data", this.#controls(), [this.understood, this.errors, this.figures.element,
+      this.found, this.fitted.element]));
     // Figures are drawn by the engine in the units that are asked for.
-    atEnd(onUnits(() => {
+    onUnits(() => {
       this.#paint();
       this.#place();
       if (this.#compared) this.#look();
-    }));
+    });
   }
 
   #controls() {
-    const button = (/** @type {string} */ text, /** @type {() => void} */ act) =>
-      el("button", { type: "button", onclick: act }, text);
     const fail = (/** @type {unknown} */ why) => this.#fail(why);
     const samples = el("p", { class: "row small" }, "Examples:",
       button("points of this muscle", () => madeUp().then((text) => this.#take("example.csv", text)).catch(fail)),
       button("a bench with its muscle", () => this.#bench().catch(fail)));
-    return el("section", { class: "controls", "aria-label": "Data" }, el("h2", {}, "Measured points"),
+    return [el("h2", {}, "Measured points"),
       fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) => this.#take(name, text)),
       el("p", { class: "small soft" }, HINT), samples, this.columns.element, this.what.element,
-      el("div", { class: "row" }, button("Compare", () => this.#look())), this.identify.element);
+      el("div", { class: "row" }, button("Compare", () => this.#look())), this.identify.element];
   }
 
   async #bench() {
@@ -130,17 +117,13 @@ class DataPage {
   #identified(answer) {
     this.#known = answer;
     keepFile(CONSTANTS, true);
-    dim([this.found, this.fitted.element], false);
     this.#paint();
     this.fitted.show(answer.figure);
   }
 
   /** @param {unknown} why */
   #fail(why) { this.understood.replaceChildren(problemBox(why)); }
-  #place() {
-    const own = { ...this.what.texts(), columns: this.columns.text() };
-    write(address("data", { ...muscle.params(), ...own }));
-  }
+  #place() { muscle.place("data", { ...this.what.texts(), columns: this.columns.text() }); }
 
   /** @param {string} name @param {string} text */
   async #take(name, text) {
@@ -159,31 +142,27 @@ class DataPage {
     const read = await this.what.read(), { data } = this;
     if (!data || !read || !this.understood.isConnected) return;
     this.#place();
-    this.#looking.abort();
-    const { signal } = (this.#looking = new AbortController()), columns = this.columns.value();
+    const columns = this.columns.value();
     measured.set(data, columns);
-    const request = { ...muscle.fields(), data: [data], columns, models: read.models, extrapolate: true,
-      figure: unitName("pressure") };
-    try {
-      this.#compared = await engine().ask("compare", request, { signal });
+    this.#looking.ask("compare", { ...muscle.fields(), data: [data], columns, models: read.models, extrapolate: true,
+      figure: unitName("pressure") }, (answer) => {
+      this.#compared = answer;
       this.#paint();
       dim([this.errors, this.figures.element], false);
-      this.figures.show(this.#compared.figure);
-    } catch (why) {
-      if (signal.aborted) return;
+      this.figures.show(answer.figure);
+    }, (why) => {
       this.#fail(why);
-      if (problemOf(why).kind === "data") this.columns.open();
+      if (why.kind === "data") this.columns.open();
       dim([this.errors, this.figures.element], true);
-    }
+    });
   }
 
   #paint() {
     const compared = this.#compared, known = this.#known;
     if (compared && this.data) {
       const u = compared.understood?.[0] ?? compared.understood;
-      const column = (/** @type {Column} */ c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`;
       const said = [...(measured.said ? [measured.said] : []), ...(compared.warnings ?? [])];
-      const line = `${this.data.name}: ${compared.points} points. ${u?.columns?.map(column).join(", ") ?? ""}`;
+      const line = `${this.data.name}: ${compared.points} points. ${columnLine(u?.columns ?? [])}`;
       this.understood.replaceChildren(el("p", {}, line), warnings(said));
       this.errors.replaceChildren(errorTable(compared.models));
     }
@@ -201,11 +180,7 @@ class DataPage {
     // What was identified before is there again.
     if (this.data && fileOf(CONSTANTS)) this.identify.run();
   }
-  unmount() {
-    this.identify.end();
-    this.#looking.abort();
-  }
 }
 
-/** @param {HTMLElement} main */
+/** @type {Mount} */
 export const mount = (main) => new DataPage(main);

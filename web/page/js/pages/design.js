@@ -4,25 +4,21 @@ import { address, write } from "../address.js";
 import { designMap } from "../design-map.js";
 import { designTarget } from "../design-target.js";
 import { closestView, foundView, rejectedView } from "../design-view.js";
-import { dim, el, problemBox } from "../dom.js";
+import { el } from "../dom.js";
 import { Figures } from "../figure.js";
-import { form, job } from "../form.js";
-import { atEnd } from "../life.js";
+import { bench, form, job } from "../form.js";
 import { muscle } from "../muscle.js";
 import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
 import { onUnits, typed, unitName } from "../units.js";
 
 const OBJECTIVES = /** @type {[string, string][]} */ ([
-  ["diameter", "smallest diameter at rest"],
+  ["diameter", "narrowest at rest"],
   ["pressure", "lowest pressure"],
   ["air", "least air or liquid"],
   ["margin", "largest margin of pull"],
-  ["bulged-diameter", "smallest diameter in use"],
+  ["bulged-diameter", "narrowest in use"],
   ["length", "shortest"],
 ]);
-/** @typedef {Commands["design"]} Design */
-/** @typedef {Design["request"]} Asked */
-/** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /** @type {Field[]} */
 export const WANTED = [
   { key: "F", field: "force_n", label: "Pull", kind: "force", value: "700 N" },
@@ -61,8 +57,7 @@ export const choices = () => [
 
 /** The forms of a specification, and the request that they make. @param {() => void} submit */
 function specification(submit) {
-  const wanted = form(WANTED, submit), choice = form(choices(), submit),
-    forms = [wanted, choice];
+  const wanted = form(WANTED, submit), choice = form(choices(), submit), forms = [wanted, choice];
   const vary = el("details", {}, el("summary", {}, "Search space"), choice.element);
   /** What the sleeves need beside their names has a field. */
   const lacking = () => {
@@ -82,7 +77,7 @@ function specification(submit) {
     options: (/** @type {string} */ key, /** @type {string[]} */ names) => choice.options(key, names),
     texts: () => Object.assign({}, ...forms.map((f) => f.texts())),
     set: (/** @type {URLSearchParams} */ params) => forms.forEach((f) => f.set(params)),
-    /** Fields of the request, or nothing where a text cannot be read. @returns {Promise<Asked | undefined>} */
+    /** The request, or nothing where a text cannot be read. @returns {Promise<Design["request"] | undefined>} */
     async read() {
       const [want, space] = await Promise.all([wanted.read(), choice.read({ intervals: true })]);
       if (!want || !space) return undefined;
@@ -113,15 +108,15 @@ const priced = () => (prices ??= engine().ask("parts-list", { kind: "tubes" }).t
 
 /**
  * The address of a muscle of the search: that muscle, and nothing of the one of the other pages.
- * @param {import("../state.js").Chosen} c @param {Asked} of the request @param {{ p: number, e: number }} at
+ * @param {Chosen} c @param {Design["request"]} of the request @param {{ p: number, e: number }} at
  */
 const linked = (c, of, at) => address("muscle", muscle.paramsOf(candidate(c, of, at)));
 
-/** @param {HTMLElement} main */
-export function mount(main) {
+/** @type {Mount} */
+export const mount = (main) => {
   /** @type {Design["answer"] | undefined} */ let found;
-  /** What the answer that is shown was asked by, and the newest question. @type {Asked} */
-  let of = {}, /** @type {Asked | undefined} */ asked;
+  /** What the answer that is shown was asked by, and the newest question. @type {Design["request"]} */
+  let of = {}, /** @type {Design["request"] | undefined} */ asked;
   const spec = specification(() => search.run());
   const results = el("div", {},
     el("p", { class: "soft" },
@@ -139,21 +134,12 @@ export function mount(main) {
     return asked;
   }, (answer) => {
     [found, of] = [answer, asked ?? {}];
-    stale(false);
     paint();
     figures.show(answer.figure);
     target.show(found, of);
     map.show(found, of);
-  }, (problem) => {
-    spec.at(problem);
-    if (!found) results.replaceChildren(problemBox(problem));
-    stale(true);
-  });
-  /** What is shown belongs to the last specification that had an answer. @param {boolean} on */
-  const stale = (on) => dim([results, target.element, ...map.elements, figures.element], on && Boolean(found));
-  const place = () => {
-    if (main.contains(results)) write(address("design", { ...spec.texts(), m: muscle.word() }));
-  };
+  }, { fields: spec, shown: [results, target.element, ...map.elements, figures.element] });
+  const place = () => write(address("design", { ...spec.texts(), m: muscle.word() }));
 
   async function paint() {
     if (!found) return;
@@ -173,33 +159,23 @@ export function mount(main) {
     if (answer === found && known.size) show(known);
   }
 
-  main.replaceChildren(
-    el("div", { class: "bench two" },
-      el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"),
-        ...spec.elements, search.element), el("div", { class: "middle" },
-        results, target.element, ...map.elements, figures.element)),
-  );
-  atEnd(onUnits(() => {
+  main.replaceChildren(bench("Specification", [el("h2", {}, "Specification"), ...spec.elements, search.element],
+    [results, target.element, ...map.elements, figures.element]));
+  onUnits(() => {
     paint();
     target.draw();
     map.draw();
-  }));
+  });
   return {
-    /** @param {URLSearchParams} params */
     async load(params) {
-      // The muscle's own words mean other things here: it is one word. Links of before have its words alone.
-      const own = params.get("m"), old = !own && params.has("p");
-      if (own || old) await muscle.read(own ? new URLSearchParams(own) : params);
+      // The muscle's own words mean other things here: it is one word.
+      const own = params.get("m");
+      if (own) await muscle.read(new URLSearchParams(own));
       else await Promise.all([muscle.known(), muscle.shown ?? muscle.look()]);
-      spec.set(old ? new URLSearchParams() : params);
+      spec.set(params);
       spec.options("braid", muscle.sleeves.map((s) => s.name));
       spec.offer();
       await search.run();
     },
-    unmount() {
-      search.end();
-      map.end();
-      target.end();
-    },
   };
-}
+};

@@ -1,10 +1,8 @@
 // A campaign of finite-element tests and the formula fitted to it: errors, figures, surfaces, and the file.
-import { address, write } from "../address.js";
-import { dim, download, el } from "../dom.js";
-import { form, job } from "../form.js";
+import { button, download, el } from "../dom.js";
+import { bench, form, job } from "../form.js";
 import { PUBLISHED, errorsView, figuresView, surfaces } from "../formula-view.js";
 import { fileOf, keepFile } from "../kept.js";
-import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { onUnits } from "../units.js";
 
@@ -40,8 +38,8 @@ export const HOW = [
   { key: "at", field: "at", label: "Maps at", kind: "pressure", value: "2.5 bar" },
 ];
 
-/** @param {HTMLElement} main */
-export function mount(main) {
+/** @type {Mount} */
+export const mount = (main) => {
   /** @type {Commands["plan"]["answer"] | undefined} */ let made;
   /** @type {import("../formula-view.js").File | typeof PUBLISHED} */ let formula = PUBLISHED;
   const plan = el("textarea", { rows: 20, style: "width:100%;font:13px ui-monospace,monospace",
@@ -50,16 +48,15 @@ export function mount(main) {
   plan.addEventListener("input", () => keepFile("plan", plan.value === PLAN ? undefined : plan.value));
   const how = form(HOW, () => (made ? fit.run() : paint()));
   const table1 = el("p", { class: "small" }), errors = el("div", {}), figures = el("div", {}), shown = surfaces();
-  const stale = (/** @type {boolean} */ on) => dim([errors, shown.element, figures], on);
+  const about = { fields: how, shown: [errors, shown.element, figures] };
   const campaign = job("Compute the plan", "plan", async () => ({ plan: { name: "page.toml", text: plan.value } }),
     (answer) => {
       made = answer;
       keepFile(COMPUTED, plan.value);
       table1.replaceChildren(`${answer.muscles} muscles, ${answer.points} points, ${answer.failed} without an answer. `,
-        el("button", { type: "button", onclick: () => download(answer.table.name, answer.table.text, "text/csv") },
-          "Download the table"));
+        button("Download the table", () => download(answer.table.name, answer.table.text, "text/csv")));
       fit.run();
-    }, () => stale(true));
+    }, about);
   const fit = job("Fit", "fit", async () => {
     if (!made) {
       errors.replaceChildren(el("p", { class: "soft" }, "Compute the plan first."));
@@ -72,30 +69,20 @@ export function mount(main) {
   }, (answer) => {
     const { figures: drawn, tables, ...file } = answer;
     formula = file;
-    stale(false);
     errors.replaceChildren(...errorsView(file));
     figures.replaceChildren(...figuresView(drawn));
     paint();
-  }, (problem) => {
-    how.at(problem);
-    stale(true);
-  });
-  main.replaceChildren(
-    el("div", { class: "bench two" },
-      el("section", { class: "controls", "aria-label": "Campaign" }, el("h2", {}, "Campaign"),
-        el("p", { class: "small soft" },
-          "A plan lists the muscles to compute by finite elements. This is the plan of Antonelli (2018)."), plan,
-        campaign.element, table1, how.element, fit.element),
-      el("div", { class: "middle" }, errors, shown.element, figures)),
-  );
+  }, about);
+  main.replaceChildren(bench("Campaign", [el("h2", {}, "Campaign"),
+    el("p", { class: "small soft" },
+      "A plan lists the muscles to compute by finite elements. This is the plan of Antonelli (2018)."), plan,
+    campaign.element, table1, how.element, fit.element], [errors, shown.element, figures]));
   errors.append(el("h2", {}, PUBLISHED.name),
     el("p", { class: "soft" },
       "Below is the published formula. Compute a campaign and fit your own formula to it: a hundred simulations run "
         + "while you watch."));
 
-  const place = () => {
-    if (main.contains(plan)) write(address("formula", { ...muscle.params(), ...how.texts() }));
-  };
+  const place = () => muscle.place("formula", how.texts());
   async function paint() {
     place();
     const read = await how.read();
@@ -103,9 +90,8 @@ export function mount(main) {
       shown.element.hidden = true;
     });
   }
-  atEnd(onUnits(() => paint()));
+  onUnits(paint);
   return {
-    /** @param {URLSearchParams} params */
     async load(params) {
       await muscle.read(params, how.keys);
       how.set(params);
@@ -114,9 +100,5 @@ export function mount(main) {
       if (fileOf(COMPUTED) === plan.value && !made) campaign.run();
       else paint();
     },
-    unmount() {
-      campaign.end();
-      fit.end();
-    },
   };
-}
+};

@@ -1,22 +1,19 @@
 // A joint with two of this muscle against each other: pressures by dragging the arm, torques, and what it reaches.
 import { Slot } from "../ask.js";
-import { address, write } from "../address.js";
 import { Chart } from "../chart.js";
 import { fileField, quantity } from "../controls.js";
 import { pack } from "../deflate.js";
-import { dim, dragging, el, problemBox } from "../dom.js";
+import { button, dim, dragging, el, problemBox } from "../dom.js";
 import { job, warnings } from "../form.js";
 import { jointDrawing } from "../joint-drawing.js";
 import { angleAt, numbersView, reachChart, torqueChart } from "../joint-view.js";
-import { FILES, JointWords, KEYS, KINDS_OF, RANGE } from "../joint-words.js";
+import { FILES, JointWords, KEYS, KINDS_OF } from "../joint-words.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { angles, drive } from "../trajectory.js";
 import { onUnits } from "../units.js";
 import { visit } from "../visit.js";
 
-/** @typedef {import("../joint-view.js").Answer} Answer */
-/** @typedef {import("../joint-view.js").Family} Family */
 /** @typedef {Commands["joint"]["request"]} Request */
 /** @typedef {import("../joint-words.js").Key} Key */
 /** @typedef {import("../joint-words.js").Values} Values */
@@ -51,9 +48,8 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
       return controls[key].element;
     })));
   const ofFile = el("p", { class: "small soft" });
-  const back = el("button", { type: "button", hidden: true, onclick: () => takeSecond("") },
-    "Use the same muscle twice");
-  const leave = el("button", { type: "button", hidden: true, onclick: () => takeJoint("") }, "Close the joint file");
+  const back = button("Use the same muscle twice", () => takeSecond(""), { hidden: true });
+  const leave = button("Close the joint file", () => takeJoint(""), { hidden: true });
   const element = el("section", { class: "controls", "aria-label": "Joint" }, ...groups,
     el("details", {}, el("summary", {}, "Another muscle 2"),
       el("p", { class: "small soft" }, "Both muscles are the one above, unless you open a file."),
@@ -90,7 +86,7 @@ function moveBox(v, question) {
     visit("motion", { drive: drive(points, to.seconds, v.pmax) });
   });
   const about = "From the angle above at the required stiffness. Motion shows how valves and arm follow.";
-  return { job: play, element: el("details", {}, el("summary", {}, "Move the arm"),
+  return { element: el("details", {}, el("summary", {}, "Move the arm"),
     el("p", { class: "small soft" }, about), field("angle", "Move to", "angle", -60, 60), field("seconds", "Within",
       "time", 0.1, 5), play.element) };
 }
@@ -102,10 +98,11 @@ const wanted = (v, list) => ({ angles_deg: list, max_pressure_mpa: v.pmax,
 /**
  * Questions about a joint: a point, by formulas while one drags and by finite elements at rest, and its family of
  * torques.
- * @param {{ take: (answer: Answer) => void, fail: (problem: Problem) => void, family: (family: Family) => void }} act
+ * @param {{ take: (answer: JointAnswer) => void, fail: (problem: Problem) => void, family: (family: Family) => void }} act
  */
 function questions({ take, fail, family }) {
   let settling = 0, asking = 0, decided = 0;
+  atEnd(() => clearTimeout(settling));
   const point = new Slot(), elements = new Slot(), curves = new Slot();
   return {
     /** @param {Request} request @param {Values} v @param {boolean} settled */
@@ -133,18 +130,14 @@ function questions({ take, fail, family }) {
       curves.ask("joint", { ...request, pressures_mpa: pairs, angles_deg: angles },
         (answer) => family({ answer, angles, pairs }), () => {});
     },
-    end() {
-      clearTimeout(settling);
-      [point, elements, curves].forEach((slot) => slot.end());
-    },
   };
 }
 
 class JointPage {
   joint = new JointWords();
-  /** @type {import("../joint-view.js").Point | undefined} */ #point;
+  /** @type {JointPoint | undefined} */ #point;
   /** @type {Family | undefined} */ #family;
-  /** @type {Answer["map"]} */ #reached;
+  /** @type {JointAnswer["map"]} */ #reached;
   /** The file that says what the muscle of the page Muscle is. */
   #first = "";
 
@@ -185,11 +178,11 @@ class JointPage {
       const angle = angleAt(this.arm, event);
       if (angle !== undefined) this.#turned(angle, settled);
     });
-    atEnd(onUnits(() => {
+    onUnits(() => {
       this.#paint();
       this.#mapped(this.#reached);
       this.#place();
-    }));
+    });
   }
 
   /** @param {string} text a muscle file */
@@ -226,11 +219,9 @@ class JointPage {
     this.asks.ask(this.#request(), v, settled);
     if (settled) this.#place();
   }
-  #place() {
-    write(address("joint", { ...muscle.params(), ...this.joint.words() }));
-  }
+  #place() { muscle.place("joint", this.joint.words()); }
 
-  /** @param {Answer} answer */
+  /** @param {JointAnswer} answer */
   #take(answer) {
     this.#stale(false);
     this.said.replaceChildren(warnings(answer.warnings));
@@ -243,7 +234,7 @@ class JointPage {
     if (this.#point) this.#stale(true);
     else this.#drawArm();
   }
-  /** @param {Answer["map"]} map */
+  /** @param {JointAnswer["map"]} map */
   #mapped(map) {
     this.#reached = map;
     if (map) this.reach.show(reachChart(map));
@@ -269,7 +260,7 @@ class JointPage {
   /** @param {URLSearchParams} params */
   async load(params) {
     await this.joint.read(params);
-    await muscle.read(params, [...KEYS, ...FILES, RANGE]);
+    await muscle.read(params, [...KEYS, ...FILES, "range"]);
     this.#set();
     this.bench.show(this.joint.files);
     try {
@@ -281,12 +272,7 @@ class JointPage {
     this.#ask(true);
     this.map.run();
   }
-  unmount() {
-    this.asks.end();
-    this.map.end();
-    this.move.job.end();
-  }
 }
 
-/** @param {HTMLElement} main */
+/** @type {Mount} */
 export const mount = (main) => new JointPage(main);

@@ -1,17 +1,16 @@
 // A step on a valve, or the commands of a drive file, with the muscle moving.
 import { Slot } from "../ask.js";
-import { address, write } from "../address.js";
 import { Chart } from "../chart.js";
 import { fileField } from "../controls.js";
 import { pack } from "../deflate.js";
-import { dim, el, problemBox } from "../dom.js";
-import { form, job, warnings } from "../form.js";
+import { button, el, problemBox } from "../dom.js";
+import { bench, form, job, warnings } from "../form.js";
 import { example } from "../gallery.js";
 import { JointWords } from "../joint-words.js";
 import { wordsOf } from "../kept.js";
-import { atEnd, held } from "../life.js";
 import { figures, isJoint, pressureChart, stateAt, stateLine, wayChart } from "../motion-view.js";
 import { muscle } from "../muscle.js";
+import { playing } from "../play.js";
 import { motion } from "../state.js";
 import { stated } from "../toml.js";
 import { onUnits } from "../units.js";
@@ -46,15 +45,13 @@ async function driven(text, file, model) {
 function player() {
   const stage = el("div", { class: "stage" }), clock = el("p", { class: "say" });
   stage.append(clock);
-  const view = held(/** @type {View & { destroy?: () => void }} */ (new View(stage))),
-    slot = new Slot({ lane: "state" });
-  /** @type {import("../motion-view.js").Run | undefined} */ let run;
-  let frame = 0;
+  const view = new View(stage), slot = new Slot({ lane: "state" });
+  /** @type {Run | undefined} */ let run;
   const slider = el("input", { type: "range", min: 0, max: 1000, value: 0, "aria-label": "Time", oninput: () => {
-    stop();
+    play.stop();
     at(Number(slider.value) / 1000);
   } });
-  const play = el("button", { type: "button", onclick: () => (frame ? stop() : start()) }, "Play");
+  const play = playing("Play", at, () => 1000 * (run?.series.time_s.at(-1) ?? 1));
 
   /** The state at a share of the time. @param {number} share */
   function at(share) {
@@ -65,33 +62,11 @@ function player() {
     clock.replaceChildren(el("b", {}, `${times[i].toFixed(2)} s`), el("br"), stateLine(run, i));
     slot.ask("shape", { ...muscle.fields(), ...stateAt(run, i) }, (shape) => view.stretched(shape), () => {});
   }
-  function start() {
-    if (!run) return;
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) return at(1);
-    const began = performance.now(), times = run.series.time_s, long = 1000 * times[times.length - 1];
-    play.textContent = "Stop";
-    const step = () => {
-      const share = Math.min(1, (performance.now() - began) / long);
-      at(share);
-      if (share < 1) frame = requestAnimationFrame(step);
-      else stop();
-    };
-    cancelAnimationFrame(frame);
-    frame = requestAnimationFrame(step);
-  }
-  function stop() {
-    cancelAnimationFrame(frame);
-    frame = 0;
-    play.textContent = "Play";
-  }
-  return { stage, row: el("div", { class: "row" }, play, el("span", { style: "flex:1" }, slider)),
-    show(/** @type {import("../motion-view.js").Run} */ found) {
+  return { stage, row: el("div", { class: "row" }, play.button, el("span", { style: "flex:1" }, slider)),
+    show(/** @type {Run} */ found) {
       run = found;
-      start();
-    }, again: () => at(Number(slider.value) / 1000), end() {
-    stop();
-    slot.end();
-  } };
+      play.start();
+    }, again: () => at(Number(slider.value) / 1000) };
 }
 
 const CLOSED =
@@ -102,10 +77,8 @@ const EXAMPLES = [["lift 10 kg and lower it", "drive.toml"], ["turn the joint", 
 function driveBox(take) {
   const words = el("p", { class: "small soft" }), said = el("div", {});
   const fail = (/** @type {unknown} */ problem) => said.replaceChildren(problemBox(problem));
-  const leave = el("button", { type: "button", hidden: true, onclick: () => take("") }, "Close the drive file");
-  const samples = EXAMPLES.map(([text, name]) =>
-    el("button", { type: "button", onclick: () => example(name).then(take).catch(fail) }, text)
-  );
+  const leave = button("Close the drive file", () => take(""), { hidden: true });
+  const samples = EXAMPLES.map(([text, name]) => button(text, () => example(name).then(take).catch(fail)));
   const element = el("details", {}, el("summary", {}, "Drive file and examples"), words,
     el("p", { class: "row small" }, "Examples:", ...samples),
     fileField("Open a drive file (TOML)", ".toml", (_, text) => take(text)), leave, said);
@@ -125,7 +98,7 @@ function chartsOf() {
   const title = el("h2", {}), way = new Chart("motion-contraction", { tools: title });
   return {
     element: el("div", { class: "charts" }, pressure.element, way.element),
-    /** @param {import("../motion-view.js").Run} run */
+    /** @param {Run} run */
     show(run) {
       pressure.show(pressureChart(run));
       title.textContent = `${isJoint(run) ? "Angle" : "Contraction"} over time`;
@@ -134,9 +107,9 @@ function chartsOf() {
   };
 }
 
-/** @param {HTMLElement} main */
-export function mount(main) {
-  /** @type {import("../motion-view.js").Run | undefined} */ let run;
+/** @type {Mount} */
+export const mount = (main) => {
+  /** @type {Run | undefined} */ let run;
   let drive = "";
   const fields = form(STEP, () => go.run()), shown = player();
   const charts = chartsOf();
@@ -145,27 +118,16 @@ export function mount(main) {
   const title = el("h2", {}, "A step on a valve");
   const go = job("Run", "motion", request, (answer) => {
     run = answer;
-    stale(false);
     paint();
     shown.show(run);
-  }, (problem) => {
-    fields.at(problem);
-    stale(true);
-  });
-  main.replaceChildren(
-    el("div", { class: "bench two" },
-      el("section", { class: "controls", "aria-label": "Step" }, title, fields.element, go.element, numbers,
-        box.element), el("div", { class: "middle" }, shown.stage, shown.row, charts.element)),
-  );
-
-  /** What is shown belongs to the last step that had an answer. @param {boolean} on */
-  const stale = (on) => dim([shown.stage, numbers, charts.element], on);
-  const place = () =>
-    write(address("motion", { ...muscle.params(), ...fields.texts(), [DRIVE]: drive }));
+  }, { fields, shown: [shown.stage, numbers, charts.element] });
+  main.replaceChildren(bench("Step", [title, fields.element, go.element, numbers, box.element],
+    [shown.stage, shown.row, charts.element]));
+  const place = () => muscle.place("motion", { ...fields.texts(), [DRIVE]: drive });
 
   async function request() {
     const read = await fields.read();
-    if (!read || !main.contains(title)) return undefined;
+    if (!read) return undefined;
     place();
     const file = await muscle.file();
     return drive ? driven(drive, file, read.model) : motion(file, read);
@@ -192,13 +154,12 @@ export function mount(main) {
     numbers.replaceChildren(warnings(run.warnings), figures(run));
   }
 
-  atEnd(onUnits(() => {
+  onUnits(() => {
     paint();
     shown.again();
     place();
-  }));
+  });
   return {
-    /** @param {URLSearchParams} params */
     async load(params) {
       await muscle.read(params, [...fields.keys, DRIVE]);
       fields.set(params);
@@ -206,9 +167,5 @@ export function mount(main) {
       offer();
       await go.run();
     },
-    unmount() {
-      shown.end();
-      go.end();
-    },
   };
-}
+};

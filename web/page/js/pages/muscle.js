@@ -4,18 +4,16 @@ import { Curves } from "../bench/curves.js";
 import { numbersView } from "../bench/numbers.js";
 import { stageView } from "../bench/stage.js";
 import { OWN, Store } from "../bench/store.js";
-import { dim, el, problemBox, say } from "../dom.js";
+import { button, dim, el, problemBox, say } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { onUnits, withUncertainty } from "../units.js";
 
-/** @param {HTMLElement} main */
-export function mount(main) {
+/** @type {Mount} */
+export const mount = (main) => {
   const busy = el("div", { class: "busy" }), said = el("div", {});
   const store = new Store((on) => busy.classList.toggle("on", on));
   const controls = controlsView(store);
-  const stage = stageView(store, busy),
-    curves = new Curves(store),
-    numbers = numbersView(store);
+  const stage = stageView(store, busy), curves = new Curves(store), numbers = numbersView(store);
   main.replaceChildren(el("div", { class: "bench" }, controls.element,
     el("div", { class: "middle" }, stage.stage, stage.tools, curves.chart.element, curves.points.element,
       curves.over.element),
@@ -30,29 +28,21 @@ export function mount(main) {
     if (!pumped && point) say(`Pull ${withUncertainty("force", point.force_n, point.uncertainty_n)}`);
   });
   store.on("problem", ({ problem }) => {
-    const again = el("button", { type: "button", class: "main", onclick: () => store.ask() }, "Try again");
-    const old = el(
-      "p",
-      { class: "small soft" },
-      "The page shows the last result, which is for another muscle or state.",
-    );
+    const again = button("Try again", () => store.ask(), { class: "main" });
+    const old = el("p", { class: "small soft" },
+      "The page shows the last result, which is for another muscle or state.");
     said.replaceChildren(problemBox(problem), store.shape ? old : "", problem.kind === "engine" ? again : "");
     stale(true);
   });
-  const offUnits = onUnits(() => { stage.units(); numbers.paint(); curves.draw(); store.settle(); });
+  onUnits(() => { stage.units(); numbers.paint(); curves.draw(); store.settle(); });
 
   return {
-    /** @param {URLSearchParams} params */
     async load(params) {
       await muscle.read(params, OWN);
       controls.braids();
       const word = (/** @type {string} */ key, usual = "") => params.get(key) ?? usual;
-      Object.assign(store.wanted, {
-        test: word("test", "isobaric"),
-        show: word("show", "max_stretch"),
-        cut: word("cut"),
-        over: word("over"),
-      });
+      Object.assign(store.wanted, { test: word("test", "isobaric"), show: word("show", "max_stretch"), cut: word("cut"),
+        over: word("over") });
       curves.load();
       store.tell("sync");
       controls.anchor();
@@ -61,11 +51,5 @@ export function mount(main) {
       store.follow();
       curves.points.read();
     },
-    unmount() {
-      offUnits();
-      store.end();
-      [stage, curves, numbers].forEach((view) => view.end());
-      main.replaceChildren();
-    },
   };
-}
+};

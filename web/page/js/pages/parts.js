@@ -1,14 +1,12 @@
 // Parts that one can buy or cast: tubes, sleeves and rubbers; a button puts one into the muscle.
 import { engine } from "../ask.js";
-import { address, write } from "../address.js";
+import { address } from "../address.js";
 import { choice } from "../controls.js";
-import { problemOf } from "../engine/problem.js";
-import { capital, el, problemBox } from "../dom.js";
+import { button, capital, el, problemBox } from "../dom.js";
 import { table } from "../form.js";
 import { library } from "../library.js";
-import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
-import { notice } from "../notice.js";
+import { notice, noticeProblem } from "../notice.js";
 import { number, onUnits, show } from "../units.js";
 import { inWords } from "../words.js";
 
@@ -109,8 +107,7 @@ async function putInto(row) {
   } catch (problem) {
     muscle.state = before;
     await muscle.look().catch(() => {});
-    const { message, hint } = problemOf(problem), why = hint ? capital(inWords(hint)) : "";
-    notice(`${row.name} does not go into this muscle: ${inWords(message)}. ${why}`);
+    noticeProblem(problem, `${row.name} does not go into this muscle:`);
     return false;
   }
 }
@@ -121,12 +118,8 @@ function check(id, text, changed) {
   return { box, row: el("label", { for: id }, box, ` ${text}`) };
 }
 
-/** @param {Row} row @param {() => void} act */
-const putButton = ({ name }, act) =>
-  el("button", { type: "button", "aria-label": `Put into the muscle: ${name}`, onclick: act }, "Put into the muscle");
-
-/** @param {HTMLElement} main */
-export function mount(main) {
+/** @type {Mount} */
+export const mount = (main) => {
   /** @type {Parts | undefined} */ let parts;
   const state = { kind: "tubes", find: "" };
   const kind = choice("Show", KINDS, state.kind, (name) => {
@@ -145,11 +138,8 @@ export function mount(main) {
   const line = el("div", { class: "parts-filter" }, kind.element, filter, find, fits.row, cast.row);
   main.replaceChildren(line, count, list);
 
-  const place = () => {
-    const own = { kind: state.kind === "tubes" ? "" : state.kind, find: state.find };
-    const ticks = { fits: fits.box.checked ? "1" : "", sold: cast.box.checked ? "1" : "" };
-    write(address("parts", { ...muscle.params(), ...own, ...ticks }));
-  };
+  const place = () => muscle.place("parts", { kind: state.kind === "tubes" ? "" : state.kind, find: state.find,
+    fits: fits.box.checked ? "1" : "", sold: cast.box.checked ? "1" : "" });
   function changed() {
     place();
     paint();
@@ -171,7 +161,8 @@ export function mount(main) {
     const { head, text, rows } = LISTS[/** @type {Kind} */ (state.kind)], all = rows(parts),
       shown = all.filter(matches);
     count.textContent = `${shown.length} of ${all.length} ${state.kind}. What no source states is marked as estimated.`;
-    const put = (/** @type {Row} */ row) => putButton(row, () => take(row));
+    const put = (/** @type {Row} */ row) => button("Put into the muscle", () => take(row),
+      { "aria-label": `Put into the muscle: ${row.name}` });
     const cells = shown.map((row) => [row.cells[0], put(row), ...row.cells.slice(1)]);
     list.replaceChildren(table(head, cells, { text, label: state.kind }));
   }
@@ -184,12 +175,11 @@ export function mount(main) {
     notice(`${row.name} is in the muscle now.`, el("a", { href: address("muscle", muscle.params()) }, "See it move"));
   }
 
-  atEnd(onUnits(() => {
+  onUnits(() => {
     paint();
     place();
-  }));
+  });
   return {
-    /** @param {URLSearchParams} params */
     async load(params) {
       await muscle.read(params, ["kind", "find", "fits", "sold"]);
       const asked = params.get("kind") ?? "tubes";
@@ -209,6 +199,5 @@ export function mount(main) {
         list.replaceChildren(problemBox(problem));
       }
     },
-    unmount() {},
   };
-}
+};

@@ -1,13 +1,12 @@
 // Laws of rubber from a test of it: constants, curves with the points, and the muscle with that rubber.
-import { address, write } from "../address.js";
+import { columnLine } from "../columns.js";
 import { fileField } from "../controls.js";
-import { dim, download, el } from "../dom.js";
+import { el } from "../dom.js";
 import { Figures } from "../figure.js";
-import { form, job, table, warnings } from "../form.js";
+import { bench, form, job, table, warnings } from "../form.js";
 import { fileOf, keepFile } from "../kept.js";
-import { atEnd } from "../life.js";
+import { muscleButtons } from "../library.js";
 import { muscle } from "../muscle.js";
-import { fileName } from "../toml.js";
 import { number, onUnits, show } from "../units.js";
 
 /** @typedef {Commands["rubber"]["answer"]} Answer */
@@ -38,8 +37,8 @@ function row(law, answer) {
     show("modulus", law.rms_mpa, 2), number(law.r_squared, 5), taken];
 }
 
-/** @param {HTMLElement} main */
-export function mount(main) {
+/** @type {Mount} */
+export const mount = (main) => {
   /** @type {Answer | undefined} */ let found;
   let data = fileOf("rubber");
   const fields = form(FIELDS, () => fit.run()), figures = new Figures("rubber");
@@ -56,24 +55,13 @@ export function mount(main) {
     return { ...rest, stable: stable === "yes", data: [data], muscle: file, figure: true };
   }, (answer) => {
     found = answer;
-    stale(false);
     paint();
     figures.show(answer.figure);
-  }, (problem) => {
-    fields.at(problem);
-    stale(true);
-  });
-  main.replaceChildren(
-    el("div", { class: "bench two" },
-      el("section", { class: "controls", "aria-label": "Rubber test" }, el("h2", {}, "Rubber test"),
-        fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) => take(name, text)), fields.element,
-        fit.element),
-      el("div", { class: "middle" }, understood, laws, figures.element)),
-  );
-  const stale = (/** @type {boolean} */ on) => dim([laws, figures.element], on);
-  const place = () => {
-    if (main.contains(laws)) write(address("rubber", { ...muscle.params(), ...fields.texts() }));
-  };
+  }, { fields, shown: [laws, figures.element] });
+  main.replaceChildren(bench("Rubber test", [el("h2", {}, "Rubber test"),
+    fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) => take(name, text)), fields.element, fit.element],
+  [understood, laws, figures.element]));
+  const place = () => muscle.place("rubber", fields.texts());
 
   /** @param {string} name @param {string} text */
   function take(name, text) {
@@ -81,41 +69,27 @@ export function mount(main) {
     keepFile("rubber", data);
     return fit.run();
   }
-  async function put() {
-    await muscle.take(found?.muscle_file ?? "");
-    location.hash = address("muscle", muscle.params());
-  }
   function paint() {
     if (!found) return;
-    const answer = found, { columns } = answer.understood[0];
-    const read = columns.map((c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`).join(", ");
-    understood.textContent = `${answer.understood.map(({ data }) => data).join(", ")}: ${answer.points} points up to a stretch of `
-      + `${number(answer.fitted_to_stretch, 3)}. ${read}`;
-    const file = answer.muscle_file;
+    const answer = found, file = answer.muscle_file;
+    understood.textContent = `${answer.understood.map(({ data }) => data).join(", ")}: ${answer.points} points up to a `
+      + `stretch of ${number(answer.fitted_to_stretch, 3)}. ${columnLine(answer.understood[0].columns)}`;
     const head = ["law", "constants (± 95 %)", "shear modulus", "rms", "R²", ""];
     laws.replaceChildren(el("h2", {}, answer.recommended ? `Recommended: ${answer.recommended}` : "No law is stable"),
       table(head, answer.laws.map((law) => row(law, answer)), { text: [0, 1, 5], label: "laws of the rubber" }),
       warnings([...answer.warnings, ...answer.failed]),
-      file
-        ? el("p", { class: "row" }, el("button", { type: "button", class: "main", onclick: put },
-          "Put the rubber into the muscle"), el("button", { type: "button", onclick: () =>
-          download(fileName(muscle.name, ".toml"), file, "application/toml") }, "Save the muscle with it"))
-        : "");
+      file ? muscleButtons(file, "Put the rubber into the muscle", "Save the muscle with it", muscle.name) : "");
   }
-  atEnd(onUnits(() => {
+  onUnits(() => {
     paint();
     place();
-  }));
+  });
   return {
-    /** @param {URLSearchParams} params */
     async load(params) {
       await muscle.read(params, fields.keys);
       fields.set(params);
       data = fileOf("rubber");
       if (data) await fit.run();
     },
-    unmount() {
-      fit.end();
-    },
   };
-}
+};

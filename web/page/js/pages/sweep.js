@@ -1,11 +1,10 @@
 // One measure of the muscle over a range: what it does to the pull and to the rest.
 import { engine } from "../ask.js";
-import { address, write } from "../address.js";
 import { Chart, KINDS } from "../chart.js";
 import { choice } from "../controls.js";
-import { capital, el, problemBox } from "../dom.js";
+import { button, capital, el, problemBox } from "../dom.js";
 import { isAbort, problemOf } from "../engine/problem.js";
-import { form } from "../form.js";
+import { bench, form } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { valueAt } from "../plot.js";
@@ -39,12 +38,13 @@ function usualRange({ key, low = 0, high = Infinity, minimum = -Infinity, maximu
   return [at(ends[0]), at(ends[1])];
 }
 
-/** @param {HTMLElement} main */
-export function mount(main) {
+/** @type {Mount} */
+export const mount = (main) => {
   const asked = { x: "p", y: "F" };
   /** @type {Row[]} */ let rows = [];
   /** @type {Measure[]} */ let measures = [PRESSURE, CONTRACTION];
   let ends = new AbortController(), range = form([], () => run());
+  atEnd(() => ends.abort());
   const measure = () => measures.find(({ key }) => key === asked.x) ?? PRESSURE;
   const what = choice("Over", [["p", PRESSURE.label]], "p", (key) => {
     asked.x = key;
@@ -59,10 +59,8 @@ export function mount(main) {
   const box = el("div", {}), said = el("div", {}), title = el("h2", {}, "Sweep");
   const bar = el("progress", { hidden: true, "aria-label": "Progress of the sweep" });
   const chart = new Chart("sweep", { tools: title, tall: true });
-  main.replaceChildren(el("div", { class: "bench two" },
-    el("section", { class: "controls", "aria-label": "Measure and range" }, what.element, box, result.element,
-      el("p", { class: "row" }, el("button", { type: "button", class: "main", onclick: () => run() }, "Compute"), bar)),
-    el("div", { class: "middle" }, said, chart.element)));
+  main.replaceChildren(bench("Measure and range", [what.element, box, result.element,
+    el("p", { class: "row" }, button("Compute", () => run(), { class: "main" }), bar)], [said, chart.element]));
 
   /** Fields of the range of this measure. */
   function ask() {
@@ -76,10 +74,8 @@ export function mount(main) {
     const { kind } = measure(), at = usualRange(measure());
     ["from", "to"].forEach((key, i) => range.usual(key, show(kind, at[i], 3)));
   }
-  function place() {
-    const own = { x: asked.x === "p" ? "" : asked.x, y: asked.y === "F" ? "" : asked.y };
-    write(address("sweep", { ...muscle.params(), ...range.texts(), ...own }));
-  }
+  const place = () => muscle.place("sweep", { ...range.texts(), x: asked.x === "p" ? "" : asked.x,
+    y: asked.y === "F" ? "" : asked.y });
 
   /** The values, or nothing where a text cannot be read. */
   async function values() {
@@ -144,13 +140,12 @@ export function mount(main) {
     said.replaceChildren(one ? el("p", { class: "small" },
       `${failed.length} of ${rows.length} values have no answer, such as ${such}`) : "");
   }
-  atEnd(onUnits(() => {
+  onUnits(() => {
     usual();
     paint();
     place();
-  }));
+  });
   return {
-    /** @param {URLSearchParams} params */
     async load(params) {
       await muscle.read(params, ["x", "y", "from", "to", "points"]);
       measures = [PRESSURE, CONTRACTION, ...MEASURES];
@@ -164,6 +159,5 @@ export function mount(main) {
       range.set(params);
       await run();
     },
-    unmount: () => ends.abort(),
   };
-}
+};

@@ -98,7 +98,7 @@ fn testing(section: &Section<'_>) -> Result<Testing, FileError> {
         return Err(section.error("contractions", why));
     }
     if let Some(p) = pressures_mpa.iter().find(|p| **p < 0.0) {
-        let why = format!("contains {p} MPa; a pressure must not be below zero");
+        let why = format!("contains {p}\u{a0}MPa; a pressure must not be below zero");
         return Err(section.error("pressures", why));
     }
     let points = contractions.len().saturating_mul(pressures_mpa.len());

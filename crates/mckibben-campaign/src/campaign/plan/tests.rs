@@ -153,7 +153,7 @@ fn wrong_plans_are_refused_with_place_key_and_what_is_expected() {
         if !text.contains("[test]") && !text.is_empty() {
             text.push_str(TEST);
         }
-        let message = refused(&text);
+        let message = refused(&text).replace('\u{a0}', " ");
         for part in cells {
             assert!(message.contains(part), "{text}{message}\nlacks: {part}");
         }

@@ -68,7 +68,7 @@ fn data_that_cannot_be_right_get_a_sentence() {
     assert!(message(&|p| p.at.force_n /= 9.81).contains("kgf"));
     assert!(message(&|p| p.at.pressure_mpa *= 10.0).contains("name the column pressure_bar"));
     assert!(message(&|p| p.at.pressure_mpa *= 1000.0).contains("name the column pressure_kpa"));
-    assert!(message(&|p| p.at.pressure_mpa /= 10.0).contains("the highest pressure is 0.0400 MPa"));
+    assert!(message(&|p| p.at.pressure_mpa /= 10.0).contains("the highest pressure is 0.0400\u{a0}MPa"));
     // A diameter that may be wrong is no reason to refuse.
     let mut points = bench(&m, 0.0);
     points.iter_mut().for_each(|p| p.at.force_n *= 4.0);

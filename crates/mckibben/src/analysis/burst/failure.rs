@@ -100,8 +100,7 @@ pub enum NoBurst {
     Missing(&'static str),
     /// The model has no answer beyond this pressure in MPa, and nothing fails up to there.
     #[error(
-        "the model has no answer beyond {0:.3} MPa ({bar:.2} bar), and nothing fails up to there; another model may answer",
-        bar = 10.0 * .0
+        "the model has no answer beyond {0:.3}\u{a0}MPa, and nothing fails up to there; another model may answer"
     )]
     NoAnswerBeyond(f64),
 }

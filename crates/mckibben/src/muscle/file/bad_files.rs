@@ -58,7 +58,7 @@ fn what_is_no_readable_file_is_refused_by_name() {
     let message = |path: &std::path::Path| read_muscle(path).unwrap_err().to_string();
     let bad = dir.file("muscle.toml", b"[tube]\n\nwall_thickness = \"-3 mm\"\n");
     assert!(message(&bad).ends_with(
-        "muscle.toml:3:18: tube.wall_thickness = \"-3 mm\": is -3 mm; it must be above zero and finite"
+        "muscle.toml:3:18: tube.wall_thickness = \"-3 mm\": is -3\u{a0}mm; it must be above zero and finite"
     ));
     let missing = read_muscle(dir.0.join("none.toml")).unwrap_err();
     assert!(missing.to_string().contains("none.toml: cannot be read: "));

@@ -135,9 +135,9 @@ fn of_kind(kind: &str, value: &Written, expected: &str) -> Result<Value, String>
             let read = of_kind(rest, value, expected)?;
             let (number, is_above) = (read.as_f64(), word == ">0");
             let low = number.filter(|v| *v < 0.0 || is_above && *v == 0.0);
-            let unit = dimension(rest).map_or("", |d| d.unit_inside().name);
+            let unit = dimension(rest).map_or(String::new(), |d| format!("\u{a0}{}", d.unit_inside().name));
             let must = if is_above { "be above zero" } else { "not be below zero" };
-            low.map_or(Ok(read), |v| Err(format!("is {}; it must {must}", format!("{v} {unit}").trim_end())))
+            low.map_or(Ok(read), |v| Err(format!("is {v}{}; it must {must}", unit.trim_end())))
         }
         ("number" | "end-factor", _) => sound(value, PLAIN).map(Value::from),
         ("whole", _) => {

@@ -8,7 +8,7 @@
 //! let error = parse_muscle("[tube]\nwall_thickness = \"-3 mm\"\n").unwrap_err();
 //! assert_eq!(
 //!     error.to_string(),
-//!     "line 2, column 18: tube.wall_thickness = \"-3 mm\": is -3 mm; it must be above zero and finite"
+//!     "line 2, column 18: tube.wall_thickness = \"-3 mm\": is -3\u{a0}mm; it must be above zero and finite"
 //! );
 //! # Ok::<(), mckibben::muscle::file::FileError>(())
 //! ```

@@ -1,0 +1,34 @@
+// Something that is played over time by a button.
+import { button } from "./dom.js";
+import { atEnd } from "./life.js";
+
+/**
+ * `at` is told the share of the time; only three of them where motion is not wanted.
+ * @param {string} text of the button @param {(share: number) => void} at @param {() => number} long in milliseconds
+ * @param {string} [title]
+ */
+export function playing(text, at, long, title) {
+  let running = 0;
+  const one = button(text, () => (running ? stop() : start()), { title });
+  function start() {
+    const began = performance.now(), still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const step = () => {
+      const share = Math.min(1, (performance.now() - began) / long());
+      at(still ? Math.ceil(3 * share) / 3 : share);
+      if (share === 1) return stop();
+      running = still ? window.setTimeout(step, long() / 3) : requestAnimationFrame(step);
+    };
+    stop();
+    running = 1;
+    one.textContent = "Stop";
+    step();
+  }
+  function stop() {
+    cancelAnimationFrame(running);
+    clearTimeout(running);
+    running = 0;
+    one.textContent = text;
+  }
+  atEnd(stop);
+  return { button: one, start, stop };
+}
