@@ -22,12 +22,10 @@ from ._errors import FileError, InputError, InternalError, MckibbenError, Muscle
 from ._api import design, export_targets, fit, fit_report, fit_rubber, identify, measured, measures, part, parts, plan, validate
 from ._campaign import Campaign, campaign
 from ._drives import Drive, Joint
-from ._formula import Formula
-from ._load import load
 from ._muscle import Muscle
 from ._native import VERSION as __version__
 from ._request import ask
-from ._rubber import Rubber
+from ._parts import Formula, Rubber, load
 from ._simulation import Simulation, rollout
 
 __all__ = [

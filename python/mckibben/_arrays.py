@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._errors import MckibbenError
-from ._request import listening
-from ._values import Progress, array
+from ._api import Solution
+from ._request import array, listening
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ._muscle import Bound
+    from ._request import Progress
 
 # Measures of a muscle, as :meth:`Muscle.replace` has them, by which there are derivatives.
 MEASURES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "stiffness")
@@ -82,18 +83,15 @@ def _masked(bound: Bound, wanted: str, a: Any, b: Any, jac: bool | Sequence[str]
     return tuple(map(whole, found)) if isinstance(found, tuple) else whole(found)
 
 
-def solved(bound: Bound, pressure_mpa: Any, contraction: Any, nan: bool, progress: Progress) -> tuple[dict[str, NDArray[Any]], list[str]]:
+def solved(bound: Bound, pressure_mpa: Any, contraction: Any, nan: bool, progress: Progress) -> Solution:
     """All that is known of points as arrays of the broadcast shape, and what is to be known of them."""
-    given = np.broadcast_arrays(array("pressure_mpa", pressure_mpa), array("contraction", contraction))
-    shape = given[0].shape
-    p, e = (np.ascontiguousarray(values).ravel() for values in given)
+    p, e = np.broadcast_arrays(array("pressure_mpa", pressure_mpa), array("contraction", contraction))
     with listening(progress, "solve") as heard:
-        rows = bound.native.solve(p.tolist(), e.tolist(), nan, heard)
+        rows = bound.native.solve(p.ravel().tolist(), e.ravel().tolist(), nan, heard)
     texts = list(dict.fromkeys(text for row in rows for text in row.get("warnings", ())))
     names = dict.fromkeys(name for row in rows for name, value in row.items() if isinstance(value, (int, float)) and name != "slack")
-    out: dict[str, NDArray[Any]] = {name: np.array([np.nan if row.get(name) is None else row[name] for row in rows], dtype=np.float64) for name in names}
-    out |= {"pressure_mpa": p.copy(), "contraction": e.copy(), "slack": np.array([row.get("slack", False) for row in rows], dtype=bool)}
-    out["status"] = np.array([row.get("status", "ok") for row in rows])
-    out["cause"] = np.array([row.get("cause", "") for row in rows], dtype=object)
-    out["warned"] = np.array([sum(1 << texts.index(text) for text in set(row.get("warnings", ()))) for row in rows], dtype=np.int64)
-    return {name: values.reshape(shape) for name, values in out.items()}, texts
+    columns: dict[str, list[Any]] = {name: [row.get(name) for row in rows] for name in names}
+    for name, without in (("slack", False), ("status", "ok"), ("cause", "")):
+        columns[name] = [row.get(name, without) for row in rows]
+    columns["warned"] = [sum(1 << texts.index(text) for text in set(row.get("warnings", ()))) for row in rows]
+    return Solution._read({**columns, "pressure_mpa": p, "contraction": e, "model": bound.native.name, "warnings": texts})

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any
 
 from . import _api, _native
-from ._errors import InputError, MuscleWarning, UnitWarning, warned
-from ._request import Saved, fields, listening, options as _options, put
-from ._values import Number, Progress
+from ._errors import InputError, MuscleWarning, warned
+from ._request import Saved, fields, is_nan, listening, options as _options, put
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from ._rubber import Rubber
+    from ._parts import Rubber
+    from ._request import Number, Progress
 
     Array = NDArray[np.float64]
 
@@ -44,7 +44,7 @@ class Bound:
             self.quiet = min(_LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed)
         if pressure_mpa > self.quiet:
             if not is_text and (said := _native.unlikely("pressure_mpa", pressure_mpa)):
-                warned(said, UnitWarning)
+                warned(said)
             if self.said is None or self.said[0] < pressure_mpa:
                 self.said = pressure_mpa, self._warnings(pressure_mpa, contraction)
             for text in self.said[1]:
@@ -66,7 +66,7 @@ class Bound:
         if seen is not None and box[0] <= seen[0] and box[1] >= seen[1] and box[2] <= seen[2]:
             return
         if not is_text and (said := _native.unlikely("pressure_mpa", highest)):
-            warned(said, UnitWarning)
+            warned(said)
         texts = dict.fromkeys(text for e in {box[1], box[2]} for text in self._warnings(highest, e))
         if texts:
             warned("; ".join(texts), MuscleWarning)
@@ -87,14 +87,13 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     Muscle(outer_diameter_mm=50.0, wall_mm=1.0, length_mm=285.0, stiffness='paper', angle_deg=28.0, rubber='paper')
     """
 
-    __slots__ = ("_default", "_held", "_models", "_own")
+    __slots__ = ("_held", "_models", "_own")
     _held: _native.Muscle
     _models: dict[Any, Bound]
-    _default: Bound | None
     _own: dict[str, Any] | None
 
     def _hold(self, native: _native.Muscle) -> Muscle:
-        for name, value in (("_held", native), ("_models", {}), ("_default", None), ("_own", None)):
+        for name, value in (("_held", native), ("_models", {}), ("_own", None)):
             object.__setattr__(self, name, value)
         return self
 
@@ -139,12 +138,10 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         depends on the pressure, strands that carry compression), the text of its muscle file as ``{"toml": …}``.
         """
         held = _native.toml("muscle", self.to_toml())
-        stated = {("terminals" if table == "model" else table, key) for table, value in held.items() for key in _keys(value)}
-        out = {name: self._field(name) for name, key in _api.KEYS.items() if tuple(key.split(".")) in stated}
-        if "material" in held.get("tube", {}) or ("tube", "rubber") in stated:
-            out["rubber"] = self.rubber
-        if ("braid", "name") in stated:
-            out["braid"] = self._field("braid")
+        stated = {f"{'terminals' if table == 'model' else table}.{key}" for table, keys in held.items() if isinstance(keys, dict) for key in keys}
+        out = {name: self._field(name) for name, key in _api.KEYS.items() if key in stated}
+        out |= {"rubber": self.rubber} if stated & {"tube.material", "tube.rubber"} else {}
+        out |= {"braid": self._field("braid")} if "braid.name" in stated else {}
         try:
             whole = Muscle(**out) == self
         except (InputError, TypeError):
@@ -153,11 +150,6 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
 
     def _bound(self, given: Mapping[str, Any]) -> Bound:
         """The model that is asked, kept for the next question."""
-        if not given:
-            if self._default is None:
-                object.__setattr__(self, "_default", Bound(self, given))
-            assert self._default is not None
-            return self._default
         key = tuple(given.items())
         try:
             return self._models[key]
@@ -169,9 +161,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             return Bound(self, given)
 
     def _asked(self, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress, options: Mapping[str, Any]) -> Any:
-        bound, nan = self._bound(options), errors == "nan"
-        if not nan and errors != "raise":
-            raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
+        bound, nan = self._bound(options), is_nan(errors)
         if jac is False and progress is None and type(a) in (float, int) and type(b) in (float, int):
             found = bound.native.one(wanted, a, b, nan)
             pressure = a if wanted == "force" else b if wanted == "contraction" else found
@@ -183,15 +173,12 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         return _arrays.asked(bound, wanted, a, b, jac, nan, progress)
 
     def _solved(self, pressure_mpa: Any, contraction: Any, errors: str, progress: Progress, options: Mapping[str, Any]) -> _api.Solution:
-        if errors not in ("raise", "nan"):
-            raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
         from . import _arrays
 
-        bound = self._bound(options)
-        columns, texts = _arrays.solved(bound, pressure_mpa, contraction, errors == "nan", progress)
-        if texts:
-            warned("; ".join(texts), MuscleWarning)
-        return _api.Solution._of(columns, bound.native.name, texts)
+        found = _arrays.solved(self._bound(options), pressure_mpa, contraction, is_nan(errors), progress)
+        if found.warnings:
+            warned("; ".join(found.warnings), MuscleWarning)
+        return found
 
     @property
     def parameters(self) -> dict[str, float]:
@@ -217,10 +204,10 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     @property
     def rubber(self) -> str | Rubber:
         """The rubber: its name in the library, or its law and constants."""
-        from ._rubber import Rubber
+        from ._parts import Rubber
 
         tube = _native.toml("muscle", self.to_toml()).get("tube", {})
-        return Rubber._of(tube["material"]) if "material" in tube else str(tube.get("rubber", "paper"))
+        return Rubber.from_toml(self.to_toml()) if "material" in tube else str(tube.get("rubber", "paper"))
 
     @property
     def braid(self) -> str:
@@ -251,14 +238,12 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         @software{mckibben,
         """
         point = _native.ask("force", {"muscle": {"name": "muscle", "text": self.to_toml()}, "pressure_mpa": 0.0, "model": model or "fe"})
-        version = f"  title = {{mckibben: design of McKibben pneumatic muscles}},\n  version = {{{_native.VERSION}}}"
-        entries = [f"@software{{mckibben,\n{version}\n}}", _note("model", f"Model {point['model']}", point["about"]["source"])]
+        notes = {"model": (f"Model {point['model']}", point["about"]["source"])}
         for kind, name in (("rubber", self.rubber), ("braid", self._field("braid"))):
             if isinstance(name, str) and name != "paper":
-                found = _native.ask("parts-show", {"name": name.split(":")[0]})
-                source = next((text for text in _sources(found)), None)
-                entries += [_note(kind, f"{kind.capitalize()} {name}", source)] if source else []
-        return "\n\n".join(entries)
+                notes[kind] = f"{kind.capitalize()} {name}", getattr(_api.part(name.split(":")[0]), kind).source
+        package = f"@software{{mckibben,\n  title = {{mckibben: design of McKibben pneumatic muscles}},\n  version = {{{_native.VERSION}}}\n}}"
+        return "\n\n".join([package, *(f"@misc{{mckibben_{key},\n  title = {{{title}}},\n  note = {{{source}}}\n}}" for key, (title, source) in notes.items())])
 
     _key = to_toml
 
@@ -277,24 +262,3 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         names = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "rubber", "braid")
         rows = "".join(f"<tr><th style='text-align:left'>{n}</th><td>{escape(f'{held[n]:.6g}' if isinstance(held[n], float) else str(held[n]))}</td></tr>" for n in names)
         return f"<table><caption>Muscle</caption>{rows}</table>" + self.shape(0.0, 0.0)._frame()
-
-
-def _keys(table: Any) -> Iterator[str]:
-    """The keys in a table of a muscle file, and in those below it."""
-    for name, value in table.items() if isinstance(table, dict) else ():
-        if isinstance(value, dict):
-            yield from _keys(value)
-        else:
-            yield name
-
-
-def _sources(value: Any) -> Iterator[str]:
-    """What an answer says under the key `source`."""
-    for name, item in value.items() if isinstance(value, dict) else ():
-        if name == "source" and isinstance(item, str) and item:
-            yield item
-        yield from _sources(item)
-
-
-def _note(key: str, title: str, source: str) -> str:
-    return f"@misc{{mckibben_{key},\n  title = {{{title}}},\n  note = {{{source}}}\n}}"

@@ -1,4 +1,4 @@
-"""Answers as objects: what JSON holds, by attribute."""
+"""Answers as objects: what JSON holds by attribute, and what the generated classes can do besides."""
 
 from __future__ import annotations
 
@@ -7,22 +7,29 @@ import os
 import re
 import sys
 from collections.abc import Mapping, Sequence
+from functools import cache
 from html import escape
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from . import _native
-from ._request import put
-from ._values import Fixed, column
+from ._errors import NoAnswerError, of as problem
+from ._request import Fixed, column, put
 
 if TYPE_CHECKING:
+    import numpy as np
     import pandas
+    import xarray
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
     from typing_extensions import Self, dataclass_transform
+
+    from ._muscle import Muscle
+    from ._parts import Formula, Rubber
 else:
     def dataclass_transform(**_: Any) -> Any:
         return lambda kind: kind
 
-Asked = tuple[str, dict[str, Any]]
 # Rows that a notebook shows.
 _SHOWN = 20
 
@@ -35,31 +42,25 @@ class Record(Fixed):
     """
 
     _rows: ClassVar[str | None] = None
-    _kinds: ClassVar[dict[str, Any] | None] = None
     if not TYPE_CHECKING:
         def __init__(self, **fields: Any) -> None:
             self.__dict__.update(fields)
 
     @classmethod
-    def _read(cls, data: Mapping[str, Any], asked: Asked | None = None) -> Self:
+    def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
         """The answer of JSON, and of which question it is."""
-        made = object.__new__(cls)
-        kinds = cls._nested()
+        made, kinds = object.__new__(cls), cls._nested()
         made.__dict__.update({name + "_" if name in ("from", "import") else name: _wrapped(kinds.get(name), value) for name, value in data.items()})
         made.__dict__["_asked"] = asked
         return made
 
     @classmethod
-    def _nested(cls) -> dict[str, Any]:
+    @cache
+    def _nested(cls) -> dict[str, type[Record]]:
         """The records that its fields hold, by the names in their annotations."""
-        if "_kinds" not in cls.__dict__:
-            known: dict[str, Any] = {}
-            for part in reversed(cls.__mro__):
-                for name, kind in part.__dict__.get("__annotations__", {}).items():
-                    found = re.search(r"\b(?!NDArray|Literal|Any|None|ClassVar)[A-Z]\w+", str(kind))
-                    known[name.rstrip("_")] = found and vars(sys.modules[part.__module__]).get(found[0])
-            cls._kinds = {name: kind for name, kind in known.items() if isinstance(kind, type) and issubclass(kind, Record)}
-        return cls._kinds or {}
+        found = {name.rstrip("_"): re.search(r"\b[A-Z]\w+", kind) for name, kind in cls.__annotations__.items()}
+        kinds = {name: vars(sys.modules[cls.__module__]).get(word[0]) for name, word in found.items() if word}
+        return {name: kind for name, kind in kinds.items() if isinstance(kind, type) and issubclass(kind, Record)}
 
     def _fields(self) -> dict[str, Any]:
         return {name: value for name, value in self.__dict__.items() if not name.startswith("_")}
@@ -75,7 +76,7 @@ class Record(Fixed):
         held = self.__dict__.get(self._rows) or []
         if isinstance(held, Record):
             return {name: column(values) for name, values in held._fields().items() if isinstance(values, list)}
-        return of_rows([row.to_dict() if isinstance(row, Record) else row for row in held])
+        return of_rows([_unwrapped(row) for row in held])
 
     def __getitem__(self, name: str) -> Any:
         return self.to_columns()[name]
@@ -94,12 +95,16 @@ class Record(Fixed):
         figure = {"figure": self.__dict__["figure"].to_dict()} if self.__dict__.get("figure") else {}
         return {"data": {**self.to_dict(), **figure}, "asked": self.__dict__.get("_asked")}
 
+    @classmethod
+    def _load(cls, state: Mapping[str, Any]) -> Self:
+        return cls._read(state["data"], state["asked"])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self)._load, (self._state(),)
+
     def _key(self) -> Any:
         # The figure is the same facts once more.
         return json.dumps(self.to_dict(), sort_keys=True)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (type(self), self.__dict__)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._fields().items() if name != 'figure')})"
@@ -108,13 +113,10 @@ class Record(Fixed):
         return f"{type(self).__name__}({', '.join(f'{name}={_short(value)}' for name, value in list(self._fields().items())[:12])})"
 
     def _repr_html_(self) -> str:
-        rows = [(name, _short(value)) for name, value in self._fields().items() if not isinstance(value, (list, dict, Record)) or name == "warnings"]
-        body = "".join(f"<tr><th style='text-align:left'>{escape(name)}</th><td>{escape(text)}</td></tr>" for name, text in rows)
-        own = f"<table><caption>{type(self).__name__}</caption>{body}</table>"
-        return own + (html_of(self.to_columns()) if self._rows and self.__dict__.get(self._rows) else "")
+        return f"<pre>{escape(str(self))}</pre>" + (html_of(self.to_columns()) if self._rows and self.__dict__.get(self._rows) else "")
 
     def plot(self, *, units: str | None = None, ax: Axes | Sequence[Axes] | None = None) -> Any:
-        """Draws its figure with matplotlib, the same as ``--plot`` of the command line.
+        """Draws its figure with matplotlib, the same as ``--plot`` of the command line, and gives its axes.
 
         Parameters
         ----------
@@ -122,10 +124,6 @@ class Record(Fixed):
             Units to draw in: ``bar``, or ``psi,lbf,in``; MPa, N and mm where they are left out.
         ax
             Axes to draw on, or a list of them, one for each panel; new ones where they are left out.
-
-        Returns
-        -------
-        matplotlib.axes.Axes or list of them
         """
         from ._plot import drawn
 
@@ -136,39 +134,28 @@ class Record(Fixed):
         return drawn(figure.to_dict() if figure and units is None else _native.ask(asked[0], {**asked[1], "figure": units or "MPa"})["figure"], ax)
 
 
-def _restored(kind: type[Record], state: dict[str, Any]) -> Record:
-    made = object.__new__(kind)
-    made.__dict__.update(state)
-    return made
-
-
-def _wrapped(kind: Any, value: Any) -> Any:
-    if kind is None or value is None:
+def _wrapped(kind: type[Record] | None, value: Any) -> Any:
+    if kind is None or not isinstance(value, (list, dict)):
         return value
-    if isinstance(value, dict):
-        # A map of names to records is no record itself.
-        names = {name for part in kind.__mro__ for name in part.__dict__.get("__annotations__", ())}
-        return kind._read(value) if not value or {name if name in names else name + "_" for name in value} & names else {name: _wrapped(kind, item) for name, item in value.items()}
-    return [_wrapped(kind, item) for item in value] if isinstance(value, list) else value
+    if isinstance(value, list):
+        return [_wrapped(kind, item) for item in value]
+    # A map of names to records is no record itself.
+    is_map = value and not {name.rstrip("_") for name in kind.__annotations__} & set(value)
+    return {name: _wrapped(kind, item) for name, item in value.items()} if is_map else kind._read(value)
 
 
 def _unwrapped(value: Any) -> Any:
-    if isinstance(value, Record):
-        return value.to_dict()
     if isinstance(value, dict):
         return {name: _unwrapped(item) for name, item in value.items()}
-    return [_unwrapped(item) for item in value] if isinstance(value, list) else value
+    return value.to_dict() if isinstance(value, Record) else [_unwrapped(item) for item in value] if isinstance(value, list) else value
 
 
 def _short(value: Any) -> str:
-    if isinstance(value, float):
-        return f"{value:.6g}"
-    if isinstance(value, list):
-        return f"[{len(value)} items]" if len(value) > 3 or any(isinstance(v, (dict, list, Record)) for v in value) else "[" + ", ".join(map(_short, value)) + "]"
-    if isinstance(value, (dict, Record)):
-        return type(value).__name__ if isinstance(value, Record) else f"{{{len(value)} fields}}"
-    text = repr(value)
-    return text if len(text) <= 80 else text[:79] + "…"
+    if isinstance(value, list) and len(value) <= 3 and not any(isinstance(v, (dict, list, Record)) for v in value):
+        return "[" + ", ".join(map(_short, value)) + "]"
+    if isinstance(value, (list, dict, Record)):
+        return type(value).__name__ if isinstance(value, Record) else f"[{len(value)} items]"
+    return f"{value:.6g}" if isinstance(value, float) else repr(value) if len(repr(value)) <= 80 else repr(value)[:79] + "…"
 
 
 def of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
@@ -186,3 +173,271 @@ def html_of(columns: Mapping[str, Any]) -> str:
     body = "".join("<tr>" + "".join(f"<td>{cell(v)}</td>" for v in row) + "</tr>" for row in zip(*(values[:_SHOWN] for values in columns.values())))
     count = len(next(iter(columns.values()), ()))
     return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>" + (f"<p>{count - _SHOWN} rows more</p>" if count > _SHOWN else "")
+
+
+class Points(Record):
+    """Points of a muscle as arrays of one shape, each an attribute; ``model`` is the model's name.
+
+    ``warned`` has at each point a bit for each of ``warnings``; where ``status`` is not ``ok``, ``cause`` says why.
+    """
+
+    model: str
+    warnings: list[str]
+
+    @classmethod
+    def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
+        import numpy as np
+
+        kinds: dict[str, Any] = {"slack": np.bool_, "warned": np.int64, "status": np.str_, "cause": object}
+        shape = np.shape(data["pressure_mpa"])
+        columns = {name: np.array(values, dtype=kinds.get(name, np.float64)).reshape(shape) for name, values in data.items() if name not in ("model", "warnings")}
+        made = object.__new__(cls)
+        for name in dict.fromkeys([*cls.__annotations__, *columns]):
+            made.__dict__[name] = values = columns.get(name, np.full(shape, np.nan))
+            values.flags.writeable = False
+        made.__dict__.update(model=data["model"], warnings=data["warnings"])
+        return made
+
+    def _arrays(self) -> dict[str, NDArray[Any]]:
+        """The arrays that hold something."""
+        held = {name: values for name, values in self._fields().items() if name not in ("model", "warnings")}
+        return {name: values for name, values in held.items() if values.dtype.kind != "f" or values.size == 0 or (values == values).any()}
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """That of each array."""
+        shape: tuple[int, ...] = self.__dict__["pressure_mpa"].shape
+        return shape
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        return self._arrays()[name]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain lists by name; None where a point does not have a number."""
+        import numpy as np
+
+        none: Any = None
+        # Zeros without a sign.
+        arrays = {name: np.where(values == values, values + 0.0, none) if values.dtype.kind == "f" else values for name, values in self._arrays().items()}
+        return {"model": self.model, "warnings": self.warnings, **{name: values.tolist() for name, values in arrays.items()}}
+
+    def to_columns(self) -> dict[str, Any]:
+        """A row for each point, in the order of the last index."""
+        return {name: values.ravel() if values.dtype.kind in "fib" else values.ravel().tolist() for name, values in self._arrays().items()}
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A Dataset with the units as attributes. Where pressures and contractions span a grid, these are its dimensions."""
+        import xarray as xr
+
+        arrays = self._arrays()
+        p, e = arrays["pressure_mpa"], arrays["contraction"]
+        dims: list[str] = [f"dim_{axis}" for axis in range(p.ndim)]
+        coords: dict[str, Any] = {}
+        for name, own, other in (("pressure_mpa", p, e), ("contraction", e, p)):
+            axes = [axis for axis in range(p.ndim) if p.shape[axis] > 1 and not (own == own.take([0], axis)).all()]
+            if len(axes) == 1 and (other == other.take([0], axes[0])).all():
+                dims[axes[0]] = name
+                coords[name] = own[tuple(slice(None) if axis == axes[0] else 0 for axis in range(p.ndim))]
+        out = xr.Dataset({name: (dims, values) for name, values in arrays.items() if name not in coords}, coords, {"model": self.model})
+        for column in out.variables:
+            if unit := _native.unit_of(str(column)):
+                out[column].attrs["units"] = unit
+        return out
+
+    def __str__(self) -> str:
+        arrays = self._arrays()
+        some = arrays["force_n"][arrays["status"] == "ok"]
+        between = f", pull {some.min():.4g} to {some.max():.4g} N" if some.size else ""
+        return f"<Solution: {self.model}, {' x '.join(map(str, self.shape)) or 1} points{between}, {arrays['status'].size - some.size} without an answer>"
+
+    __repr__ = __str__
+
+    def _repr_html_(self) -> str:
+        return f"<p>{escape(str(self))}</p>{html_of(self.to_columns())}"
+
+
+class Curves(Record):
+    """A family of curves, its points as columns."""
+
+    @classmethod
+    def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
+        rows = data["points"]
+        if rows and all(row["status"] != "ok" for row in rows):
+            raise problem({"kind": rows[0]["status"], "message": rows[0]["cause"], "hint": ""})
+        return super()._read(data, asked)
+
+    def to_columns(self) -> dict[str, Any]:
+        """The points, curve after curve, with what is ``fixed`` on each; a point without an answer is NaN, and its ``status`` and ``cause`` say why."""
+        held = self.to_dict()
+        rows, fixed = held["points"], held["fixed"]
+        return of_rows([{"fixed": fixed[i * len(fixed) // len(rows)], **{n: v for n, v in row.items() if n != "model"}, "slack": row.get("slack", False)} for i, row in enumerate(rows)])
+
+    def grid(self, column: str) -> NDArray[np.float64]:
+        """A column with one row for each curve."""
+        import numpy as np
+
+        return np.asarray(self.to_columns()[column], dtype=np.float64).reshape(len(self.__dict__["fixed"]), -1)
+
+
+class Planned(Record):
+    """A plan that was computed."""
+
+    def to_columns(self) -> dict[str, Any]:
+        """The points."""
+        import csv
+
+        rows = csv.DictReader(self.__dict__["table"].text.splitlines())
+        return of_rows([{n: v if n in ("status", "cause") else float(v or "nan") for n, v in row.items()} for row in rows])
+
+
+class Fitting(Record):
+    """A fitted formula with all that is known of it."""
+
+    @property
+    def formula(self) -> Formula:
+        """The formula, which is a model and a file."""
+        from ._parts import Formula
+
+        held = {n: v for n, v in self.to_dict().items() if n not in ("tables", "figures")}
+        return Formula(json.dumps(held, ensure_ascii=False, indent=2) + "\n", held["name"])
+
+    def table(self, name: str) -> dict[str, Any]:
+        """The columns of one of the intermediate tables that ``fit(…, tables=True)`` asks for, by its name."""
+        held = {table["name"]: table for table in self.to_dict().get("tables") or []}
+        if name not in held:
+            raise KeyError(f"{name}: there is {', '.join(held) or 'no table'}")
+        return of_rows([dict(zip(held[name]["header"], row)) for row in held[name]["rows"]])
+
+
+class Found(Record):
+    """Values found by least squares, as other packages name them."""
+
+    def _of(self, name: str, rows: str = "parameters") -> NDArray[np.float64]:
+        import numpy as np
+
+        return np.array([getattr(row, name) for row in self.__dict__[rows]], dtype=np.float64)
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the values."""
+        return [str(p.name) for p in self.__dict__["parameters"]]
+
+    @property
+    def x(self) -> NDArray[np.float64]:
+        """The values found."""
+        return self._of("value")
+
+    @property
+    def stderr(self) -> NDArray[np.float64]:
+        """Their standard errors; NaN where the data does not determine one."""
+        return self._of("standard_error")
+
+
+class Identified(Found):
+    """Constants found in measured points, with their errors."""
+
+    @property
+    def cov(self) -> NDArray[np.float64]:
+        """Their covariance, in the units of the values."""
+        import numpy as np
+
+        return np.array(self.__dict__["correlation"], dtype=np.float64).reshape(len(self.x), len(self.x)) * np.outer(self.stderr, self.stderr)
+
+    @property
+    def residuals(self) -> NDArray[np.float64]:
+        """Model less measurement of each point, in N."""
+        return self._of("residual_n", "points")
+
+    @property
+    def identified(self) -> Muscle:
+        """The muscle with the values found."""
+        from ._muscle import Muscle
+
+        return Muscle.from_toml(self.__dict__["muscle_file"])
+
+    def summary(self) -> str:
+        """What was found, in lines for reading."""
+        me: Any = self
+        words = [f"  {p.name} {p.value:.5g}" + ("" if p.half_width_95 is None else f" ± {p.half_width_95:.3g}") + (f" {p.unit}" if p.unit else "") for p in me.parameters]
+        head = f"{me.model}: {len(me.points)} points, rms {me.rms_n:.3g} N (before {me.rms_before_n:.3g} N), largest {me.max_n:.3g} N"
+        errors = "± half width of 95 %, " + ("by the stated errors" if me.errors_stated else f"by the residuals, {me.degrees_of_freedom} degrees of freedom")
+        return "\n".join([head, *words, errors, *(f"note: {text}" for text in me.warnings)])
+
+
+class FittedLaws(Found):
+    """Laws fitted to tests of a rubber; ``x``, ``names`` and ``stderr`` are those of the recommended one."""
+
+    def rubber(self, law: str | None = None) -> Rubber:
+        """A law with its constants; the recommended one where none is named."""
+        from ._parts import Rubber
+
+        name = law or self.__dict__["recommended"]
+        if name is None:
+            raise NoAnswerError("no law is stable in a muscle", kind="no_answer", hint="name one")
+        found = next((of for of in self.__dict__["laws"] if name in (of.name, of.law)), None)
+        if found is None:
+            raise KeyError(name)
+        constants: dict[str, Any] = {}
+        for p in found.parameters:
+            # The terms of Ogden's law are in lists: mu1, mu2 are mu = […].
+            constant = p.name.rstrip("0123456789") if found.law == "ogden" else p.name
+            constants[constant] = [*constants.get(constant, []), p.value] if found.law == "ogden" else p.value
+        return Rubber(found.law, **constants)
+
+
+class Designed(Record):
+    """Ranked muscles, and why others fail."""
+
+    @property
+    def muscles(self) -> list[Muscle]:
+        """The candidates as muscles, best first."""
+        from ._muscle import Muscle
+
+        return [Muscle.from_toml(file.text) for file in self.__dict__.get("muscle_files") or []]
+
+    @property
+    def best(self) -> Muscle:
+        """The first of them."""
+        if not self.muscles:
+            raise NoAnswerError("no muscle fits", kind="no_answer", hint="`closest` and `rejected` say why")
+        return self.muscles[0]
+
+    def __str__(self) -> str:
+        return "\n".join(self.__dict__.get("decision") or []) or super().__str__()
+
+
+class Files(Record):
+    """An answer of files."""
+
+    def write(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
+        """Writes the files into a folder, and gives the one to begin with. Another file that is there is replaced only with ``overwrite``."""
+        from base64 import b64decode
+
+        place = Path(folder)
+        contents: dict[str | os.PathLike[str], str | bytes] = {place / f.name: b64decode(f.base64) if f.base64 is not None else str(f.text) for f in self.__dict__["files"]}
+        place.mkdir(parents=True, exist_ok=True)
+        put(contents, overwrite)
+        return Path(next(iter(contents)))
+
+
+class Shaped(Record):
+    """The deformed muscle. In a notebook it is shown in space."""
+
+    def array(self, name: str) -> NDArray[np.float64]:
+        """What there is at the nodes, as an array of stations and nodes through the wall; of the strands, one number for each station."""
+        import numpy as np
+
+        me: Any = self
+        values = np.asarray(me.arrays[name], dtype=np.float64)
+        return values.reshape(me.stations, -1) if values.size == me.stations * me.across else values
+
+    def to_html(self) -> str:
+        """A page with the muscle in space, to rotate with the mouse, for use offline."""
+        return _native.body_html(self.__dict__["_asked"][1])
+
+    def _frame(self) -> str:
+        page = escape(self.to_html(), quote=True)
+        return f'<iframe srcdoc="{page}" style="width:100%;max-width:760px;height:430px;border:0" sandbox="allow-scripts" title="muscle"></iframe>'
+
+    def _repr_html_(self) -> str:
+        return self._frame() + super()._repr_html_()

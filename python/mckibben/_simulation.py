@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 from . import _native
 from ._api import State
 from ._drives import Drive
-from ._request import fields, listening
-from ._values import Number, Progress, number
+from ._request import fields, is_nan, listening, number, options as _options
 
 if TYPE_CHECKING:
     import numpy as np
     import pandas
     from numpy.typing import ArrayLike, NDArray
+    from typing_extensions import Unpack
 
-    from ._values import FormulaLike, Plain
+    from ._api import Options
+    from ._request import Number, Progress
 
 # Units of commands, by what is commanded.
 _COMMANDS = {"pressure": "pressure_mpa", "opening": "opening", "volume": "volume_mm3", "position": "contraction"}
@@ -35,8 +36,8 @@ class Simulation:
         Length of a step.
     record
         Whether all steps are recorded for :meth:`to_columns` and :attr:`events`; without, memory and a copy stay small however long it runs.
-    model, formulas, mesh, match, terminal
-        As in :meth:`Drive.motion`: ``universal`` is quick.
+    options
+        ``model``, ``formulas``, ``mesh``, ``match``, ``terminal`` as in :meth:`Drive.motion`: ``universal`` is quick.
 
     Raises
     ------
@@ -52,33 +53,21 @@ class Simulation:
     0.01
     """
 
-    __slots__ = ("_commands", "_dt_s", "_joint", "_made", "_names", "_native", "record")
+    __slots__ = ("_commands", "_joint", "_made", "_names", "_native", "dt_s", "record")
+    dt_s: float
     record: bool
 
-    def __init__(
-        self,
-        drive: Drive | str | os.PathLike[str],
-        dt_s: float,
-        *,
-        record: bool = True,
-        model: FormulaLike | None = None,
-        formulas: Sequence[FormulaLike] | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
-    ) -> None:
-        request = fields({"drive": drive, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal})
-        self._hold(_native.Simulation(request, float(dt_s), record), (request, float(dt_s), record))
+    def __init__(self, drive: Drive | str | os.PathLike[str], dt_s: float, *, record: bool = True, **options: Unpack[Options]) -> None:
+        held = drive if isinstance(drive, Drive) else Drive.load(drive)
+        self._hold({**fields(held._files("motion")), **_options(options)}, float(dt_s), record)
 
-    def _hold(self, native: _native.Simulation, made: tuple[dict[str, Any], float, bool]) -> Simulation:
-        self._native, self._made, (_, self._dt_s, self.record) = native, made, made
-        self._commands, self._names, self._joint = native.commands[:2], native.names, native.commands[2]
+    def _hold(self, request: dict[str, Any], dt_s: float, record: bool, native: _native.Simulation | None = None) -> Simulation:
+        self._made, self.dt_s, self.record = (request, dt_s, record), dt_s, record
+        self._native = native or _native.Simulation(request, dt_s, record)
+        commands = self._native.commands
+        self._commands, self._joint = commands[:2], commands[2]
+        self._names = self._native.names
         return self
-
-    @property
-    def dt_s(self) -> float:
-        """Length of a step, s."""
-        return self._dt_s
 
     @property
     def commanded(self) -> str:
@@ -86,7 +75,7 @@ class Simulation:
         return self._commands[0]
 
     def step(self, command: Number | Sequence[Number] | NDArray[np.floating[Any]], *, force_n: Number = 0.0, torque_nm: Number = 0.0) -> State:
-        """One step on. A step that fails leaves the simulation as it was.
+        """One step on; where it is at its end. A step that fails leaves the simulation as it was.
 
         Parameters
         ----------
@@ -96,11 +85,6 @@ class Simulation:
             Of a muscle: a force from outside besides the load, which stretches it.
         torque_nm : N m
             Of a joint: a torque from outside, which turns it to +.
-
-        Returns
-        -------
-        State
-            Where it is at the end of the step.
 
         Raises
         ------
@@ -152,7 +136,7 @@ class Simulation:
 
     def copy(self) -> Simulation:
         """Another one in the same state, which goes its own way and records from here on; it takes as long after many steps as after one."""
-        return object.__new__(Simulation)._hold(self._native.copy(), self._made)
+        return object.__new__(Simulation)._hold(*self._made, self._native.copy())
 
     __copy__ = copy
 
@@ -164,8 +148,7 @@ class Simulation:
 
     def to_columns(self) -> dict[str, Any]:
         """What was recorded as arrays: the start, and the end of each step."""
-        rows = self._native.rows()
-        return {name: rows[:, i] for i, name in enumerate(self._names)}
+        return dict(zip(self._names, self._native.rows().T))
 
     def to_pandas(self) -> pandas.DataFrame:
         """The same as a ``pandas.DataFrame``."""
@@ -175,17 +158,18 @@ class Simulation:
 
     def __repr__(self) -> str:
         kind, count = self._commands
-        return f"<Simulation: {'joint' if self._joint else 'muscle'}, {count} {kind} commands, dt_s={self._dt_s:g}, at {self.state.time_s:g} s>"
+        return f"<Simulation: {'joint' if self._joint else 'muscle'}, {count} {kind} commands, dt_s={self.dt_s:g}, at {self.state.time_s:g} s>"
 
 
 def _restored(made: tuple[dict[str, Any], float, bool], state: NDArray[np.float64]) -> Simulation:
-    simulation = object.__new__(Simulation)._hold(_native.Simulation(*made), made)
+    simulation = object.__new__(Simulation)._hold(*made)
     simulation.set_state(state)
     return simulation
 
 
 def rollout(simulation: Simulation, commands: ArrayLike, *, errors: Literal["raise", "nan"] = "raise", progress: Progress = None) -> dict[str, NDArray[np.float64]]:
-    """Copies of a simulation side by side, each under its own commands, from where the simulation is; it stays there.
+    """Copies of a simulation side by side, each under its own commands, from where the simulation is; it stays there. Arrays of shape (copies, steps + 1),
+    the start and the end of each step, by the names of :class:`State`.
 
     Parameters
     ----------
@@ -197,11 +181,6 @@ def rollout(simulation: Simulation, commands: ArrayLike, *, errors: Literal["rai
         ``raise`` for the first step that fails, or ``nan``: from there on that copy is NaN.
     progress
         True for a line on standard error, or a function that is called with (done, total), in copies.
-
-    Returns
-    -------
-    dict of numpy.ndarray
-        By the names of :class:`State`, of shape (copies, steps + 1): the start, and the end of each step.
 
     Raises
     ------
@@ -219,8 +198,6 @@ def rollout(simulation: Simulation, commands: ArrayLike, *, errors: Literal["rai
     """
     import numpy as np
 
-    if errors not in ("raise", "nan"):
-        raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
     kind, count = simulation._commands
     given = np.asarray(commands, dtype=np.float64)
     given = given[..., None] if given.ndim == 2 and count == 1 else given
@@ -232,5 +209,5 @@ def rollout(simulation: Simulation, commands: ArrayLike, *, errors: Literal["rai
     if given.size:
         with listening(progress, "rollout") as heard:
             rows = np.ascontiguousarray(given).reshape(-1, count)
-            _native.rollout(simulation._native, given.shape[1], rows, out.reshape(-1), errors == "nan", heard)
+            _native.rollout(simulation._native, given.shape[1], rows, out.reshape(-1), is_nan(errors), heard)
     return {name: out[:, :, i] for i, name in enumerate(simulation._names)}

@@ -3,7 +3,7 @@
 use mckibben::units::{Dimension, NamedUnit, parse_quantity, parse_values};
 use mckibben_app::{Choice, CommandEntry, Problem, ProblemKind};
 use pyo3::pyfunction;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -145,8 +145,7 @@ impl<'a> Reading<'a> {
     }
 
     fn fields(&mut self, node: &'a Value, value: &mut Value) -> Result<(), Problem> {
-        let fields: Option<&mut Map<String, Value>> = value.as_object_mut();
-        fields.into_iter().flatten().try_for_each(|(name, value)| {
+        value.as_object_mut().into_iter().flatten().try_for_each(|(name, value)| {
             self.value(name, &node["properties"][name], value).map_err(|problem| problem.in_field(name))
         })
     }

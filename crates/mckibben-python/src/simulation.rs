@@ -138,8 +138,7 @@ pub fn rollout(
     if steps * count == 0 || rows.len() / (steps * count) * whole != places.len() {
         return Err(PyValueError::new_err("places for as many steps as there are commands"));
     }
-    let start = py.detach(|| simulation.drive().duplicate());
-    let start = Mutex::new(start);
+    let start = Mutex::new(py.detach(|| simulation.drive().duplicate()));
     run::long(py, progress, |progress| {
         let (done, total) = (AtomicUsize::new(0), places.len() / whole);
         let failed: Mutex<Option<(usize, Problem)>> = Mutex::new(None);
