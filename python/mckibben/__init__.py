@@ -21,12 +21,11 @@ in the place of a number.
 from ._errors import FileError, InputError, InternalError, MckibbenError, MuscleWarning, NoAnswerError, NotConvergedError, OutOfRangeError, UnitWarning
 from ._api import design, export_targets, fit, fit_report, fit_rubber, identify, measured, measures, part, parts, plan, validate
 from ._campaign import Campaign, campaign
-from ._drives import Drive, Joint
+from ._motion import Drive, Joint, Simulation, rollout
 from ._muscle import Muscle
 from ._native import VERSION as __version__
 from ._request import ask
 from ._parts import Formula, Rubber, load
-from ._simulation import Simulation, rollout
 
 __all__ = [
     "__version__", "Campaign", "Drive", "FileError", "Formula", "InputError", "InternalError", "Joint", "MckibbenError", "Muscle", "MuscleWarning", "NoAnswerError", "NotConvergedError",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +9,7 @@ import numpy as np
 
 from ._errors import MckibbenError
 from ._api import Solution
-from ._request import array, listening
+from ._request import array, heard
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -22,8 +21,6 @@ if TYPE_CHECKING:
 MEASURES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "stiffness")
 # The names of both numbers of a pair, by what is wanted.
 PAIRS = {"force": ("pressure_mpa", "contraction"), "pressure": ("force_n", "contraction"), "contraction": ("force_n", "pressure_mpa")}
-# A list of pairs has so many places at most: what a machine could address.
-_MOST = 2**47
 
 
 def asked(bound: Bound, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], nan: bool, progress: Progress) -> Any:
@@ -37,13 +34,9 @@ def asked(bound: Bound, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], 
     if any(name in MEASURES for name in names):
         return _by_measures(bound, wanted, a, b, names, nan, progress)
     slopes = bool(names) or bool(jac)
-    width = 3 + len(names) if slopes else 1
-    if math.prod(shape) > _MOST // width:
-        raise MemoryError(f"{math.prod(shape)} points are more than memory holds")
     first, second = (np.broadcast_to(values, shape).ravel() for values in (a, b))
-    out = np.empty((*shape, width) if slopes else shape)
-    with listening(progress, wanted) as heard:
-        bound.native.fill(wanted, first, second, out.reshape(-1), slopes, names, nan, heard)
+    out = np.empty((*shape, 3 + len(names)) if slopes else shape)
+    bound.native.fill(wanted, first, second, out.reshape(-1), slopes, names, nan, heard(progress, wanted))
     value = out[..., 0] if slopes else out
     bound.look({"force": first, "pressure": value.ravel(), "contraction": second}[wanted], value.ravel() if wanted == "contraction" else second, texts[wanted == "contraction"])
     if not slopes:
@@ -86,8 +79,7 @@ def _masked(bound: Bound, wanted: str, a: Any, b: Any, jac: bool | Sequence[str]
 def solved(bound: Bound, pressure_mpa: Any, contraction: Any, nan: bool, progress: Progress) -> Solution:
     """All that is known of points as arrays of the broadcast shape, and what is to be known of them."""
     p, e = np.broadcast_arrays(array("pressure_mpa", pressure_mpa), array("contraction", contraction))
-    with listening(progress, "solve") as heard:
-        rows = bound.native.solve(p.ravel().tolist(), e.ravel().tolist(), nan, heard)
+    rows = bound.native.solve(p.ravel().tolist(), e.ravel().tolist(), nan, heard(progress, "solve"))
     texts = list(dict.fromkeys(text for row in rows for text in row.get("warnings", ())))
     names = dict.fromkeys(name for row in rows for name, value in row.items() if isinstance(value, (int, float)) and name != "slack")
     columns: dict[str, list[Any]] = {name: [row.get(name) for row in rows] for name in names}

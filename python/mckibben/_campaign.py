@@ -7,7 +7,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from . import _api, _errors, _native
-from ._request import Fixed, file, listening
+from ._request import file, heard
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor, Future
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ._request import FileLike, Plain, Progress
 
 
-class Campaign(_api.CampaignCommands, Fixed):
+class Campaign(_api.CampaignCommands):
     """Many finite-element tests from a plan: a table (Parquet) that grows, and that a run resumes where it was ended.
 
     Parameters
@@ -35,13 +35,9 @@ class Campaign(_api.CampaignCommands, Fixed):
     Campaign('campaign.parquet', None)
     """
 
-    __slots__ = ("output", "plan")
-    output: str
-    plan: dict[str, str] | None
-
     def __init__(self, output: str | PathLike[str], plan: FileLike | None = None) -> None:
-        object.__setattr__(self, "output", os.fspath(output))
-        object.__setattr__(self, "plan", None if plan is None else file(plan))
+        self.output: str = os.fspath(output)
+        self.plan: dict[str, str] | None = None if plan is None else file(plan)
 
     @property
     def _parts(self) -> str:
@@ -74,12 +70,6 @@ class Campaign(_api.CampaignCommands, Fixed):
 
         return pd.read_parquet(self._table)
 
-    def _key(self) -> Any:
-        return self.output, str(self.plan)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Campaign, (self.output, self.plan)
-
     def __repr__(self) -> str:
         return f"Campaign({self.output!r}, {self.plan!r})"
 
@@ -97,13 +87,12 @@ def _on(made: Campaign, executor: Executor, threads: int, shards: int, progress:
         return sum(future.done() for future in futures)
 
     try:
-        with listening(progress, "campaign") as heard:
-            done = -1
-            while done < shards:
-                done = ended()
-                if heard is not None:
-                    heard(done, shards)
-                time.sleep(0.05)
+        done, hear = -1, heard(progress, "campaign")
+        while done < shards:
+            time.sleep(0.05)
+            done = ended()
+            if hear is not None:
+                hear(done, shards)
     except BaseException:
         # Shards that wait are not begun, and those that run end within about a second.
         open(stop, "w").close()

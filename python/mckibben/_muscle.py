@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _api, _native
 from ._errors import InputError, MuscleWarning, warned
-from ._request import Saved, fields, is_nan, listening, options as _options, put
+from ._request import Saved, fields, heard, is_nan, known, put
 
 if TYPE_CHECKING:
     import numpy as np
@@ -27,11 +27,10 @@ _LIKELY_MPA, _QUIET_MPA = 1.0, 0.6
 class Bound:
     """A model that is bound to a muscle, and what was looked at of its warnings."""
 
-    __slots__ = ("muscle", "native", "quiet", "request", "said", "seen")
+    __slots__ = ("muscle", "native", "quiet", "said", "seen")
 
     def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
-        self.muscle, self.request = muscle, _options(given)
-        self.native = muscle._held.model(self.request)
+        self.muscle, self.native = muscle, muscle._held.model(fields(known(given, _api.Options)))
         # Up to this pressure in MPa a single number needs no look; it is known after the first one.
         self.quiet = float("-inf")
         self.seen: tuple[float, float, float] | None = None
@@ -98,15 +97,13 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         return self
 
     def _make(self, given: dict[str, Any], base: Muscle | None = None) -> Muscle:
-        rubber = given.get("rubber")
-        if rubber is not None and not isinstance(rubber, str):
-            if given.get("rubber_file") is not None:
-                raise InputError("`rubber_file` is given, and so is a whole `rubber`", kind="usage", field="rubber_file", hint="give one of them")
-            if not hasattr(rubber, "_text"):
-                raise TypeError(f"rubber: a Rubber or a name, not {type(rubber).__name__}")
-            rubber = rubber._text
-        request = fields({**given, "rubber": rubber if isinstance(given.get("rubber"), str) else None, "muscle": base})
-        return self._hold(_native.Muscle(request, None if "rubber" in request else rubber))
+        rubber: Any = given.get("rubber")
+        own: str | None = getattr(rubber, "_text", None)
+        if own is None and not isinstance(rubber, (str, type(None))):
+            raise TypeError(f"rubber: a Rubber or a name, not {type(rubber).__name__}")
+        if own is not None and given.get("rubber_file") is not None:
+            raise InputError("`rubber_file` is given, and so is a whole `rubber`", kind="usage", field="rubber_file", hint="give one of them")
+        return self._hold(_native.Muscle(fields({**given, "rubber": rubber if own is None else None, "muscle": base}), own))
 
     def _changed(self, given: dict[str, Any]) -> Muscle:
         return object.__new__(Muscle)._make(given, self)
@@ -222,8 +219,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         with ``overwrite``.
         """
         request = fields({"muscle": self, "report": True, "pressure_mpa": pressure_mpa, "contraction": contraction, "units": units})
-        with listening(progress, "build") as heard:
-            page = _native.report_html(request, heard)
+        page = _native.report_html(request, heard(progress, "build"))
         if path is not None:
             put({path: page}, overwrite)
         return page

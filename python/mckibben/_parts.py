@@ -9,7 +9,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import _api, _native
-from ._drives import Drive, Joint, muscle_at
+from ._motion import Drive, Joint, muscle_at
 from ._errors import InputError
 from ._record import Record
 from ._request import Saved, array, bare, file, is_nan

@@ -9,18 +9,12 @@ _COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#
 _DASHES = ["-", "--", "-.", ":"]
 _STYLES = {"line": "-", "dashed": "--", "dotted": ":", "dash-dot": "-.", "points": "none"}
 # From dark violet over blue and green to ochre.
-_RAMP = [(68, 1, 84), (59, 82, 139), (33, 145, 140), (94, 161, 70), (190, 140, 20)]
+_RAMP = ["#440154", "#3b528b", "#21918c", "#5ea146", "#be8c14"]
 
 
-def _ramp(share: float) -> str:
-    i = min(int(share * (len(_RAMP) - 1)), len(_RAMP) - 2)
-    part = share * (len(_RAMP) - 1) - i
-    return "#" + "".join(f"{round(a + (b - a) * part):02x}" for a, b in zip(_RAMP[i], _RAMP[i + 1]))
-
-
-def _series(axis: Any, series: dict[str, Any], number: int, most: int, ramp: bool) -> None:
+def _series(axis: Any, series: dict[str, Any], number: int, ramp: Any) -> None:
     """One line, row of points, or band."""
-    colour = "#808080" if series.get("neutral") else _ramp(number / most if most else 0.0) if ramp else _COLOURS[number % len(_COLOURS)]
+    colour = "#808080" if series.get("neutral") else ramp(number) if ramp else _COLOURS[number % len(_COLOURS)]
     # A text that the program writes at the end of a line is in the legend here.
     label = str(series.get("label") or series.get("end_label") or "") or None
     x, y = ([float("nan") if point[i] is None else point[i] for point in series["points"]] for i in (0, 1))
@@ -34,25 +28,26 @@ def _series(axis: Any, series: dict[str, Any], number: int, most: int, ramp: boo
 
 def drawn(figure: dict[str, Any], ax: Any) -> Any:
     """The axes with the figure on them."""
-    panels = figure["panels"]
-    if ax is None:
-        import matplotlib.pyplot as plt
+    import matplotlib.pyplot as plt
+    from matplotlib.colors import LinearSegmentedColormap
 
+    panels = figure["panels"]
+    axes = list(ax) if isinstance(ax, (list, tuple)) or hasattr(ax, "flat") else [ax]
+    if ax is None:
         columns = max(1, min(figure.get("columns") or 1, len(panels)))
-        made, grid = plt.subplots(-(-len(panels) // columns), columns, squeeze=False, figsize=(6.4 * columns, 4.4 * -(-len(panels) // columns)), layout="constrained")
+        rows = -(-len(panels) // columns)
+        made, grid = plt.subplots(rows, columns, squeeze=False, figsize=(6.4 * columns, 4.4 * rows), layout="constrained")
         axes = list(grid.flat)
         for spare in axes[len(panels):]:
             spare.remove()
-        if len(panels) > 1:
-            made.suptitle(figure["title"])
-    else:
-        axes = list(ax) if isinstance(ax, (list, tuple)) or hasattr(ax, "flat") else [ax]
-        if len(axes) < len(panels):
-            raise ValueError(f"{len(panels)} panels need as many axes, not {len(axes)}")
+        made.suptitle(figure["title"] if len(panels) > 1 else "")
+    if len(axes) < len(panels):
+        raise ValueError(f"{len(panels)} panels need as many axes, not {len(axes)}")
     for panel, axis in zip(panels, axes):
         numbers = [s.get("colour") if s.get("colour") is not None else i for i, s in enumerate(panel["series"])]
+        ramp = LinearSegmentedColormap.from_list("ramp", _RAMP, max(numbers) + 1) if figure.get("palette") == "sequential" else None
         for series, number in zip(panel["series"], numbers):
-            _series(axis, series, number, max(numbers), figure.get("palette") == "sequential")
+            _series(axis, series, number, ramp)
         for mark in panel.get("marks", []):
             axis.plot([mark["x"]], [mark["y"]], "o", color="black", markerfacecolor="white", zorder=5)
             axis.annotate(mark["label"], (mark["x"], mark["y"]), textcoords="offset points", xytext=(6, 6))

@@ -30,9 +30,6 @@ else:
     def dataclass_transform(**_: Any) -> Any:
         return lambda kind: kind
 
-# Rows that a notebook shows.
-_SHOWN = 20
-
 
 @dataclass_transform(kw_only_default=True, frozen_default=True)
 class Record(Fixed):
@@ -110,10 +107,13 @@ class Record(Fixed):
         return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._fields().items() if name != 'figure')})"
 
     def __str__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{name}={_short(value)}' for name, value in list(self._fields().items())[:12])})"
+        text = repr(self)
+        return text if len(text) <= 1000 else text[:999] + "…"
 
     def _repr_html_(self) -> str:
-        return f"<pre>{escape(str(self))}</pre>" + (html_of(self.to_columns()) if self._rows and self.__dict__.get(self._rows) else "")
+        from importlib.util import find_spec
+
+        return f"<pre>{escape(str(self))}</pre>" + (self.to_pandas().to_html(max_rows=20) if self._rows and find_spec("pandas") else "")
 
     def plot(self, *, units: str | None = None, ax: Axes | Sequence[Axes] | None = None) -> Any:
         """Draws its figure with matplotlib, the same as ``--plot`` of the command line, and gives its axes.
@@ -150,29 +150,10 @@ def _unwrapped(value: Any) -> Any:
     return value.to_dict() if isinstance(value, Record) else [_unwrapped(item) for item in value] if isinstance(value, list) else value
 
 
-def _short(value: Any) -> str:
-    if isinstance(value, list) and len(value) <= 3 and not any(isinstance(v, (dict, list, Record)) for v in value):
-        return "[" + ", ".join(map(_short, value)) + "]"
-    if isinstance(value, (list, dict, Record)):
-        return type(value).__name__ if isinstance(value, Record) else f"[{len(value)} items]"
-    return f"{value:.6g}" if isinstance(value, float) else repr(value) if len(repr(value)) <= 80 else repr(value)[:79] + "…"
-
-
 def of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     """The columns of rows; values that are lists or maps themselves are left out."""
     names = dict.fromkeys(name for row in rows for name, value in row.items() if not isinstance(value, (list, dict)))
     return {name: column([row.get(name) for row in rows]) for name in names}
-
-
-def html_of(columns: Mapping[str, Any]) -> str:
-    """The first rows of a table for a notebook."""
-    def cell(value: Any) -> str:
-        return "" if value is None or value != value else f"{value:.6g}" if isinstance(value, float) else escape(str(value))
-
-    head = "".join(f"<th>{escape(name)}</th>" for name in columns)
-    body = "".join("<tr>" + "".join(f"<td>{cell(v)}</td>" for v in row) + "</tr>" for row in zip(*(values[:_SHOWN] for values in columns.values())))
-    count = len(next(iter(columns.values()), ()))
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>" + (f"<p>{count - _SHOWN} rows more</p>" if count > _SHOWN else "")
 
 
 class Points(Record):
@@ -181,6 +162,7 @@ class Points(Record):
     ``warned`` has at each point a bit for each of ``warnings``; where ``status`` is not ``ok``, ``cause`` says why.
     """
 
+    _rows: ClassVar[str | None] = "force_n"
     model: str
     warnings: list[str]
 
@@ -251,9 +233,6 @@ class Points(Record):
         return f"<Solution: {self.model}, {' x '.join(map(str, self.shape)) or 1} points{between}, {arrays['status'].size - some.size} without an answer>"
 
     __repr__ = __str__
-
-    def _repr_html_(self) -> str:
-        return f"<p>{escape(str(self))}</p>{html_of(self.to_columns())}"
 
 
 class Curves(Record):

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar, Union
 
 from . import _native
@@ -69,11 +68,10 @@ class Fixed:
     def __hash__(self) -> int:
         return hash((type(self).__name__, self._key()))
 
-    def __setattr__(self, name: str, value: object) -> None:
+    def __setattr__(self, name: str, value: object = None) -> None:
         raise AttributeError(f"a {type(self).__name__} does not change: {name}")
 
-    def __delattr__(self, name: str) -> None:
-        raise AttributeError(f"a {type(self).__name__} does not change: {name}")
+    __delattr__ = __setattr__
 
 
 class Saved(Fixed):
@@ -105,8 +103,6 @@ def bare(name: str, value: Any) -> Any:
 def plain(name: str, value: Any) -> Any:
     """An argument as JSON has it: quantities of pint in the unit of their name, arrays as lists; texts with a unit stay, the program reads them."""
     value = bare(name, value)
-    if getattr(value, "mask", None) is not None and hasattr(value, "compressed") and value.mask.any():
-        raise InputError("some values are masked", kind="quantity", field=name, hint="leave them out: values.compressed()")
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, os.PathLike):
@@ -169,8 +165,7 @@ def ask(command: str, request: Mapping[str, Any] | None = None, *, progress: Pro
     >>> round(mk.ask("force", {"pressure_mpa": "2 bar", "contraction": 0.1, "model": "ideal"})["force_n"], 1)
     573.7
     """
-    with listening(progress, command) as heard:
-        return _native.ask(command, {} if request is None else request, heard)
+    return _native.ask(command, {} if request is None else request, heard(progress, command))
 
 
 def answered(kind: type[Answer], command: str, given: dict[str, Any], figure: str | bool | None = None) -> Answer:
@@ -205,16 +200,11 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
     return out
 
 
-def options(given: Mapping[str, Any]) -> dict[str, Any]:
-    """The options of a model as fields of a request."""
-    from ._api import Options
-
-    if unknown := [name for name in given if name not in Options.__annotations__]:
-        from difflib import get_close_matches
-
-        near = get_close_matches(unknown[0], Options.__annotations__, 1)
-        raise TypeError(f"unexpected keyword argument {unknown[0]!r}" + (f"; did you mean {near[0]!r}?" if near else f"; a model has {', '.join(Options.__annotations__)}"))
-    return fields(given)
+def known(given: Mapping[str, Any], kind: Any) -> Mapping[str, Any]:
+    """Keywords, of which each is one of a class of keywords."""
+    if unknown := [name for name in given if name not in kind.__annotations__]:
+        raise TypeError(f"unexpected keyword argument {unknown[0]!r}; there is {', '.join(kind.__annotations__)}")
+    return given
 
 
 def is_nan(errors: str) -> bool:
@@ -224,16 +214,11 @@ def is_nan(errors: str) -> bool:
     return errors == "nan"
 
 
-@contextmanager
-def listening(progress: Progress, what: str) -> Iterator[Callable[[int, int], object] | None]:
+def heard(progress: Progress, what: str) -> Callable[[int, int], object] | None:
     """The function that hears of progress: the caller's own, or one that writes a line on standard error."""
     if progress is not True:
-        yield progress or None
-        return
-    try:
-        yield lambda done, total: print(f"\r{what}: {done} of {total}", end="", file=sys.stderr, flush=True)
-    finally:
-        print(file=sys.stderr)
+        return progress or None
+    return lambda done, total: print(f"\r{what}: {done} of {total}", end="\n" if done == total else "", file=sys.stderr, flush=True)
 
 
 def put(files: Mapping[str | os.PathLike[str], str | bytes], overwrite: bool = False) -> None:
