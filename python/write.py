@@ -435,10 +435,9 @@ def parts() -> Iterator[tuple[str, str, str, Any]]:
     import mckibben
     from mckibben import _api
 
-    for name in mckibben.__all__:
-        made = getattr(mckibben, name)
+    for name, made in sorted(vars(mckibben).items()):
         title = "Exceptions" if inspect.isclass(made) and issubclass(made, (Exception, Warning)) else "Objects" if inspect.isclass(made) else "Functions"
-        if not inspect.ismodule(made):
+        if not inspect.ismodule(made) and not name.startswith("_"):
             yield title, "", name, made
     for name in _api.__all__:
         yield "Answers", "_api", name, getattr(_api, name)

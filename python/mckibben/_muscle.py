@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from html import escape
 from typing import TYPE_CHECKING, Any
 
 from . import _api, _native
-from ._errors import InputError, MuscleWarning, warned
-from ._request import Saved, fields, heard, is_nan, known, put
+from ._errors import InputError, MckibbenError, MuscleWarning, warned
+from ._request import Saved, array, fields, heard, is_nan, known, put
 
 if TYPE_CHECKING:
     import numpy as np
@@ -20,6 +19,10 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
+# Measures of a muscle, as :meth:`Muscle.replace` has them, by which there are derivatives.
+MEASURES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "stiffness")
+# The names of both numbers of a pair, by what is wanted.
+PAIRS = {"force": ("pressure_mpa", "contraction"), "pressure": ("force_n", "contraction"), "contraction": ("force_n", "pressure_mpa")}
 # A pressure in MPa above which a bare number was likely meant in bar, and one up to which nothing is said of a burst pressure that is not known.
 _LIKELY_MPA, _QUIET_MPA = 1.0, 0.6
 
@@ -165,14 +168,10 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             if pressure > bound.quiet:
                 bound.one(pressure, found if wanted == "contraction" else b, wanted == "pressure")
             return found
-        from . import _arrays
-
-        return _arrays.asked(bound, wanted, a, b, jac, nan, progress)
+        return _arrays(bound, wanted, a, b, jac, nan, progress)
 
     def _solved(self, pressure_mpa: Any, contraction: Any, errors: str, progress: Progress, options: Mapping[str, Any]) -> _api.Solution:
-        from . import _arrays
-
-        found = _arrays.solved(self._bound(options), pressure_mpa, contraction, is_nan(errors), progress)
+        found = _points(self._bound(options), pressure_mpa, contraction, is_nan(errors), progress)
         if found.warnings:
             warned("; ".join(found.warnings), MuscleWarning)
         return found
@@ -209,10 +208,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     @property
     def braid(self) -> str:
         """The braid: its name, its stiffness or its strands."""
-        return str(self._summary()["braid"])
-
-    def _summary(self) -> dict[str, Any]:
-        return _native.ask("check", {"muscle": {"name": "muscle", "text": self.to_toml()}, "only_data": True})
+        return str(_native.ask("check", {"muscle": {"name": "muscle", "text": self.to_toml()}, "only_data": True})["braid"])
 
     def report(self, path: str | os.PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa", overwrite: bool = False, progress: Progress = None) -> str:
         """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given. Another file that is there is replaced only
@@ -236,8 +232,9 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         point = _native.ask("force", {"muscle": {"name": "muscle", "text": self.to_toml()}, "pressure_mpa": 0.0, "model": model or "fe"})
         notes = {"model": (f"Model {point['model']}", point["about"]["source"])}
         for kind, name in (("rubber", self.rubber), ("braid", self._field("braid"))):
-            if isinstance(name, str) and name != "paper":
-                notes[kind] = f"{kind.capitalize()} {name}", getattr(_api.part(name.split(":")[0]), kind).source
+            if isinstance(name, str) and name.split(":")[0] not in ("paper", "shore", "s100"):
+                held: Any = _api.part(name.split(":")[0])
+                notes[kind] = f"{kind.capitalize()} {name}", (held.rubber or held.sleeve).source
         package = f"@software{{mckibben,\n  title = {{mckibben: design of McKibben pneumatic muscles}},\n  version = {{{_native.VERSION}}}\n}}"
         return "\n\n".join([package, *(f"@misc{{mckibben_{key},\n  title = {{{title}}},\n  note = {{{source}}}\n}}" for key, (title, source) in notes.items())])
 
@@ -254,7 +251,80 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         return f"Muscle({', '.join(f'{name}={value!r}' for name, value in given.items())})"
 
     def _repr_html_(self) -> str:
-        held = self._summary()
-        names = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "rubber", "braid")
-        rows = "".join(f"<tr><th style='text-align:left'>{n}</th><td>{escape(f'{held[n]:.6g}' if isinstance(held[n], float) else str(held[n]))}</td></tr>" for n in names)
-        return f"<table><caption>Muscle</caption>{rows}</table>" + self.shape(0.0, 0.0)._frame()
+        from html import escape
+
+        return f"<p>{escape(repr(self))}</p>{self.shape(0.0, 0.0)._frame()}"
+
+
+def _arrays(bound: Bound, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], nan: bool, progress: Progress) -> Any:
+    """A number or an array of the broadcast shape; with `jac` also the derivatives along one axis more."""
+    import numpy as np
+
+    texts = isinstance(a, str), isinstance(b, str)
+    a, b = (array(name, value) for name, value in zip(PAIRS[wanted], (a, b)))
+    if isinstance(a, np.ma.MaskedArray) or isinstance(b, np.ma.MaskedArray):
+        return _masked(bound, wanted, a, b, jac, nan, progress)
+    shape = np.broadcast_shapes(a.shape, b.shape)
+    names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
+    if any(name in MEASURES for name in names):
+        return _by_measures(bound, wanted, a, b, names, nan, progress)
+    slopes = bool(names) or bool(jac)
+    first, second = (np.broadcast_to(values, shape).ravel() for values in (a, b))
+    out = np.empty((*shape, 3 + len(names)) if slopes else shape)
+    bound.native.fill(wanted, first, second, out.reshape(-1), slopes, names, nan, heard(progress, wanted))
+    value = out[..., 0] if slopes else out
+    bound.look({"force": first, "pressure": value.ravel(), "contraction": second}[wanted], value.ravel() if wanted == "contraction" else second, texts[wanted == "contraction"])
+    if not slopes:
+        return out if shape else float(out)
+    return value if shape else float(value), out[..., 1:]
+
+
+def _by_measures(bound: Bound, wanted: str, a: Any, b: Any, names: list[str], nan: bool, progress: Progress) -> Any:
+    """With derivatives by measures of the muscle: all parameters that follow a measure change with it."""
+    import numpy as np
+
+    rows = [bound.muscle._follows(name) if name in MEASURES else {name: 1.0} for name in names]
+    own = list(dict.fromkeys(parameter for row in rows for parameter in row))
+    found, slopes = _arrays(bound, wanted, a, b, own, nan, progress)
+    by = np.array([[row.get(parameter, 0.0) for parameter in own] for row in rows])
+    return found, np.concatenate([slopes[..., :2], slopes[..., 2:] @ by.T], axis=-1)
+
+
+def _masked(bound: Bound, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], nan: bool, progress: Progress) -> Any:
+    """What is masked is not asked for, and its answer is masked."""
+    import numpy as np
+
+    a, b = np.ma.asarray(a), np.ma.asarray(b)
+    mask = np.logical_or(*np.broadcast_arrays(np.ma.getmaskarray(a), np.ma.getmaskarray(b)))
+    first, second = np.broadcast_arrays(a.data, b.data)
+    try:
+        found = _arrays(bound, wanted, first[~mask], second[~mask], jac, nan, progress)
+    except MckibbenError as error:
+        if error.index is None:
+            raise
+        # Its place among all.
+        error.index = int(np.flatnonzero(~mask)[error.index])
+        raise
+
+    def whole(values: NDArray[np.float64]) -> Any:
+        out = np.full(mask.shape + values.shape[1:], np.nan)
+        out[~mask] = values
+        over = np.array(np.broadcast_to(mask.reshape(mask.shape + (1,) * (out.ndim - mask.ndim)), out.shape))
+        return np.ma.array(out, mask=over)
+
+    return tuple(map(whole, found)) if isinstance(found, tuple) else whole(found)
+
+
+def _points(bound: Bound, pressure_mpa: Any, contraction: Any, nan: bool, progress: Progress) -> _api.Solution:
+    """All that is known of points as arrays of the broadcast shape, and what is to be known of them."""
+    import numpy as np
+
+    p, e = np.broadcast_arrays(array("pressure_mpa", pressure_mpa), array("contraction", contraction))
+    rows = bound.native.solve(p.ravel().tolist(), e.ravel().tolist(), nan, heard(progress, "solve"))
+    texts = list(dict.fromkeys(text for row in rows for text in row.get("warnings", ())))
+    names = dict.fromkeys(name for row in rows for name, value in row.items() if isinstance(value, (int, float)) and name != "slack")
+    columns: dict[str, list[Any]] = {name: [row.get(name) for row in rows] for name in names}
+    for name, without in (("slack", False), ("status", "ok"), ("cause", "")):
+        columns[name] = [row.get(name, without) for row in rows]
+    columns["warned"] = [sum(1 << texts.index(text) for text in set(row.get("warnings", ()))) for row in rows]
+    return _api.Solution._read({**columns, "pressure_mpa": p, "contraction": e, "model": bound.native.name, "warnings": texts})

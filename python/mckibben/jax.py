@@ -9,8 +9,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from ._arrays import MEASURES
 from ._errors import MckibbenError
+from ._muscle import MEASURES
 from ._request import is_nan
 
 if TYPE_CHECKING:
