@@ -50,8 +50,9 @@ class Campaign(_api.CampaignCommands):
         return self._parts if not os.path.exists(self.output) and os.path.isdir(self._parts) else self.output
 
     def _files(self, command: str) -> dict[str, Any]:
-        of: dict[str, dict[str, Any]] = {"campaign": {"plan": self.plan, "output": self.output}, "campaign-status": {"output": self._parts}, "campaign-show": {"campaign": self._table}}
-        return of[command]
+        if command == "campaign-show":
+            return {"campaign": self._table}
+        return {"output": self._parts} if command == "campaign-status" else {"plan": self.plan, "output": self.output}
 
     @staticmethod
     def merge(folders: list[str | PathLike[str]], output: str | PathLike[str], *, overwrite: bool = False) -> Campaign:
@@ -133,12 +134,11 @@ def campaign(plan: FileLike, output: str | PathLike[str], *, executor: Executor 
 
     Parameters
     ----------
-    plan
-        The plan (TOML): a path, or ``{"name": …, "text": …}``.
-    output
-        The table: one file that ends in ``.parquet``, or a folder of parts.
+    plan, output
+        As in :class:`Campaign`.
     executor
-        Any ``concurrent.futures.Executor``: a process pool, that of Dask (``client.get_executor()``); without one the threads of this process. Its workers need this package and the folder of `output`.
+        Any ``concurrent.futures.Executor``: a process pool, that of Dask (``client.get_executor()``), whose workers have this package and the folder of
+        `output`; without one the threads of this process.
     shards
         Number of tasks for the executor, several for each worker.
     threads

@@ -19,23 +19,14 @@ class MckibbenError(Exception):
     """Why a call has no answer. Its classes are :class:`InputError`, :class:`OutOfRangeError`, :class:`FileError`, :class:`NoAnswerError`,
     :class:`NotConvergedError` and :class:`InternalError`; each is one of Python's own too.
 
-    Attributes
-    ----------
-    message
-        What is wrong, in a sentence.
-    hint
-        What to do about it; may be empty.
-    field
-        The argument that is to blame, where it is one.
-    kind
-        A word for programs, such as ``quantity``: finer than the classes.
-    nearest
-        The nearest answer there is, where it is known: a dict with ``force_n``, ``pressure_mpa``, ``contraction``.
-    index
-        The place in the flattened arrays, where the question was for arrays.
+    ``message`` is a sentence and ``hint`` what to do about it; ``field`` is the argument that is to blame, where it is one; ``kind`` a word for programs,
+    finer than the classes; ``nearest`` the nearest answer there is, where it is known: a dict with ``force_n``, ``pressure_mpa``, ``contraction``;
+    ``index`` the place in the flattened arrays, where the question was for arrays.
     """
 
-    def __init__(self, message: str = "", *, kind: str = "internal", hint: str = "", field: str | None = None, nearest: dict[str, float | None] | None = None, index: int | None = None) -> None:
+    def __init__(
+        self, message: str = "", *, kind: str = "internal", hint: str = "", field: str | None = None, nearest: dict[str, float | None] | None = None, index: int | None = None
+    ) -> None:
         super().__init__(message)
         self.message: str = message
         self.kind: str = kind

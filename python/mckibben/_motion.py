@@ -128,7 +128,10 @@ class Joint(_api.JointCommands, _File):
 
     __slots__ = ()
 
-    def __init__(self, muscle_1: Muscle, muscle_2: Muscle | None = None, *, joint: Keys, contraction_at_neutral: Number | None = None, geometry_1: Keys | None = None, geometry_2: Keys | None = None, **tables: Unpack[_api.JointTables]) -> None:
+    def __init__(
+        self, muscle_1: Muscle, muscle_2: Muscle | None = None, *, joint: Keys, contraction_at_neutral: Number | None = None,
+        geometry_1: Keys | None = None, geometry_2: Keys | None = None, **tables: Unpack[_api.JointTables],
+    ) -> None:
         files: dict[str, Muscle] = {"muscle_1.toml": muscle_1}
         made = {"joint": _table(joint), **_tables(_api.JointTables, tables)}
         for side, muscle, geometry in ((1, muscle_1, geometry_1), (2, muscle_2, geometry_2)):
@@ -269,21 +272,24 @@ class Simulation:
     0.01
     """
 
-    __slots__ = ("_commands", "_joint", "_made", "_names", "_native", "dt_s", "record")
-    dt_s: float
-    record: bool
+    __slots__ = ("_commands", "_joint", "_made", "_names", "_native")
 
     def __init__(self, drive: Drive | str | os.PathLike[str], dt_s: float, *, record: bool = True, **options: Unpack[_api.Options]) -> None:
         held = drive if isinstance(drive, Drive) else Drive.load(drive)
         self._hold(fields({**held._files("motion"), **known(options, _api.Options)}), float(dt_s), record)
 
     def _hold(self, request: dict[str, Any], dt_s: float, record: bool, native: _native.Simulation | None = None) -> Simulation:
-        self._made, self.dt_s, self.record = (request, dt_s, record), dt_s, record
+        self._made = request, dt_s, record
         self._native = native or _native.Simulation(request, dt_s, record)
         commands = self._native.commands
         self._commands, self._joint = commands[:2], commands[2]
         self._names = self._native.names
         return self
+
+    @property
+    def dt_s(self) -> float:
+        """Length of a step, s."""
+        return self._made[1]
 
     @property
     def commanded(self) -> str:
@@ -329,7 +335,7 @@ class Simulation:
         return self._native.numbers()
 
     def set_state(self, state: ArrayLike) -> State:
-        """Goes to where a simulation of the same drive was; what was recorded is forgotten. It goes on to the tolerance of the integration, while a :meth:`copy` does to the last bit.
+        """Goes to where a simulation of the same drive was, and on from there to the tolerance of the integration; what was recorded is forgotten.
 
         Raises
         ------
@@ -359,8 +365,11 @@ class Simulation:
     def __deepcopy__(self, memo: dict[int, Any]) -> Simulation:
         return self.copy()
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (self._made, self.get_state())
+    def __getstate__(self) -> tuple[Any, ...]:
+        return self._made, self.get_state()
+
+    def __setstate__(self, held: tuple[Any, Any]) -> None:
+        self._hold(*held[0]).set_state(held[1])
 
     def to_columns(self) -> dict[str, Any]:
         """What was recorded as arrays: the start, and the end of each step."""
@@ -375,12 +384,6 @@ class Simulation:
     def __repr__(self) -> str:
         kind, count = self._commands
         return f"<Simulation: {'joint' if self._joint else 'muscle'}, {count} {kind} commands, dt_s={self.dt_s:g}, at {self.state.time_s:g} s>"
-
-
-def _restored(made: tuple[dict[str, Any], float, bool], state: NDArray[np.float64]) -> Simulation:
-    simulation = object.__new__(Simulation)._hold(*made)
-    simulation.set_state(state)
-    return simulation
 
 
 def rollout(simulation: Simulation, commands: ArrayLike, *, errors: Literal["raise", "nan"] = "raise", progress: Progress = None) -> dict[str, NDArray[np.float64]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _api, _native
@@ -191,6 +191,14 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         rates = {name: (high[name] - low[name]) / (2 * step) for name in high}
         return {name: rate for name, rate in rates.items() if abs(rate) * abs(value) > 1e-10 * abs(high[name])}
 
+    def _chain(self, names: Sequence[str], held: Collection[str] = ()) -> tuple[list[str], Array]:
+        """The parameters that change with constants and measures, but for those that are held, and by how much: a column for each name."""
+        import numpy as np
+
+        rows = [{n: v for n, v in self._follows(name).items() if n not in held} if name in MEASURES else {name: 1.0} for name in names]
+        own = list(dict.fromkeys(parameter for row in rows for parameter in row))
+        return own, np.array([[row.get(parameter, 0.0) for row in rows] for parameter in own]).reshape(len(own), len(rows))
+
     def with_parameters(self, values: Mapping[str, float]) -> Muscle:
         """The same with other constants and measures, named as in :attr:`parameters`; all others are held, k of the strands in N/mm
         among them, also where the braid's k follows the diameter.
@@ -210,7 +218,10 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         """The braid: its name, its stiffness or its strands."""
         return str(_native.ask("check", {"muscle": {"name": "muscle", "text": self.to_toml()}, "only_data": True})["braid"])
 
-    def report(self, path: str | os.PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa", overwrite: bool = False, progress: Progress = None) -> str:
+    def report(
+        self, path: str | os.PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa",
+        overwrite: bool = False, progress: Progress = None,
+    ) -> str:
         """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given. Another file that is there is replaced only
         with ``overwrite``.
         """
@@ -239,9 +250,6 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         return "\n\n".join([package, *(f"@misc{{mckibben_{key},\n  title = {{{title}}},\n  note = {{{source}}}\n}}" for key, (title, source) in notes.items())])
 
     _key = to_toml
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Muscle.from_toml, (self.to_toml(),)
 
     def __repr__(self) -> str:
         given = self.to_dict()
@@ -283,34 +291,28 @@ def _by_measures(bound: Bound, wanted: str, a: Any, b: Any, names: list[str], na
     """With derivatives by measures of the muscle: all parameters that follow a measure change with it."""
     import numpy as np
 
-    rows = [bound.muscle._follows(name) if name in MEASURES else {name: 1.0} for name in names]
-    own = list(dict.fromkeys(parameter for row in rows for parameter in row))
+    own, by = bound.muscle._chain(names)
     found, slopes = _arrays(bound, wanted, a, b, own, nan, progress)
-    by = np.array([[row.get(parameter, 0.0) for parameter in own] for row in rows])
-    return found, np.concatenate([slopes[..., :2], slopes[..., 2:] @ by.T], axis=-1)
+    return found, np.concatenate([slopes[..., :2], slopes[..., 2:] @ by], axis=-1)
 
 
 def _masked(bound: Bound, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], nan: bool, progress: Progress) -> Any:
     """What is masked is not asked for, and its answer is masked."""
     import numpy as np
 
-    a, b = np.ma.asarray(a), np.ma.asarray(b)
-    mask = np.logical_or(*np.broadcast_arrays(np.ma.getmaskarray(a), np.ma.getmaskarray(b)))
-    first, second = np.broadcast_arrays(a.data, b.data)
+    mask = np.logical_or(np.ma.getmaskarray(a), np.ma.getmaskarray(b))
+    first, second = (np.broadcast_to(np.ma.getdata(values), mask.shape)[~mask] for values in (a, b))
     try:
-        found = _arrays(bound, wanted, first[~mask], second[~mask], jac, nan, progress)
+        found = _arrays(bound, wanted, first, second, jac, nan, progress)
     except MckibbenError as error:
-        if error.index is None:
-            raise
         # Its place among all.
-        error.index = int(np.flatnonzero(~mask)[error.index])
+        error.index = None if error.index is None else int(np.flatnonzero(~mask)[error.index])
         raise
 
-    def whole(values: NDArray[np.float64]) -> Any:
-        out = np.full(mask.shape + values.shape[1:], np.nan)
+    def whole(values: Array) -> Any:
+        out = np.ma.array(np.empty(mask.shape + values.shape[1:]), mask=True)
         out[~mask] = values
-        over = np.array(np.broadcast_to(mask.reshape(mask.shape + (1,) * (out.ndim - mask.ndim)), out.shape))
-        return np.ma.array(out, mask=over)
+        return out
 
     return tuple(map(whole, found)) if isinstance(found, tuple) else whole(found)
 

@@ -96,9 +96,6 @@ class Rubber(Saved):
 
     _key = to_toml
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Rubber.from_toml, (self._text,)
-
     def __repr__(self) -> str:
         return f"Rubber({self.law!r}, {', '.join(f'{name}={value!r}' for name, value in self.constants.items())})"
 
@@ -146,27 +143,27 @@ class Formula(Saved):
         object.__setattr__(self, "name", name or str(shown["name"]))
 
     @overload
-    def __call__(self, pressure_mpa: float, contraction: float, wall_mm: float, outer_diameter_mm: float, *, two_sided: bool = ..., extrapolate: bool = ..., errors: Errors = ...) -> float: ...  # type: ignore[overload-overlap]
+    def __call__(  # type: ignore[overload-overlap]
+        self, pressure_mpa: float, contraction: float, wall_mm: float, outer_diameter_mm: float, *, two_sided: bool = ..., extrapolate: bool = ..., errors: Errors = ...
+    ) -> float: ...
     @overload
-    def __call__(self, pressure_mpa: Floats, contraction: Floats, wall_mm: Floats, outer_diameter_mm: Floats, *, two_sided: bool = ..., extrapolate: bool = ..., errors: Errors = ...) -> NDArray[np.float64]: ...
+    def __call__(
+        self, pressure_mpa: Floats, contraction: Floats, wall_mm: Floats, outer_diameter_mm: Floats, *, two_sided: bool = ..., extrapolate: bool = ..., errors: Errors = ...
+    ) -> NDArray[np.float64]: ...
 
-    def __call__(self, pressure_mpa: Any, contraction: Any, wall_mm: Any, outer_diameter_mm: Any, *, two_sided: bool = False, extrapolate: bool = False, errors: Errors = "raise") -> Any:
+    def __call__(
+        self, pressure_mpa: Any, contraction: Any, wall_mm: Any, outer_diameter_mm: Any, *, two_sided: bool = False, extrapolate: bool = False, errors: Errors = "raise"
+    ) -> Any:
         """The pull of many muscles at once in N, of the broadcast shape; 0 where a muscle is slack. The rubber, the braid and the length are those for which it was made.
 
         Parameters
         ----------
-        pressure_mpa : MPa
-            Gauge pressures: numbers, a text with its unit, or quantities of pint; broadcast as NumPy does it.
-        contraction : ratio
-            Contraction ratios.
-        wall_mm, outer_diameter_mm : mm
-            Of the tubes.
+        pressure_mpa, contraction, wall_mm, outer_diameter_mm : MPa, ratio, mm, mm
+            Gauge pressures, contraction ratios and tubes: numbers, a text with its unit, or quantities of pint; broadcast as NumPy does it.
         two_sided
             Negative pulls instead of slack.
-        extrapolate
-            Answer outside of its range.
-        errors
-            Outside of its range: ``raise``, or ``nan`` for NaN.
+        extrapolate, errors
+            Outside of its range: an answer with ``extrapolate``, else an exception, or NaN with ``errors="nan"``.
 
         Raises
         ------

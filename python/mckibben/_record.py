@@ -307,7 +307,8 @@ class Curves(Record):
         """The points, curve after curve, with what is ``fixed`` on each; a point without an answer is NaN, and its ``status`` and ``cause`` say why."""
         held = self.to_dict()
         rows, fixed = held["points"], held["fixed"]
-        return of_rows([{"fixed": fixed[i * len(fixed) // len(rows)], **{n: v for n, v in row.items() if n != "model"}, "slack": row.get("slack", False)} for i, row in enumerate(rows)])
+        whole = [{"fixed": fixed[i * len(fixed) // len(rows)], **row, "slack": row.get("slack", False)} for i, row in enumerate(rows)]
+        return of_rows([{name: value for name, value in row.items() if name != "model"} for row in whole])
 
     def grid(self, column: str) -> NDArray[np.float64]:
         """A column with one row for each curve."""

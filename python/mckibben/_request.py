@@ -68,10 +68,11 @@ class Fixed:
     def __hash__(self) -> int:
         return hash((type(self).__name__, self._key()))
 
-    def __setattr__(self, name: str, value: object = None) -> None:
+    def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a {type(self).__name__} does not change: {name}")
 
-    __delattr__ = __setattr__
+    def __delattr__(self, name: str) -> None:
+        setattr(self, name, None)
 
 
 class Saved(Fixed):
@@ -82,6 +83,10 @@ class Saved(Fixed):
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
         """Writes its file, from which :func:`load` reads it again. Another file that is there is replaced only with ``overwrite``."""
         put({path: self._key()}, overwrite)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        me: Any = self
+        return type(me).from_toml, (self._key(),)
 
 
 def unit_for_pint(name: str) -> str:
@@ -228,7 +233,8 @@ def put(files: Mapping[str | os.PathLike[str], str | bytes], overwrite: bool = F
         if not overwrite and os.path.isfile(path) and os.path.getsize(path):
             with open(path, "rb") as there:
                 if os.path.getsize(path) != len(content) or there.read() != content:
-                    raise ExistingFileError(f"{path} is another file and would be overwritten", kind="output", field="path", hint="name another place, or replace it with overwrite=True")
+                    hint = "name another place, or replace it with overwrite=True"
+                    raise ExistingFileError(f"{path} is another file and would be overwritten", kind="output", field="path", hint=hint)
     for path, content in contents.items():
         _native.write_file(path, content)
 

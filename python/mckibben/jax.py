@@ -45,15 +45,13 @@ class _Asked:
         # The axis that the derivatives of an order need: none, values and slopes, or second derivatives row by row.
         self.widths = (), (3 + len(names),), ((2 + len(names)) ** 2,)
 
-    def at(self, theta: Array) -> tuple[Muscle, list[dict[str, float]]]:
-        """The muscle with these values, and how its parameters change with each."""
+    def at(self, theta: Array) -> tuple[Muscle, list[str], Array]:
+        """The muscle with these values, and how its parameters change with each, of which one that is a value itself follows no measure."""
         values = dict(zip(self.names, theta.tolist()))
         measures = {name: value for name, value in values.items() if name in MEASURES}
         own = {name: value for name, value in values.items() if name not in MEASURES}
         muscle = self.muscle._changed(measures) if measures else self.muscle
-        # A parameter that is a value itself follows no measure.
-        rows = [{n: v for n, v in muscle._follows(name).items() if n not in own} if name in measures else {name: 1.0} for name in self.names]
-        return muscle.with_parameters(own) if own else muscle, rows
+        return muscle.with_parameters(own) if own else muscle, *muscle._chain(self.names, own)
 
     def second(self, a: Array, b: Array, theta: Array) -> Array:
         """Second derivatives at one θ: differences of slopes, which closed forms have to their last digits. Slack muscles have none."""
@@ -81,8 +79,7 @@ class _Asked:
         try:
             if order == 2:
                 return self.second(a, b, theta)
-            muscle, rows = self.at(theta)
-            own = list(dict.fromkeys(parameter for row in rows for parameter in row))
+            muscle, own, by = self.at(theta)
             found = getattr(muscle, self.wanted)(a, b, jac=(own or True) if order else False, errors="nan" if self.nan else "raise", **self.options)
         except MckibbenError:
             # A muscle that cannot be.
@@ -91,8 +88,7 @@ class _Asked:
             return np.full((*np.broadcast_shapes(a.shape, b.shape), *self.widths[order]), np.nan)
         if not order:
             return np.asarray(found)
-        by = np.array([[row.get(parameter, 0.0) for parameter in own] for row in rows]).reshape(len(rows), len(own))
-        return np.concatenate([np.asarray(found[0])[..., None], found[1][..., :2], found[1][..., 2:] @ by.T], axis=-1)
+        return np.concatenate([np.asarray(found[0])[..., None], found[1][..., :2], found[1][..., 2:] @ by], axis=-1)
 
     def many(self, a: Any, b: Any, theta: Any, order: int) -> Array:
         """The same where all three may have axes of a batch in front, as many as θ has more than one."""

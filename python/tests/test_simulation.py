@@ -223,6 +223,7 @@ def test_a_joint_is_its_file(elbow: mk.Joint, root: Path, tmp_path: Path) -> Non
     other = elbow.replace(muscle_2=mk.load(root / "examples/biceps.toml").replace(wall_mm=1))
     assert other.solve(**asked).points != points and list(other.muscles) == ["muscle_1.toml", "muscle_2.toml"] and len(elbow.muscles) == 1
     biceps = elbow.muscles["muscle_1.toml"]
+    assert elbow.replace(muscle_1=biceps.replace(wall_mm=1)).muscles["muscle_2.toml"] == biceps, "the other side is as it was"
     for wrong, said in (({"radus_mm": 25}, "radus"), ({"radius": 25}, "no unit")):
         with pytest.raises(mk.InputError, match=said):
             mk.Joint(biceps, joint=wrong)
