@@ -10,7 +10,7 @@ from . import _api, _native
 from ._api import State
 from ._errors import InputError
 from ._muscle import Muscle
-from ._request import Fixed, bare, fields, file, heard, is_nan, known, number, put, table
+from ._request import Fixed, fields, file, heard, is_nan, known, number, plain, put, table
 
 if TYPE_CHECKING:
     import numpy as np
@@ -25,27 +25,25 @@ if TYPE_CHECKING:
 _COMMANDS = {"pressure": "pressure_mpa", "opening": "opening", "volume": "volume_mm3", "position": "contraction"}
 
 
-def _key(name: str, value: Any) -> tuple[str, Any]:
-    """A key of a file and its value. A number carries its unit in the name, and is a text with that unit in the file."""
-    unit, words = _native.unit_of(name), name.split("_")
-
-    def written(value: Any) -> Any:
-        value = bare(name, value)
-        value = value.tolist() if hasattr(value, "tolist") else value
-        if isinstance(value, tuple) and len(value) == 2 and unit:
-            return f"{float(value[0])!r}..{float(value[1])!r} {unit}"
-        if isinstance(value, (list, tuple)):
-            pairs = value and all(isinstance(v, (list, tuple)) and len(v) == 2 for v in value)
-            return [[f"{float(t)!r} s" if isinstance(t, (int, float)) else t, written(v)] for t, v in value] if pairs else [written(v) for v in value]
-        return value if isinstance(value, (str, bool)) or not unit else f"{float(value)!r} {unit}"
-
-    # The unit is the shortest end of the name that is one by itself.
-    ends = [i for i in range(1, len(words)) if unit and _native.unit_of("_".join(["x", *words[i:]])) == unit]
-    return "_".join(words[: ends[-1]] if ends else words), written(value)
-
-
 def _table(given: Mapping[str, Any] | None) -> dict[str, Any]:
-    return dict(_key(name, value) for name, value in (given or {}).items() if value is not None)
+    """A table of a file. A number carries its unit in the key, and in the file it is a text with that unit; a tuple of two is bounds, of pairs the first are times."""
+    out: dict[str, Any] = {}
+    for name, value in (given or {}).items():
+        unit, words = _native.unit_of(name), name.split("_")
+        # The unit is the shortest end of the name that is one by itself.
+        ends = [i for i in range(1, len(words)) if unit and _native.unit_of("_".join(["x", *words[i:]])) == unit]
+
+        def said(number: Any) -> Any:
+            return f"{number!r} {unit}" if unit and type(number) in (int, float) else number
+
+        found = plain(name, value)
+        if isinstance(value, tuple) and len(value) == 2 and unit:
+            found = f"{found[0]!r}..{found[1]!r} {unit}"
+        elif isinstance(found, list):
+            found = [[item[0], said(item[1])] if isinstance(item, list) else said(item) for item in found]
+        if value is not None:
+            out["_".join(words[: ends[-1]] if ends else words)] = said(found)
+    return out
 
 
 def _tables(kind: Any, given: Mapping[str, Any]) -> dict[str, Any]:

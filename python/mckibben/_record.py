@@ -339,13 +339,6 @@ class Fitting(Record):
         held = {n: v for n, v in self.to_dict().items() if n not in ("tables", "figures")}
         return Formula(json.dumps(held, ensure_ascii=False, indent=2) + "\n", held["name"])
 
-    def table(self, name: str) -> dict[str, Any]:
-        """The columns of one of the intermediate tables that ``fit(…, tables=True)`` asks for, by its name."""
-        held = {table["name"]: table for table in self.to_dict().get("tables") or []}
-        if name not in held:
-            raise KeyError(f"{name}: there is {', '.join(held) or 'no table'}")
-        return of_rows([dict(zip(held[name]["header"], row)) for row in held[name]["rows"]])
-
 
 class Found(Record):
     """Values found by least squares, as other packages name them."""
