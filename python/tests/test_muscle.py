@@ -162,8 +162,8 @@ def test_a_citation_names_package_model_and_data(thin: mk.Muscle) -> None:
 
 
 def test_a_notebook_shows_a_muscle(thin: mk.Muscle, tmp_path: Path) -> None:
-    assert "<iframe srcdoc=" in thin._repr_html_() and "<iframe" in thin.shape(0.2, 0.1)._repr_html_()
-    assert thin.report(tmp_path / "r.html").startswith("<!DOCTYPE html>") and (tmp_path / "r.html").exists()
+    assert "<iframe srcdoc=" in thin._repr_html_() and "<iframe" in thin.shape("2 bar", "10%")._repr_html_()
+    assert thin.report(tmp_path / "r.html", pressure_mpa="2 bar").startswith("<!DOCTYPE html>") and (tmp_path / "r.html").exists()
     assert thin.shape(0.2, 0.1).array("r_mm").ndim == 2
 
 

@@ -5,8 +5,8 @@ use mckibben::muscle::Muscle as Held;
 use mckibben::muscle::measures::{STIFFNESS, fields};
 use mckibben::{muscle::file::to_toml, rubber::RubberLaw};
 use mckibben_app::{
-    AskFields, BoundModel, ModelFields, MuscleFields, Problem, ProblemKind, Result, TextFile, find,
-    muscle_of, understood, with_parameters,
+    AskFields, BoundModel, ModelFields, MuscleFields, Problem, ProblemKind, Result, TextFile, muscle_of,
+    understood, with_parameters,
 };
 use mckibben_fit::identify::Target;
 use pyo3::exceptions::PyValueError;
@@ -73,9 +73,7 @@ impl Muscle {
     #[new]
     #[pyo3(signature = (request: "dict[str, typing.Any]", rubber: "str | None" = None))]
     fn new(py: Python<'_>, request: &Bound<'_, PyAny>, rubber: Option<String>) -> PyResult<Self> {
-        let mut request = value::request(request)?;
-        let read = find("check").and_then(|entry| request::read(entry, &mut request));
-        value::warn(py, &read.map_err(Wrong::from)?)?;
+        let request = request::given(py, "check", request)?;
         Ok(run::quick(py, |_| {
             described(&request, rubber.as_deref())
                 .map(Self::from)
@@ -125,8 +123,7 @@ impl Muscle {
     /// The model that a request names, of this muscle.
     #[pyo3(signature = (request: "dict[str, typing.Any]"))]
     fn model(&self, py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<Model> {
-        let mut request = value::request(request)?;
-        find("force").and_then(|entry| request::read(entry, &mut request)).map_err(Wrong::from)?;
+        let request = request::given(py, "force", request)?;
         Ok(run::quick(py, |_| {
             let (model, asking): (ModelFields, AskFields) = (understood(&request)?, understood(&request)?);
             Ok(Model { bound: BoundModel::new(&self.held, &model, asking)? })

@@ -1,6 +1,6 @@
 //! A drive in a control loop.
 
-use crate::{error::Wrong, run, value};
+use crate::{error::Wrong, request, run, value};
 use mckibben::threads::Threads;
 use mckibben_app::{MotionRequest, Problem, SimulatedDrive, understood};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1};
@@ -31,7 +31,7 @@ impl Simulation {
     #[new]
     #[pyo3(signature = (request: "dict[str, typing.Any]", step_s, records))]
     fn new(py: Python<'_>, request: &Bound<'_, PyAny>, step_s: f64, records: bool) -> PyResult<Self> {
-        let request = value::request(request)?;
+        let request = request::given(py, "motion", request)?;
         Ok(run::long(py, None, |progress| {
             let request: MotionRequest = understood(&request)?;
             Ok(Self { drive: Mutex::new(SimulatedDrive::new(&request, step_s, progress)?), records })
