@@ -94,9 +94,9 @@ HEAD = '''"""Commands and answers of the program. Written by python/write.py fro
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
 
-from . import _results
+from . import _record
 from ._record import Record
 from ._request import answered
 
@@ -106,10 +106,13 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._muscle import Muscle
-    from ._values import Choice, FileLike, Floats, FormulaLike, MuscleLike, Number, Numbers, Options, Plain, Progress, RubberLike, TableLike
+    from ._request import Choice, FileLike, Floats, FormulaLike, MuscleLike, Number, Numbers, Plain, Progress, RubberLike, TableLike
 
     Errors = Literal["raise", "nan"]
     Array = NDArray[np.float64]
+    # What a key of a joint or drive file may hold.
+    Key = Number | Numbers | bool | Sequence[Sequence[Number]]
+    Keys = Mapping[str, Key]
 '''
 
 
@@ -306,7 +309,7 @@ def fields_class(bundle: Bundle) -> str:
 
 def record(bundle: Bundle, name: str, schema: Schema, rows: str | None) -> str:
     fields, always = bundle.properties(schema), bundle.required(schema)
-    base = f"_results.{BASES[name]}" if name in BASES else "Record"
+    base = f"_record.{BASES[name]}" if name in BASES else "Record"
     lines = [f"class {name}({base}):", documented([wrapped(doc(schema) or name), section("Attributes", entries_of(fields))], "    ")]
     if rows:
         lines.append(f"    _rows: ClassVar[str | None] = {json.dumps(rows)}")
@@ -315,9 +318,7 @@ def record(bundle: Bundle, name: str, schema: Schema, rows: str | None) -> str:
         kind = bundle.type_of(value, True)
         optional = field not in always
         kind = f"{kind} | None" if optional and not kind.endswith("None") and kind != "Any" else kind
-        # A method of the same name stands in the base class.
-        if (name, field) != ("Plan", "points"):
-            lines.append(f"    {named(field)}: {kind}" + (" = None" if optional else ""))
+        lines.append(f"    {named(field)}: {kind}" + (" = None" if optional else ""))
     return "\n".join(lines)
 
 
@@ -326,7 +327,7 @@ def solution(bundle: Bundle) -> str:
     fields = {n: f for n, f in bundle.properties({"$ref": "#/$defs/Answer"}).items() if bundle.type_of(f, True) in ("float", "float | None")}
     about = ["Points of a muscle as arrays of one shape; NaN where a point does not have it.", section("Attributes", [*entries_of(fields), ("slack", "", "Whether the muscle hangs slack."), ("status", "", "`ok`, or the kind of why there is no answer."), ("cause", "", "Why there is none."), ("warned", "", "A bit for each of `warnings`.")])]
     kinds = {**dict.fromkeys(fields, "float64"), "slack": "bool_", "status": "str_", "cause": "object_", "warned": "int64"}
-    return "\n".join(["class Solution(_results.Points):", documented(about, "    "), *(f"    {n}: NDArray[np.{kind}]" for n, kind in kinds.items())])
+    return "\n".join(["class Solution(_record.Points):", documented(about, "    "), *(f"    {n}: NDArray[np.{kind}]" for n, kind in kinds.items())])
 
 
 def numbers() -> str:
@@ -361,6 +362,21 @@ def state(bundle: Bundle) -> str:
     return "\n".join(["class State(Record):", documented(about, "    "), *(f"    {n}: float" for n in fields)])
 
 
+def choices(bundle: Bundle) -> str:
+    """Which model answers, and how, as keywords."""
+    fields = {n: f for n, f in bundle.request("force").items() if f.get("x-group") == "model"}
+    about = ["Which model of a muscle answers, and how.", section("Attributes", entries_of(fields))]
+    return "\n".join(["class Options(TypedDict, total=False):", documented(about, "    "), *(f"    {parameter(bundle, 'force', n, f)[0]}" for n, f in fields.items())])
+
+
+def tables(kind: str, own: list[str]) -> str:
+    """The tables of a file that people write, as keywords; its keys stand in their descriptions."""
+    held = {n: f for n, f in program("--file", kind)["properties"].items() if n not in (*own, "notes")}
+    listed = [(n, "", f["description"] + (": " + ", ".join(f"``{key}``" for key in f["properties"]) if "properties" in f else "")) for n, f in held.items()]
+    kinds = {n: "str | None" if f["type"] == "string" else "Keys | str | None" if "name" in f["properties"] else "Keys | None" for n, f in held.items()}
+    return "\n".join([f"class {kind.capitalize()}Tables(TypedDict, total=False):", documented([f"Tables of a {kind} file.", section("Attributes", listed)], "    "), *(f"    {n}: {k}" for n, k in kinds.items())])
+
+
 def answers(bundle: Bundle) -> dict[str, tuple[Schema, str | None]]:
     """All records, by name: those of commands, and those to which they refer."""
     asked = dict.fromkeys([*(c for names in METHODS.values() for c in names), *FUNCTIONS])
@@ -388,6 +404,7 @@ def api(bundle: Bundle) -> str:
     keys = {n: f["x-key"] for n, f in sorted(bundle.muscle().items(), key=lambda f: f[0] not in geometry) if "x-key" in f}
     parts = [HEAD, f"__all__ = {json.dumps([*made, 'Solution', 'State'])}\n# Keys of the muscle file, by field.\nKEYS = {json.dumps(keys)}"]
     parts += [record(bundle, name, *held) for name, held in made.items()]
+    parts += [choices(bundle), tables("joint", ["joint", "muscle_1", "muscle_2"]), tables("drive", ["muscle", "joint", "command"])]
     parts += [solution(bundle), state(bundle), fields_class(bundle).rstrip(), numbers()]
     for owner, methods in METHODS.items():
         parts.append("\n\n".join([f"class {owner}:\n{documented(['What the program answers of it, by command.'], '    ')}", *(function(bundle, c, n, first, owner) for c, (n, first) in methods.items())]))
@@ -395,9 +412,10 @@ def api(bundle: Bundle) -> str:
     return "\n\n\n".join(parts) + "\n"
 
 
-def schema() -> Bundle:
-    program = os.environ.get("MCKIBBEN") or str(ROOT / "target/debug/mckibben")
-    return Bundle(json.loads(subprocess.run([program, "schema"], capture_output=True, text=True, check=True).stdout))
+def program(*words: str) -> Schema:
+    """A schema of the program."""
+    tool = os.environ.get("MCKIBBEN") or str(ROOT / "target/debug/mckibben")
+    return json.loads(subprocess.run([tool, "schema", *words], capture_output=True, text=True, check=True).stdout)
 
 
 def ready(native: Path | None) -> None:
@@ -417,10 +435,9 @@ def parts() -> Iterator[tuple[str, str, str, Any]]:
     import mckibben
     from mckibben import _api
 
-    for name in mckibben.__all__:
-        made = getattr(mckibben, name)
+    for name, made in sorted(vars(mckibben).items()):
         title = "Exceptions" if inspect.isclass(made) and issubclass(made, (Exception, Warning)) else "Objects" if inspect.isclass(made) else "Functions"
-        if not inspect.ismodule(made):
+        if not inspect.ismodule(made) and not name.startswith("_"):
             yield title, "", name, made
     for name in _api.__all__:
         yield "Answers", "_api", name, getattr(_api, name)
@@ -483,7 +500,7 @@ def main() -> None:
     parser.add_argument("--native", type=Path)
     args = parser.parse_args()
     if args.what == "api":
-        text, held = api(schema()), args.place.read_text("utf-8") if args.place.exists() else ""
+        text, held = api(Bundle(program())), args.place.read_text("utf-8") if args.place.exists() else ""
         if args.check and text != held:
             sys.exit("".join(list(difflib.unified_diff(held.splitlines(True), text.splitlines(True), "kept", "made"))[:40]) + "python python/write.py api writes it anew")
         if not args.check:

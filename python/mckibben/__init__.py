@@ -1,7 +1,6 @@
 """McKibben pneumatic muscles: finite elements, formulas, design.
 
-Lengths are in mm, pressures in MPa (gauge), forces in N, angles in degrees; every name carries its unit. A text with its unit (``"2.5 bar"``) or a quantity of pint may stand
-in the place of a number.
+Lengths in mm, pressures in MPa (gauge), forces in N, angles in degrees, as every name says; or texts with their unit (``"2.5 bar"``), or quantities of pint.
 
 >>> import mckibben as mk
 >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
@@ -10,28 +9,28 @@ in the place of a number.
 
 - a muscle: ``Muscle``, its ``Rubber``; ``muscle.force(p, e)``, ``.pressure``, ``.contraction`` answer numbers and arrays, ``.solve`` all that is known of points,
   ``.curve``, ``.shape``, ``.simulate``, ``.fill``, ``.check``, ``.compare``, ``.study``, ``.build``, ``.export``, ``.report``, ``.cite`` the rest
-- find one: ``design``; from measurements: ``identify``, ``fit_rubber``, ``measured``
-- move it: ``Joint``, ``Drive``, ``Simulation``, ``rollout``
-- a formula: ``campaign``, ``plan``, ``fit``, ``Formula``
+- find one: ``design``; from measurements: ``identify``, ``fit_rubber``, ``measured``; move it: ``Joint``, ``Drive``, ``Simulation``, ``rollout``
+- a formula: ``campaign``, ``Campaign``, ``plan``, ``fit``, ``Formula``
 - what is known: ``parts``, ``part``, ``measures``, ``validate``, ``fit_report``, ``export_targets``
 - files: ``load`` reads what ``.save`` of each object wrote; ``ask`` is JSON in and out
+- what is wrong: below ``MckibbenError`` are ``InputError``, ``OutOfRangeError``, ``FileError``, ``NoAnswerError``, ``NotConvergedError``, ``InternalError``
 - ``mckibben.units`` for pint, ``mckibben.jax`` for JAX, ``mckibben.answers`` for the types of answers
 """
 
-from ._errors import FileError, InputError, InternalError, MckibbenError, MuscleWarning, NoAnswerError, NotConvergedError, OutOfRangeError, UnitWarning
-from ._api import design, export_targets, fit, fit_report, fit_rubber, identify, measured, measures, part, parts, plan, validate
-from ._campaign import Campaign, campaign
-from ._drives import Drive, Joint
-from ._formula import Formula
-from ._load import load
-from ._muscle import Muscle
-from ._native import VERSION as __version__
-from ._request import ask
-from ._rubber import Rubber
-from ._simulation import Simulation, rollout
+# Each name once more: it is public, and help() does not print all of it.
+from . import _native
+from ._errors import (
+    FileError as FileError, InputError as InputError, InternalError as InternalError, MckibbenError as MckibbenError, MuscleWarning as MuscleWarning,
+    NoAnswerError as NoAnswerError, NotConvergedError as NotConvergedError, OutOfRangeError as OutOfRangeError, UnitWarning as UnitWarning,
+)
+from ._api import (
+    design as design, export_targets as export_targets, fit as fit, fit_report as fit_report, fit_rubber as fit_rubber, identify as identify, measured as measured,
+    measures as measures, part as part, parts as parts, plan as plan, validate as validate,
+)
+from ._campaign import Campaign as Campaign, campaign as campaign
+from ._motion import Drive as Drive, Joint as Joint, Simulation as Simulation, rollout as rollout
+from ._muscle import Muscle as Muscle
+from ._parts import Formula as Formula, Rubber as Rubber, load as load
+from ._request import ask as ask
 
-__all__ = [
-    "__version__", "Campaign", "Drive", "FileError", "Formula", "InputError", "InternalError", "Joint", "MckibbenError", "Muscle", "MuscleWarning", "NoAnswerError", "NotConvergedError",
-    "OutOfRangeError", "Rubber", "Simulation", "UnitWarning", "ask", "campaign", "design", "export_targets", "fit", "fit_report", "fit_rubber", "identify", "load", "measured",
-    "measures", "part", "parts", "plan", "rollout", "validate",
-]
+__version__: str = _native.VERSION

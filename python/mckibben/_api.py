@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
 
-from . import _results
+from . import _record
 from ._record import Record
 from ._request import answered
 
@@ -15,10 +15,13 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._muscle import Muscle
-    from ._values import Choice, FileLike, Floats, FormulaLike, MuscleLike, Number, Numbers, Options, Plain, Progress, RubberLike, TableLike
+    from ._request import Choice, FileLike, Floats, FormulaLike, MuscleLike, Number, Numbers, Plain, Progress, RubberLike, TableLike
 
     Errors = Literal["raise", "nan"]
     Array = NDArray[np.float64]
+    # What a key of a joint or drive file may hold.
+    Key = Number | Numbers | bool | Sequence[Sequence[Number]]
+    Keys = Mapping[str, Key]
 
 
 
@@ -237,7 +240,7 @@ class BranchAnswer(Record):
     overstress_standard_error: float | None
 
 
-class Build(_results.Files):
+class Build(_record.Files):
     """All that is needed to build a muscle.
 
     Attributes
@@ -1064,7 +1067,7 @@ class ComparedModel(Record):
     fitted_stiffness_n_per_mm: float | None = None
 
 
-class Curve(_results.Curves):
+class Curve(_record.Curves):
     """A family of curves.
 
     Attributes
@@ -1222,7 +1225,7 @@ class Derived(Record):
     volume_mm3: float
 
 
-class Design(_results.Designed):
+class Design(_record.Designed):
     """Ranked muscles, and the reasons why others fail.
 
     Attributes
@@ -1527,7 +1530,7 @@ class ErrorSummary(Record):
     max_of_isobar: float
 
 
-class Export(_results.Files):
+class Export(_record.Files):
     """A muscle as files for a target.
 
     Attributes
@@ -1966,7 +1969,7 @@ class FindingAnswer(Record):
     holds: bool
 
 
-class Fit(_results.Fitting):
+class Fit(_record.Fitting):
     """A formula with its data, as in its file.
 
     Attributes
@@ -2222,7 +2225,7 @@ class HeldOutRow(Record):
     max_of_blocked: float
 
 
-class Identification(_results.Identified):
+class Identification(_record.Identified):
     """Result of the identification.
 
     Attributes
@@ -2385,7 +2388,7 @@ class IdentifiedPoint(Record):
     model_volume_mm3: float | None = None
 
 
-class JointExport(_results.Files):
+class JointExport(_record.Files):
     """A joint as files for a target.
 
     Attributes
@@ -4002,7 +4005,7 @@ class PartsListAnswer(Record):
     models: list[ModelEntry]
 
 
-class Plan(_results.Planned):
+class Plan(_record.Planned):
     """Its table.
 
     Attributes
@@ -4019,6 +4022,7 @@ class Plan(_results.Planned):
     _rows: ClassVar[str | None] = "table"
     table: TextFile
     muscles: int
+    points: int
     failed: int
 
 
@@ -4471,7 +4475,7 @@ class RubberDetails(Record):
     warnings: list[str]
 
 
-class RubberFit(_results.FittedLaws):
+class RubberFit(_record.FittedLaws):
     """The laws of the tests.
 
     Attributes
@@ -4732,7 +4736,7 @@ class Series(Record):
     neutral: bool | None = None
 
 
-class Shape(_results.Shaped):
+class Shape(_record.Shaped):
     """The half muscle from its middle (z = 0) to a terminal; the other half is its mirror image.
 
     Attributes
@@ -5650,7 +5654,104 @@ class ValidateAnswer(Record):
     cases: list[Case]
 
 
-class Solution(_results.Points):
+class Options(TypedDict, total=False):
+    """Which model of a muscle answers, and how.
+
+    Attributes
+    ----------
+    model
+        Name of the model, or of one of the formulas.
+    formulas
+        Files of fitted formulas, which are models by the names of their files.
+    mesh
+        Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
+        bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+    match
+        Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+    terminal
+        Terminal of `fe3d` that is a body; without it a rigid plane.
+    extrapolate
+        Compute outside the model's range too, with a warning.
+    two_sided
+        Give the negative force, not slack, where the muscle would have to push.
+    direction
+        Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
+    """
+    model: FormulaLike | None
+    formulas: Sequence[FormulaLike] | None
+    mesh: str | None
+    match: Literal["length", "angle"] | None
+    terminal: Mapping[str, Plain] | None
+    extrapolate: bool
+    two_sided: bool
+    direction: Literal["mean", "contraction", "elongation"] | None
+
+
+class JointTables(TypedDict, total=False):
+    """Tables of a joint file.
+
+    Attributes
+    ----------
+    link
+        The weight of the moving parts: ``mass``, ``centre``, ``inclination``, ``payload``, ``payload_at``
+    spring
+        A spring against the first muscle: ``rate``, ``preload``, ``angular_rate``, ``preload_torque``, ``radius``, ``origin``, ``insertion``
+    name
+        Name, for people
+    """
+    link: Keys | None
+    spring: Keys | None
+    name: str | None
+
+
+class DriveTables(TypedDict, total=False):
+    """Tables of a drive file.
+
+    Attributes
+    ----------
+    supply
+        The air supply: ``pressure``, ``temperature``
+    valve
+        A valve for each muscle: ``name``, ``sonic_conductance``, ``critical_ratio``, ``exhaust_conductance``, ``exhaust_critical_ratio``,
+        ``flow_coefficient``, ``return_coefficient``, ``kind``, ``lag``, ``wide_open_at``, ``hysteresis``, ``closed_centre``, ``hose_length``,
+        ``hose_diameter``
+    regulator
+        An ideal regulator, in place of a valve: ``time_constant``
+    pump
+        A pump of a liquid for each muscle, which runs both ways: ``flow``, ``kind``, ``lag``, ``wide_open_at``, ``hysteresis``, ``closed_centre``,
+        ``hose_length``, ``hose_diameter``
+    syringe
+        A syringe of a liquid for each muscle: ``volume``, ``time_constant``
+    air
+        The air in the muscle: ``dead_volume``, ``heat``, ``polytropic_index``
+    liquid
+        A liquid in the muscle, in place of air: ``name``, ``bulk_modulus``, ``gas_share``, ``dead_volume``
+    load
+        The load of a muscle: ``mass``, ``level``, ``line``, ``damping``, ``stops``, ``held``, ``start``
+    friction
+        Motion with the friction of the muscle: ``coefficient``, ``presliding``
+    rubber
+        Viscoelasticity of the rubber: ``prony``
+    controller
+        The controller of a position: ``proportional``, ``integral``, ``derivative``, ``filter``, ``tracking``, ``output``, ``bias``
+    name
+        Name, for people
+    """
+    supply: Keys | None
+    valve: Keys | str | None
+    regulator: Keys | None
+    pump: Keys | None
+    syringe: Keys | None
+    air: Keys | None
+    liquid: Keys | str | None
+    load: Keys | None
+    friction: Keys | None
+    rubber: Keys | None
+    controller: Keys | None
+    name: str | None
+
+
+class Solution(_record.Points):
     """Points of a muscle as arrays of one shape; NaN where a point does not have it.
 
     Attributes

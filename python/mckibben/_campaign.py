@@ -7,8 +7,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from . import _api, _errors, _native
-from ._request import file, listening
-from ._values import Fixed, Progress
+from ._request import file, heard
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor, Future
@@ -16,10 +15,10 @@ if TYPE_CHECKING:
 
     import pandas
 
-    from ._values import FileLike, Plain
+    from ._request import FileLike, Plain, Progress
 
 
-class Campaign(_api.CampaignCommands, Fixed):
+class Campaign(_api.CampaignCommands):
     """Many finite-element tests from a plan: a table (Parquet) that grows, and that a run resumes where it was ended.
 
     Parameters
@@ -32,37 +31,28 @@ class Campaign(_api.CampaignCommands, Fixed):
     Examples
     --------
     >>> import mckibben as mk
-    >>> mk.Campaign("campaign.parquet").output
-    'campaign.parquet'
+    >>> mk.Campaign("campaign.parquet")
+    Campaign('campaign.parquet', None)
     """
 
-    __slots__ = ("_output", "_plan")
-    _output: str
-    _plan: dict[str, str] | None
-
     def __init__(self, output: str | PathLike[str], plan: FileLike | None = None) -> None:
-        object.__setattr__(self, "_output", os.fspath(output))
-        object.__setattr__(self, "_plan", None if plan is None else file(plan))
+        self.output: str = os.fspath(output)
+        self.plan: dict[str, str] | None = None if plan is None else file(plan)
 
     @property
-    def output(self) -> str:
-        """Where the table is."""
-        return self._output
+    def _parts(self) -> str:
+        """Where the parts are while it is computed."""
+        return self.output + ".parts" if self.output.lower().endswith(".parquet") else self.output
 
     @property
     def _table(self) -> str:
         """Where its points are: while it is not complete, in the folder of its parts."""
-        parts = self._output + ".parts"
-        return parts if not os.path.exists(self._output) and os.path.isdir(parts) else self._output
-
-    @property
-    def _folder(self) -> str:
-        """Where the parts are while it is computed."""
-        return self._output + ".parts" if self._output.lower().endswith(".parquet") else self._output
+        return self._parts if not os.path.exists(self.output) and os.path.isdir(self._parts) else self.output
 
     def _files(self, command: str) -> dict[str, Any]:
-        of: dict[str, dict[str, Any]] = {"campaign": {"plan": self._plan, "output": self._output}, "campaign-status": {"output": self._folder}, "campaign-show": {"campaign": self._table}}
-        return {name: value for name, value in of[command].items() if value is not None}
+        if command == "campaign-show":
+            return {"campaign": self._table}
+        return {"output": self._parts} if command == "campaign-status" else {"plan": self.plan, "output": self.output}
 
     @staticmethod
     def merge(folders: list[str | PathLike[str]], output: str | PathLike[str], *, overwrite: bool = False) -> Campaign:
@@ -81,35 +71,29 @@ class Campaign(_api.CampaignCommands, Fixed):
 
         return pd.read_parquet(self._table)
 
-    def _key(self) -> Any:
-        return self._output, None if self._plan is None else tuple(self._plan.items())
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Campaign, (self._output, self._plan)
-
     def __repr__(self) -> str:
-        return f"Campaign({self._output!r}" + (f", {self._plan['name']!r})" if self._plan else ")")
+        return f"Campaign({self.output!r}, {self.plan!r})"
 
 
-def _on(campaign: Campaign, executor: Executor, request: dict[str, object], shards: int, progress: Progress) -> None:
+def _on(made: Campaign, executor: Executor, threads: int, shards: int, progress: Progress) -> None:
     """Computes the shards of a campaign on an executor, and waits for their end."""
-    folder = os.path.abspath(campaign._folder)
+    folder = os.path.abspath(made._parts)
     os.makedirs(folder, exist_ok=True)
     stop = os.path.join(folder, f".stop-{os.urandom(8).hex()}")
-    futures: list[Future[None]] = [executor.submit(_shard, {**request, "output": folder, "shard": f"{i}/{shards}"}, stop) for i in range(1, shards + 1)]
+    request = {"plan": made.plan, "threads": threads, "output": folder}
+    futures: list[Future[None]] = [executor.submit(_shard, {**request, "shard": f"{i}/{shards}"}, stop) for i in range(1, shards + 1)]
 
     # Futures of some executors (Dask) are not those of the standard library, whose functions do not wait for them.
     def ended() -> int:
         return sum(future.done() for future in futures)
 
     try:
-        with listening(progress, "campaign") as heard:
-            while ended() < shards:
-                if heard is not None:
-                    heard(ended(), shards)
-                time.sleep(0.05)
-            if heard is not None:
-                heard(shards, shards)
+        done, hear = -1, heard(progress, "campaign")
+        while done < shards:
+            time.sleep(0.05)
+            done = ended()
+            if hear is not None:
+                hear(done, shards)
     except BaseException:
         # Shards that wait are not begun, and those that run end within about a second.
         open(stop, "w").close()
@@ -145,27 +129,22 @@ def _shard(request: dict[str, Any], stop: str) -> None:
 
 
 def campaign(plan: FileLike, output: str | PathLike[str], *, executor: Executor | None = None, shards: int = 64, threads: int | None = None, progress: Progress = None) -> Campaign:
-    """Runs a plan, or what is missing of it, on this machine or on any executor, and waits for its end.
+    """Runs a plan, or what is missing of it, on this machine or on any executor, and waits for its end. The table does not depend on the executor; the same
+    call continues one that was cancelled or whose workers died.
 
     Parameters
     ----------
-    plan
-        The plan (TOML): a path, or ``{"name": …, "text": …}``.
-    output
-        The table: one file that ends in ``.parquet``, or a folder of parts.
+    plan, output
+        As in :class:`Campaign`.
     executor
-        Any ``concurrent.futures.Executor``: a process pool, that of Dask (``client.get_executor()``); without one the threads of this process. Its workers need this package and the folder of `output`.
+        Any ``concurrent.futures.Executor``: a process pool, that of Dask (``client.get_executor()``), whose workers have this package and the folder of
+        `output`; without one the threads of this process.
     shards
         Number of tasks for the executor, several for each worker.
     threads
         Threads of each task; one where there is an executor, else as many as cores.
     progress
         True for a line on standard error, or a function that is called with (done, total); on an executor in shards.
-
-    Returns
-    -------
-    Campaign
-        Its table does not depend on the executor. The same call continues one that was cancelled or whose workers died.
 
     Examples
     --------
@@ -174,11 +153,9 @@ def campaign(plan: FileLike, output: str | PathLike[str], *, executor: Executor 
     ...     mk.campaign("plans/paper.toml", "campaign.parquet", executor=pool).to_pandas()
     """
     made = Campaign(output, plan)
-    if executor is None or os.path.isfile(made.output):
-        made.run(threads=threads, progress=progress)
-        return made
-    _on(made, executor, {"plan": made._plan, "threads": threads or 1}, shards, progress)
-    if made._folder != made.output:
-        # All parts are there: this writes the file.
-        made.run()
+    if executor is not None and not os.path.isfile(made.output):
+        _on(made, executor, threads or 1, shards, progress)
+    if executor is None or made._parts != made.output:
+        # With an executor all parts are there, and this writes the file.
+        made.run(threads=threads, progress=progress if executor is None else None)
     return made

@@ -7,19 +7,6 @@ import warnings
 from typing import Any
 
 
-def warned(text: str, kind: type[Warning]) -> None:
-    """Warns at the line outside of the package that called it."""
-    level, frame = 2, sys._getframe(1)
-    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("mckibben"):
-        level, frame = level + 1, frame.f_back
-    warnings.warn(text, kind, stacklevel=level)
-
-
-def warned_of_unit(text: str) -> None:
-    """What the compiled half says of a number."""
-    warned(text, UnitWarning)
-
-
 class MuscleWarning(UserWarning):
     """What should be known of an answer: a pressure above the allowed one, a stretch beyond the data of the rubber, …"""
 
@@ -32,49 +19,26 @@ class MckibbenError(Exception):
     """Why a call has no answer. Its classes are :class:`InputError`, :class:`OutOfRangeError`, :class:`FileError`, :class:`NoAnswerError`,
     :class:`NotConvergedError` and :class:`InternalError`; each is one of Python's own too.
 
-    Attributes
-    ----------
-    message
-        What is wrong, in a sentence.
-    hint
-        What to do about it; may be empty.
-    field
-        The argument that is to blame, where it is one.
-    kind
-        A word for programs, such as ``quantity``: finer than the classes.
-    nearest
-        The nearest answer there is, where it is known: a dict with ``force_n``, ``pressure_mpa``, ``contraction``.
-    index
-        The place in the flattened arrays, where the question was for arrays.
+    ``message`` is a sentence and ``hint`` what to do about it; ``field`` is the argument that is to blame, where it is one; ``kind`` a word for programs,
+    finer than the classes; ``nearest`` the nearest answer there is, where it is known: a dict with ``force_n``, ``pressure_mpa``, ``contraction``;
+    ``index`` the place in the flattened arrays, where the question was for arrays.
     """
 
     def __init__(
-        self,
-        message: str = "",
-        *,
-        kind: str = "internal",
-        hint: str = "",
-        field: str | None = None,
-        nearest: dict[str, float | None] | None = None,
-        index: int | None = None,
+        self, message: str = "", *, kind: str = "internal", hint: str = "", field: str | None = None, nearest: dict[str, float | None] | None = None, index: int | None = None
     ) -> None:
+        super().__init__(message)
         self.message: str = message
         self.kind: str = kind
         self.hint: str = hint
         self.field: str | None = field
         self.nearest: dict[str, float | None] | None = nearest
         self.index: int | None = index
-        place = f"{field}: " if field else ""
-        at = f"point {index}: " if index is not None else ""
-        super().__init__(f"{at}{place}{message}" + (f" ({hint})" if hint else ""))
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        values = {"kind": self.kind, "hint": self.hint, "field": self.field, "nearest": self.nearest, "index": self.index}
-        return _restored, (type(self), self.message, values)
-
-
-def _restored(kind: type[MckibbenError], message: str, values: dict[str, Any]) -> MckibbenError:
-    return kind(message, **values)
+    def __str__(self) -> str:
+        at = f"point {self.index}: " if self.index is not None else ""
+        place = f"{self.field}: " if self.field else ""
+        return f"{at}{place}{self.message}" + (f" ({self.hint})" if self.hint else "")
 
 
 class InputError(MckibbenError, ValueError):
@@ -122,3 +86,11 @@ def of(values: dict[str, Any]) -> MckibbenError:
     if kind is FileError and any(words in str(values["message"]) for words in ("(os error 2)", "does not exist")):
         kind = MissingFileError
     return kind(**values)
+
+
+def warned(text: str, kind: type[Warning] = UnitWarning) -> None:
+    """Warns at the line outside of the package that called it."""
+    level, frame = 2, sys._getframe(1)
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("mckibben"):
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, kind, stacklevel=level)

@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
-from html import escape
+from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _api, _native
-from ._errors import InputError, MuscleWarning, UnitWarning, warned
-from ._request import Saved, fields, listening, options as _options, put
-from ._values import Number, Progress
+from ._errors import InputError, MckibbenError, MuscleWarning, warned
+from ._request import Saved, array, fields, heard, is_nan, known, put
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from ._rubber import Rubber
+    from ._parts import Rubber
+    from ._request import Number, Progress
 
     Array = NDArray[np.float64]
 
+# Measures of a muscle, as :meth:`Muscle.replace` has them, by which there are derivatives.
+MEASURES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "stiffness")
+# The names of both numbers of a pair, by what is wanted.
+PAIRS = {"force": ("pressure_mpa", "contraction"), "pressure": ("force_n", "contraction"), "contraction": ("force_n", "pressure_mpa")}
 # A pressure in MPa above which a bare number was likely meant in bar, and one up to which nothing is said of a burst pressure that is not known.
 _LIKELY_MPA, _QUIET_MPA = 1.0, 0.6
 
@@ -27,11 +30,10 @@ _LIKELY_MPA, _QUIET_MPA = 1.0, 0.6
 class Bound:
     """A model that is bound to a muscle, and what was looked at of its warnings."""
 
-    __slots__ = ("muscle", "native", "quiet", "request", "said", "seen")
+    __slots__ = ("muscle", "native", "quiet", "said", "seen")
 
     def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
-        self.muscle, self.request = muscle, _options(given)
-        self.native = muscle._held.model(self.request)
+        self.muscle, self.native = muscle, muscle._held.model(fields(known(given, _api.Options)))
         # Up to this pressure in MPa a single number needs no look; it is known after the first one.
         self.quiet = float("-inf")
         self.seen: tuple[float, float, float] | None = None
@@ -44,7 +46,7 @@ class Bound:
             self.quiet = min(_LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed)
         if pressure_mpa > self.quiet:
             if not is_text and (said := _native.unlikely("pressure_mpa", pressure_mpa)):
-                warned(said, UnitWarning)
+                warned(said)
             if self.said is None or self.said[0] < pressure_mpa:
                 self.said = pressure_mpa, self._warnings(pressure_mpa, contraction)
             for text in self.said[1]:
@@ -66,7 +68,7 @@ class Bound:
         if seen is not None and box[0] <= seen[0] and box[1] >= seen[1] and box[2] <= seen[2]:
             return
         if not is_text and (said := _native.unlikely("pressure_mpa", highest)):
-            warned(said, UnitWarning)
+            warned(said)
         texts = dict.fromkeys(text for e in {box[1], box[2]} for text in self._warnings(highest, e))
         if texts:
             warned("; ".join(texts), MuscleWarning)
@@ -87,27 +89,24 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     Muscle(outer_diameter_mm=50.0, wall_mm=1.0, length_mm=285.0, stiffness='paper', angle_deg=28.0, rubber='paper')
     """
 
-    __slots__ = ("_default", "_held", "_models", "_own")
+    __slots__ = ("_held", "_models", "_own")
     _held: _native.Muscle
     _models: dict[Any, Bound]
-    _default: Bound | None
     _own: dict[str, Any] | None
 
     def _hold(self, native: _native.Muscle) -> Muscle:
-        for name, value in (("_held", native), ("_models", {}), ("_default", None), ("_own", None)):
+        for name, value in (("_held", native), ("_models", {}), ("_own", None)):
             object.__setattr__(self, name, value)
         return self
 
     def _make(self, given: dict[str, Any], base: Muscle | None = None) -> Muscle:
-        rubber = given.get("rubber")
-        if rubber is not None and not isinstance(rubber, str):
-            if given.get("rubber_file") is not None:
-                raise InputError("`rubber_file` is given, and so is a whole `rubber`", kind="usage", field="rubber_file", hint="give one of them")
-            if not hasattr(rubber, "_text"):
-                raise TypeError(f"rubber: a Rubber or a name, not {type(rubber).__name__}")
-            rubber = rubber._text
-        request = fields({**given, "rubber": rubber if isinstance(given.get("rubber"), str) else None, "muscle": base})
-        return self._hold(_native.Muscle(request, None if "rubber" in request else rubber))
+        rubber: Any = given.get("rubber")
+        own: str | None = getattr(rubber, "_text", None)
+        if own is None and not isinstance(rubber, (str, type(None))):
+            raise TypeError(f"rubber: a Rubber or a name, not {type(rubber).__name__}")
+        if own is not None and given.get("rubber_file") is not None:
+            raise InputError("`rubber_file` is given, and so is a whole `rubber`", kind="usage", field="rubber_file", hint="give one of them")
+        return self._hold(_native.Muscle(fields({**given, "rubber": rubber if own is None else None, "muscle": base}), own))
 
     def _changed(self, given: dict[str, Any]) -> Muscle:
         return object.__new__(Muscle)._make(given, self)
@@ -139,12 +138,10 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         depends on the pressure, strands that carry compression), the text of its muscle file as ``{"toml": …}``.
         """
         held = _native.toml("muscle", self.to_toml())
-        stated = {("terminals" if table == "model" else table, key) for table, value in held.items() for key in _keys(value)}
-        out = {name: self._field(name) for name, key in _api.KEYS.items() if tuple(key.split(".")) in stated}
-        if "material" in held.get("tube", {}) or ("tube", "rubber") in stated:
-            out["rubber"] = self.rubber
-        if ("braid", "name") in stated:
-            out["braid"] = self._field("braid")
+        stated = {f"{'terminals' if table == 'model' else table}.{key}" for table, keys in held.items() if isinstance(keys, dict) for key in keys}
+        out = {name: self._field(name) for name, key in _api.KEYS.items() if key in stated}
+        out |= {"rubber": self.rubber} if stated & {"tube.material", "tube.rubber"} else {}
+        out |= {"braid": self._field("braid")} if "braid.name" in stated else {}
         try:
             whole = Muscle(**out) == self
         except (InputError, TypeError):
@@ -153,11 +150,6 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
 
     def _bound(self, given: Mapping[str, Any]) -> Bound:
         """The model that is asked, kept for the next question."""
-        if not given:
-            if self._default is None:
-                object.__setattr__(self, "_default", Bound(self, given))
-            assert self._default is not None
-            return self._default
         key = tuple(given.items())
         try:
             return self._models[key]
@@ -169,29 +161,20 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             return Bound(self, given)
 
     def _asked(self, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress, options: Mapping[str, Any]) -> Any:
-        bound, nan = self._bound(options), errors == "nan"
-        if not nan and errors != "raise":
-            raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
+        bound, nan = self._bound(options), is_nan(errors)
         if jac is False and progress is None and type(a) in (float, int) and type(b) in (float, int):
             found = bound.native.one(wanted, a, b, nan)
             pressure = a if wanted == "force" else b if wanted == "contraction" else found
             if pressure > bound.quiet:
                 bound.one(pressure, found if wanted == "contraction" else b, wanted == "pressure")
             return found
-        from . import _arrays
-
-        return _arrays.asked(bound, wanted, a, b, jac, nan, progress)
+        return _arrays(bound, wanted, a, b, jac, nan, progress)
 
     def _solved(self, pressure_mpa: Any, contraction: Any, errors: str, progress: Progress, options: Mapping[str, Any]) -> _api.Solution:
-        if errors not in ("raise", "nan"):
-            raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
-        from . import _arrays
-
-        bound = self._bound(options)
-        columns, texts = _arrays.solved(bound, pressure_mpa, contraction, errors == "nan", progress)
-        if texts:
-            warned("; ".join(texts), MuscleWarning)
-        return _api.Solution._of(columns, bound.native.name, texts)
+        found = _points(self._bound(options), pressure_mpa, contraction, is_nan(errors), progress)
+        if found.warnings:
+            warned("; ".join(found.warnings), MuscleWarning)
+        return found
 
     @property
     def parameters(self) -> dict[str, float]:
@@ -208,6 +191,14 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         rates = {name: (high[name] - low[name]) / (2 * step) for name in high}
         return {name: rate for name, rate in rates.items() if abs(rate) * abs(value) > 1e-10 * abs(high[name])}
 
+    def _chain(self, names: Sequence[str], held: Collection[str] = ()) -> tuple[list[str], Array]:
+        """The parameters that change with constants and measures, but for those that are held, and by how much: a column for each name."""
+        import numpy as np
+
+        rows = [{n: v for n, v in self._follows(name).items() if n not in held} if name in MEASURES else {name: 1.0} for name in names]
+        own = list(dict.fromkeys(parameter for row in rows for parameter in row))
+        return own, np.array([[row.get(parameter, 0.0) for row in rows] for parameter in own]).reshape(len(own), len(rows))
+
     def with_parameters(self, values: Mapping[str, float]) -> Muscle:
         """The same with other constants and measures, named as in :attr:`parameters`; all others are held, k of the strands in N/mm
         among them, also where the braid's k follows the diameter.
@@ -217,26 +208,25 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     @property
     def rubber(self) -> str | Rubber:
         """The rubber: its name in the library, or its law and constants."""
-        from ._rubber import Rubber
+        from ._parts import Rubber
 
         tube = _native.toml("muscle", self.to_toml()).get("tube", {})
-        return Rubber._of(tube["material"]) if "material" in tube else str(tube.get("rubber", "paper"))
+        return Rubber.from_toml(self.to_toml()) if "material" in tube else str(tube.get("rubber", "paper"))
 
     @property
     def braid(self) -> str:
         """The braid: its name, its stiffness or its strands."""
-        return str(self._summary()["braid"])
+        return str(_native.ask("check", {"muscle": {"name": "muscle", "text": self.to_toml()}, "only_data": True})["braid"])
 
-    def _summary(self) -> dict[str, Any]:
-        return _native.ask("check", {"muscle": {"name": "muscle", "text": self.to_toml()}, "only_data": True})
-
-    def report(self, path: str | os.PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa", overwrite: bool = False, progress: Progress = None) -> str:
+    def report(
+        self, path: str | os.PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa",
+        overwrite: bool = False, progress: Progress = None,
+    ) -> str:
         """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given. Another file that is there is replaced only
         with ``overwrite``.
         """
         request = fields({"muscle": self, "report": True, "pressure_mpa": pressure_mpa, "contraction": contraction, "units": units})
-        with listening(progress, "build") as heard:
-            page = _native.report_html(request, heard)
+        page = _native.report_html(request, heard(progress, "build"))
         if path is not None:
             put({path: page}, overwrite)
         return page
@@ -251,19 +241,15 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         @software{mckibben,
         """
         point = _native.ask("force", {"muscle": {"name": "muscle", "text": self.to_toml()}, "pressure_mpa": 0.0, "model": model or "fe"})
-        version = f"  title = {{mckibben: design of McKibben pneumatic muscles}},\n  version = {{{_native.VERSION}}}"
-        entries = [f"@software{{mckibben,\n{version}\n}}", _note("model", f"Model {point['model']}", point["about"]["source"])]
+        notes = {"model": (f"Model {point['model']}", point["about"]["source"])}
         for kind, name in (("rubber", self.rubber), ("braid", self._field("braid"))):
-            if isinstance(name, str) and name != "paper":
-                found = _native.ask("parts-show", {"name": name.split(":")[0]})
-                source = next((text for text in _sources(found)), None)
-                entries += [_note(kind, f"{kind.capitalize()} {name}", source)] if source else []
-        return "\n\n".join(entries)
+            if isinstance(name, str) and name.split(":")[0] not in ("paper", "shore", "s100"):
+                held: Any = _api.part(name.split(":")[0])
+                notes[kind] = f"{kind.capitalize()} {name}", (held.rubber or held.sleeve).source
+        package = f"@software{{mckibben,\n  title = {{mckibben: design of McKibben pneumatic muscles}},\n  version = {{{_native.VERSION}}}\n}}"
+        return "\n\n".join([package, *(f"@misc{{mckibben_{key},\n  title = {{{title}}},\n  note = {{{source}}}\n}}" for key, (title, source) in notes.items())])
 
     _key = to_toml
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Muscle.from_toml, (self.to_toml(),)
 
     def __repr__(self) -> str:
         given = self.to_dict()
@@ -273,28 +259,74 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         return f"Muscle({', '.join(f'{name}={value!r}' for name, value in given.items())})"
 
     def _repr_html_(self) -> str:
-        held = self._summary()
-        names = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "rubber", "braid")
-        rows = "".join(f"<tr><th style='text-align:left'>{n}</th><td>{escape(f'{held[n]:.6g}' if isinstance(held[n], float) else str(held[n]))}</td></tr>" for n in names)
-        return f"<table><caption>Muscle</caption>{rows}</table>" + self.shape(0.0, 0.0)._frame()
+        from html import escape
+
+        return f"<p>{escape(repr(self))}</p>{self.shape(0.0, 0.0)._frame()}"
 
 
-def _keys(table: Any) -> Iterator[str]:
-    """The keys in a table of a muscle file, and in those below it."""
-    for name, value in table.items() if isinstance(table, dict) else ():
-        if isinstance(value, dict):
-            yield from _keys(value)
-        else:
-            yield name
+def _arrays(bound: Bound, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], nan: bool, progress: Progress) -> Any:
+    """A number or an array of the broadcast shape; with `jac` also the derivatives along one axis more."""
+    import numpy as np
+
+    texts = isinstance(a, str), isinstance(b, str)
+    a, b = (array(name, value) for name, value in zip(PAIRS[wanted], (a, b)))
+    if isinstance(a, np.ma.MaskedArray) or isinstance(b, np.ma.MaskedArray):
+        return _masked(bound, wanted, a, b, jac, nan, progress)
+    shape = np.broadcast_shapes(a.shape, b.shape)
+    names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
+    if any(name in MEASURES for name in names):
+        return _by_measures(bound, wanted, a, b, names, nan, progress)
+    slopes = bool(names) or bool(jac)
+    first, second = (np.broadcast_to(values, shape).ravel() for values in (a, b))
+    out = np.empty((*shape, 3 + len(names)) if slopes else shape)
+    bound.native.fill(wanted, first, second, out.reshape(-1), slopes, names, nan, heard(progress, wanted))
+    value = out[..., 0] if slopes else out
+    bound.look({"force": first, "pressure": value.ravel(), "contraction": second}[wanted], value.ravel() if wanted == "contraction" else second, texts[wanted == "contraction"])
+    if not slopes:
+        return out if shape else float(out)
+    return value if shape else float(value), out[..., 1:]
 
 
-def _sources(value: Any) -> Iterator[str]:
-    """What an answer says under the key `source`."""
-    for name, item in value.items() if isinstance(value, dict) else ():
-        if name == "source" and isinstance(item, str) and item:
-            yield item
-        yield from _sources(item)
+def _by_measures(bound: Bound, wanted: str, a: Any, b: Any, names: list[str], nan: bool, progress: Progress) -> Any:
+    """With derivatives by measures of the muscle: all parameters that follow a measure change with it."""
+    import numpy as np
+
+    own, by = bound.muscle._chain(names)
+    found, slopes = _arrays(bound, wanted, a, b, own, nan, progress)
+    return found, np.concatenate([slopes[..., :2], slopes[..., 2:] @ by], axis=-1)
 
 
-def _note(key: str, title: str, source: str) -> str:
-    return f"@misc{{mckibben_{key},\n  title = {{{title}}},\n  note = {{{source}}}\n}}"
+def _masked(bound: Bound, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], nan: bool, progress: Progress) -> Any:
+    """What is masked is not asked for, and its answer is masked."""
+    import numpy as np
+
+    mask = np.logical_or(np.ma.getmaskarray(a), np.ma.getmaskarray(b))
+    first, second = (np.broadcast_to(np.ma.getdata(values), mask.shape)[~mask] for values in (a, b))
+    try:
+        found = _arrays(bound, wanted, first, second, jac, nan, progress)
+    except MckibbenError as error:
+        # Its place among all.
+        error.index = None if error.index is None else int(np.flatnonzero(~mask)[error.index])
+        raise
+
+    def whole(values: Array) -> Any:
+        out = np.ma.array(np.empty(mask.shape + values.shape[1:]), mask=True)
+        out[~mask] = values
+        return out
+
+    return tuple(map(whole, found)) if isinstance(found, tuple) else whole(found)
+
+
+def _points(bound: Bound, pressure_mpa: Any, contraction: Any, nan: bool, progress: Progress) -> _api.Solution:
+    """All that is known of points as arrays of the broadcast shape, and what is to be known of them."""
+    import numpy as np
+
+    p, e = np.broadcast_arrays(array("pressure_mpa", pressure_mpa), array("contraction", contraction))
+    rows = bound.native.solve(p.ravel().tolist(), e.ravel().tolist(), nan, heard(progress, "solve"))
+    texts = list(dict.fromkeys(text for row in rows for text in row.get("warnings", ())))
+    names = dict.fromkeys(name for row in rows for name, value in row.items() if isinstance(value, (int, float)) and name != "slack")
+    columns: dict[str, list[Any]] = {name: [row.get(name) for row in rows] for name in names}
+    for name, without in (("slack", False), ("status", "ok"), ("cause", "")):
+        columns[name] = [row.get(name, without) for row in rows]
+    columns["warned"] = [sum(1 << texts.index(text) for text in set(row.get("warnings", ()))) for row in rows]
+    return _api.Solution._read({**columns, "pressure_mpa": p, "contraction": e, "model": bound.native.name, "warnings": texts})

@@ -24,15 +24,10 @@ class Formula:
         """
         The formula of a file's text.
         """
-    def fill(self, /, points: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", extrapolate: bool, two_sided: bool) -> int | None:
+    def fill(self, /, points: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", extrapolate: bool, two_sided: bool, nan: bool) -> None:
         """
-        Pulls in N at points: rows of pressures, contractions, walls and diameters. NaN outside of the range, unless this is not looked at;
-        returns the place of the first such point.
-        """
-    @property
-    def range(self, /) -> list[tuple[float, float]]:
-        """
-        Where it was fitted: pressures in MPa, contractions, walls and diameters in mm, both ends in.
+        Pulls in N at points: rows of pressures, contractions, walls and diameters. The first one outside of the range raises, unless this is not
+        looked at; or it is NaN.
         """
 
 @final
@@ -209,7 +204,7 @@ def toml(name: str, text: str) -> "dict[str, typing.Any]":
 
 def toml_text(tables: "dict[str, typing.Any]") -> str:
     """
-    Maps and lists as a text in TOML. Tables, and those in them, have a heading each; maps in these are inline.
+    Maps and lists as a text in TOML.
     """
 
 def unit_of(name: str) -> str | None:

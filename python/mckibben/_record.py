@@ -1,4 +1,4 @@
-"""Answers as objects: what JSON holds, by attribute."""
+"""Answers as objects: what JSON holds by attribute, and what the generated classes can do besides."""
 
 from __future__ import annotations
 
@@ -7,24 +7,35 @@ import os
 import re
 import sys
 from collections.abc import Mapping, Sequence
-from html import escape
+from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from . import _native
-from ._request import put
-from ._values import Fixed, column
+from ._errors import NoAnswerError, of as problem
+from ._request import Fixed, column, put
 
 if TYPE_CHECKING:
+    import numpy as np
     import pandas
+    import xarray
+    from pathlib import Path
+
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
     from typing_extensions import Self, dataclass_transform
+
+    from ._muscle import Muscle
+    from ._parts import Formula, Rubber
 else:
     def dataclass_transform(**_: Any) -> Any:
         return lambda kind: kind
 
-Asked = tuple[str, dict[str, Any]]
-# Rows that a notebook shows.
-_SHOWN = 20
+# Okabe and Ito without the yellow; dashes go with the number, so that lines stay apart in print.
+_COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"]
+_DASHES = ["-", "--", "-.", ":"]
+_STYLES = {"line": "-", "dashed": "--", "dotted": ":", "dash-dot": "-.", "points": "none"}
+# From dark violet over blue and green to ochre.
+_RAMP = ["#440154", "#3b528b", "#21918c", "#5ea146", "#be8c14"]
 
 
 @dataclass_transform(kw_only_default=True, frozen_default=True)
@@ -35,31 +46,25 @@ class Record(Fixed):
     """
 
     _rows: ClassVar[str | None] = None
-    _kinds: ClassVar[dict[str, Any] | None] = None
     if not TYPE_CHECKING:
         def __init__(self, **fields: Any) -> None:
             self.__dict__.update(fields)
 
     @classmethod
-    def _read(cls, data: Mapping[str, Any], asked: Asked | None = None) -> Self:
+    def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
         """The answer of JSON, and of which question it is."""
-        made = object.__new__(cls)
-        kinds = cls._nested()
+        made, kinds = object.__new__(cls), cls._nested()
         made.__dict__.update({name + "_" if name in ("from", "import") else name: _wrapped(kinds.get(name), value) for name, value in data.items()})
         made.__dict__["_asked"] = asked
         return made
 
     @classmethod
-    def _nested(cls) -> dict[str, Any]:
+    @cache
+    def _nested(cls) -> dict[str, type[Record]]:
         """The records that its fields hold, by the names in their annotations."""
-        if "_kinds" not in cls.__dict__:
-            known: dict[str, Any] = {}
-            for part in reversed(cls.__mro__):
-                for name, kind in part.__dict__.get("__annotations__", {}).items():
-                    found = re.search(r"\b(?!NDArray|Literal|Any|None|ClassVar)[A-Z]\w+", str(kind))
-                    known[name.rstrip("_")] = found and vars(sys.modules[part.__module__]).get(found[0])
-            cls._kinds = {name: kind for name, kind in known.items() if isinstance(kind, type) and issubclass(kind, Record)}
-        return cls._kinds or {}
+        found = {name.rstrip("_"): re.search(r"\b[A-Z]\w+", kind) for name, kind in cls.__annotations__.items()}
+        kinds = {name: vars(sys.modules[cls.__module__]).get(word[0]) for name, word in found.items() if word}
+        return {name: kind for name, kind in kinds.items() if isinstance(kind, type) and issubclass(kind, Record)}
 
     def _fields(self) -> dict[str, Any]:
         return {name: value for name, value in self.__dict__.items() if not name.startswith("_")}
@@ -75,7 +80,7 @@ class Record(Fixed):
         held = self.__dict__.get(self._rows) or []
         if isinstance(held, Record):
             return {name: column(values) for name, values in held._fields().items() if isinstance(values, list)}
-        return of_rows([row.to_dict() if isinstance(row, Record) else row for row in held])
+        return of_rows([_unwrapped(row) for row in held])
 
     def __getitem__(self, name: str) -> Any:
         return self.to_columns()[name]
@@ -94,27 +99,32 @@ class Record(Fixed):
         figure = {"figure": self.__dict__["figure"].to_dict()} if self.__dict__.get("figure") else {}
         return {"data": {**self.to_dict(), **figure}, "asked": self.__dict__.get("_asked")}
 
+    @classmethod
+    def _load(cls, state: Mapping[str, Any]) -> Self:
+        return cls._read(state["data"], state["asked"])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self)._load, (self._state(),)
+
     def _key(self) -> Any:
         # The figure is the same facts once more.
         return json.dumps(self.to_dict(), sort_keys=True)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (type(self), self.__dict__)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._fields().items() if name != 'figure')})"
 
     def __str__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{name}={_short(value)}' for name, value in list(self._fields().items())[:12])})"
+        text = repr(self)
+        return text if len(text) <= 1000 else text[:999] + "…"
 
     def _repr_html_(self) -> str:
-        rows = [(name, _short(value)) for name, value in self._fields().items() if not isinstance(value, (list, dict, Record)) or name == "warnings"]
-        body = "".join(f"<tr><th style='text-align:left'>{escape(name)}</th><td>{escape(text)}</td></tr>" for name, text in rows)
-        own = f"<table><caption>{type(self).__name__}</caption>{body}</table>"
-        return own + (html_of(self.to_columns()) if self._rows and self.__dict__.get(self._rows) else "")
+        from html import escape
+        from importlib.util import find_spec
+
+        return f"<pre>{escape(str(self))}</pre>" + (self.to_pandas().to_html(max_rows=20) if self._rows and find_spec("pandas") else "")
 
     def plot(self, *, units: str | None = None, ax: Axes | Sequence[Axes] | None = None) -> Any:
-        """Draws its figure with matplotlib, the same as ``--plot`` of the command line.
+        """Draws its figure with matplotlib, the same as ``--plot`` of the command line, and gives its axes.
 
         Parameters
         ----------
@@ -122,13 +132,7 @@ class Record(Fixed):
             Units to draw in: ``bar``, or ``psi,lbf,in``; MPa, N and mm where they are left out.
         ax
             Axes to draw on, or a list of them, one for each panel; new ones where they are left out.
-
-        Returns
-        -------
-        matplotlib.axes.Axes or list of them
         """
-        from ._plot import drawn
-
         figure: Any = self.__dict__.get("figure")
         asked: Any = self.__dict__.get("_asked")
         if asked is None and figure is None or not hasattr(type(self), "figure"):
@@ -136,39 +140,20 @@ class Record(Fixed):
         return drawn(figure.to_dict() if figure and units is None else _native.ask(asked[0], {**asked[1], "figure": units or "MPa"})["figure"], ax)
 
 
-def _restored(kind: type[Record], state: dict[str, Any]) -> Record:
-    made = object.__new__(kind)
-    made.__dict__.update(state)
-    return made
-
-
-def _wrapped(kind: Any, value: Any) -> Any:
-    if kind is None or value is None:
+def _wrapped(kind: type[Record] | None, value: Any) -> Any:
+    if kind is None or not isinstance(value, (list, dict)):
         return value
-    if isinstance(value, dict):
-        # A map of names to records is no record itself.
-        names = {name for part in kind.__mro__ for name in part.__dict__.get("__annotations__", ())}
-        return kind._read(value) if not value or {name if name in names else name + "_" for name in value} & names else {name: _wrapped(kind, item) for name, item in value.items()}
-    return [_wrapped(kind, item) for item in value] if isinstance(value, list) else value
+    if isinstance(value, list):
+        return [_wrapped(kind, item) for item in value]
+    # A map of names to records is no record itself.
+    is_map = value and not {name.rstrip("_") for name in kind.__annotations__} & set(value)
+    return {name: _wrapped(kind, item) for name, item in value.items()} if is_map else kind._read(value)
 
 
 def _unwrapped(value: Any) -> Any:
-    if isinstance(value, Record):
-        return value.to_dict()
     if isinstance(value, dict):
         return {name: _unwrapped(item) for name, item in value.items()}
-    return [_unwrapped(item) for item in value] if isinstance(value, list) else value
-
-
-def _short(value: Any) -> str:
-    if isinstance(value, float):
-        return f"{value:.6g}"
-    if isinstance(value, list):
-        return f"[{len(value)} items]" if len(value) > 3 or any(isinstance(v, (dict, list, Record)) for v in value) else "[" + ", ".join(map(_short, value)) + "]"
-    if isinstance(value, (dict, Record)):
-        return type(value).__name__ if isinstance(value, Record) else f"{{{len(value)} fields}}"
-    text = repr(value)
-    return text if len(text) <= 80 else text[:79] + "…"
+    return value.to_dict() if isinstance(value, Record) else [_unwrapped(item) for item in value] if isinstance(value, list) else value
 
 
 def of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
@@ -177,12 +162,316 @@ def of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     return {name: column([row.get(name) for row in rows]) for name in names}
 
 
-def html_of(columns: Mapping[str, Any]) -> str:
-    """The first rows of a table for a notebook."""
-    def cell(value: Any) -> str:
-        return "" if value is None or value != value else f"{value:.6g}" if isinstance(value, float) else escape(str(value))
+def _series(axis: Any, series: dict[str, Any], number: int, ramp: Any) -> None:
+    """One line, row of points, or band."""
+    colour = "#808080" if series.get("neutral") else ramp(number) if ramp else _COLOURS[number % len(_COLOURS)]
+    # A text that the program writes at the end of a line is in the legend here.
+    label = str(series.get("label") or series.get("end_label") or "") or None
+    x, y = ([float("nan") if point[i] is None else point[i] for point in series["points"]] for i in (0, 1))
+    style = series.get("style", "auto")
+    if style == "band":
+        axis.fill(x, y, color=colour, alpha=0.2, linewidth=0, label=label)
+    else:
+        line = _STYLES.get(style, "-" if ramp else _DASHES[number % len(_DASHES)])
+        axis.plot(x, y, color=colour, linestyle=line, marker="o" if style == "points" else None, markersize=4, label=label)
 
-    head = "".join(f"<th>{escape(name)}</th>" for name in columns)
-    body = "".join("<tr>" + "".join(f"<td>{cell(v)}</td>" for v in row) + "</tr>" for row in zip(*(values[:_SHOWN] for values in columns.values())))
-    count = len(next(iter(columns.values()), ()))
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>" + (f"<p>{count - _SHOWN} rows more</p>" if count > _SHOWN else "")
+
+def drawn(figure: dict[str, Any], ax: Any) -> Any:
+    """The axes with the figure on them."""
+    import matplotlib.pyplot as plt
+    from matplotlib.colors import LinearSegmentedColormap
+
+    panels = figure["panels"]
+    axes = list(ax) if isinstance(ax, (list, tuple)) or hasattr(ax, "flat") else [ax]
+    if ax is None:
+        columns = max(1, min(figure.get("columns") or 1, len(panels)))
+        rows = -(-len(panels) // columns)
+        made, grid = plt.subplots(rows, columns, squeeze=False, figsize=(6.4 * columns, 4.4 * rows), layout="constrained")
+        axes = list(grid.flat)
+        for spare in axes[len(panels):]:
+            spare.remove()
+        made.suptitle(figure["title"] if len(panels) > 1 else "")
+    if len(axes) < len(panels):
+        raise ValueError(f"{len(panels)} panels need as many axes, not {len(axes)}")
+    for panel, axis in zip(panels, axes):
+        numbers = [s.get("colour") if s.get("colour") is not None else i for i, s in enumerate(panel["series"])]
+        ramp = LinearSegmentedColormap.from_list("ramp", _RAMP, max(numbers) + 1) if figure.get("palette") == "sequential" else None
+        for series, number in zip(panel["series"], numbers):
+            _series(axis, series, number, ramp)
+        for mark in panel.get("marks", []):
+            axis.plot([mark["x"]], [mark["y"]], "o", color="black", markerfacecolor="white", zorder=5)
+            axis.annotate(mark["label"], (mark["x"], mark["y"]), textcoords="offset points", xytext=(6, 6))
+        axis.set(xlabel=panel["x"]["label"], ylabel=panel["y"]["label"], title=panel["title"] or (figure["title"] if len(panels) == 1 else ""))
+        for name, fit in (("x", axis.set_xlim), ("y", axis.set_ylim)):
+            if panel[name].get("range"):
+                fit(*panel[name]["range"])
+            elif panel[name].get("from_zero"):
+                low, high = getattr(axis, f"get_{name}lim")()
+                fit(min(0.0, low), max(0.0, high))
+        axis.grid(visible=True, alpha=0.3)
+        if axis.get_legend_handles_labels()[1]:
+            axis.legend(fontsize="small")
+    return axes[0] if len(panels) == 1 else axes[: len(panels)]
+
+
+class Points(Record):
+    """Points of a muscle as arrays of one shape, each an attribute; ``model`` is the model's name.
+
+    ``warned`` has at each point a bit for each of ``warnings``; where ``status`` is not ``ok``, ``cause`` says why.
+    """
+
+    _rows: ClassVar[str | None] = "force_n"
+    model: str
+    warnings: list[str]
+
+    @classmethod
+    def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
+        import numpy as np
+
+        kinds: dict[str, Any] = {"slack": np.bool_, "warned": np.int64, "status": np.str_, "cause": object}
+        shape = np.shape(data["pressure_mpa"])
+        columns = {name: np.array(values, dtype=kinds.get(name, np.float64)).reshape(shape) for name, values in data.items() if name not in ("model", "warnings")}
+        made = object.__new__(cls)
+        for name in dict.fromkeys([*cls.__annotations__, *columns]):
+            made.__dict__[name] = values = columns.get(name, np.full(shape, np.nan))
+            values.flags.writeable = False
+        made.__dict__.update(model=data["model"], warnings=data["warnings"])
+        return made
+
+    def _arrays(self) -> dict[str, NDArray[Any]]:
+        """The arrays that hold something."""
+        held = {name: values for name, values in self._fields().items() if name not in ("model", "warnings")}
+        return {name: values for name, values in held.items() if values.dtype.kind != "f" or values.size == 0 or (values == values).any()}
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """That of each array."""
+        shape: tuple[int, ...] = self.__dict__["pressure_mpa"].shape
+        return shape
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        return self._arrays()[name]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain lists by name; None where a point does not have a number."""
+        import numpy as np
+
+        none: Any = None
+        # Zeros without a sign.
+        arrays = {name: np.where(values == values, values + 0.0, none) if values.dtype.kind == "f" else values for name, values in self._arrays().items()}
+        return {"model": self.model, "warnings": self.warnings, **{name: values.tolist() for name, values in arrays.items()}}
+
+    def to_columns(self) -> dict[str, Any]:
+        """A row for each point, in the order of the last index."""
+        return {name: values.ravel() if values.dtype.kind in "fib" else values.ravel().tolist() for name, values in self._arrays().items()}
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A Dataset with the units as attributes. Where pressures and contractions span a grid, these are its dimensions."""
+        import xarray as xr
+
+        arrays = self._arrays()
+        p, e = arrays["pressure_mpa"], arrays["contraction"]
+        dims: list[str] = [f"dim_{axis}" for axis in range(p.ndim)]
+        coords: dict[str, Any] = {}
+        for name, own, other in (("pressure_mpa", p, e), ("contraction", e, p)):
+            axes = [axis for axis in range(p.ndim) if p.shape[axis] > 1 and not (own == own.take([0], axis)).all()]
+            if len(axes) == 1 and (other == other.take([0], axes[0])).all():
+                dims[axes[0]] = name
+                coords[name] = own[tuple(slice(None) if axis == axes[0] else 0 for axis in range(p.ndim))]
+        out = xr.Dataset({name: (dims, values) for name, values in arrays.items() if name not in coords}, coords, {"model": self.model})
+        for column in out.variables:
+            if unit := _native.unit_of(str(column)):
+                out[column].attrs["units"] = unit
+        return out
+
+    def __str__(self) -> str:
+        arrays = self._arrays()
+        some = arrays["force_n"][arrays["status"] == "ok"]
+        between = f", pull {some.min():.4g} to {some.max():.4g} N" if some.size else ""
+        return f"<Solution: {self.model}, {' x '.join(map(str, self.shape)) or 1} points{between}, {arrays['status'].size - some.size} without an answer>"
+
+    __repr__ = __str__
+
+
+class Curves(Record):
+    """A family of curves, its points as columns."""
+
+    @classmethod
+    def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
+        rows = data["points"]
+        if rows and all(row["status"] != "ok" for row in rows):
+            raise problem({"kind": rows[0]["status"], "message": rows[0]["cause"], "hint": ""})
+        return super()._read(data, asked)
+
+    def to_columns(self) -> dict[str, Any]:
+        """The points, curve after curve, with what is ``fixed`` on each; a point without an answer is NaN, and its ``status`` and ``cause`` say why."""
+        held = self.to_dict()
+        rows, fixed = held["points"], held["fixed"]
+        whole = [{"fixed": fixed[i * len(fixed) // len(rows)], **row, "slack": row.get("slack", False)} for i, row in enumerate(rows)]
+        return of_rows([{name: value for name, value in row.items() if name != "model"} for row in whole])
+
+    def grid(self, column: str) -> NDArray[np.float64]:
+        """A column with one row for each curve."""
+        import numpy as np
+
+        return np.asarray(self.to_columns()[column], dtype=np.float64).reshape(len(self.__dict__["fixed"]), -1)
+
+
+class Planned(Record):
+    """A plan that was computed."""
+
+    def to_columns(self) -> dict[str, Any]:
+        """The points."""
+        import csv
+
+        rows = csv.DictReader(self.__dict__["table"].text.splitlines())
+        return of_rows([{n: v if n in ("status", "cause") else float(v or "nan") for n, v in row.items()} for row in rows])
+
+
+class Fitting(Record):
+    """A fitted formula with all that is known of it."""
+
+    @property
+    def formula(self) -> Formula:
+        """The formula, which is a model and a file."""
+        from ._parts import Formula
+
+        held = {n: v for n, v in self.to_dict().items() if n not in ("tables", "figures")}
+        return Formula(json.dumps(held, ensure_ascii=False, indent=2) + "\n", held["name"])
+
+
+class Found(Record):
+    """Values found by least squares, as other packages name them."""
+
+    def _of(self, name: str, rows: str = "parameters") -> NDArray[np.float64]:
+        import numpy as np
+
+        return np.array([getattr(row, name) for row in self.__dict__[rows]], dtype=np.float64)
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the values."""
+        return [str(p.name) for p in self.__dict__["parameters"]]
+
+    @property
+    def x(self) -> NDArray[np.float64]:
+        """The values found."""
+        return self._of("value")
+
+    @property
+    def stderr(self) -> NDArray[np.float64]:
+        """Their standard errors; NaN where the data does not determine one."""
+        return self._of("standard_error")
+
+
+class Identified(Found):
+    """Constants found in measured points, with their errors."""
+
+    @property
+    def cov(self) -> NDArray[np.float64]:
+        """Their covariance, in the units of the values."""
+        import numpy as np
+
+        return np.array(self.__dict__["correlation"], dtype=np.float64).reshape(len(self.x), len(self.x)) * np.outer(self.stderr, self.stderr)
+
+    @property
+    def residuals(self) -> NDArray[np.float64]:
+        """Model less measurement of each point, in N."""
+        return self._of("residual_n", "points")
+
+    @property
+    def identified(self) -> Muscle:
+        """The muscle with the values found."""
+        from ._muscle import Muscle
+
+        return Muscle.from_toml(self.__dict__["muscle_file"])
+
+    def summary(self) -> str:
+        """What was found, in lines for reading."""
+        me: Any = self
+        words = [f"  {p.name} {p.value:.5g}" + ("" if p.half_width_95 is None else f" ± {p.half_width_95:.3g}") + (f" {p.unit}" if p.unit else "") for p in me.parameters]
+        head = f"{me.model}: {len(me.points)} points, rms {me.rms_n:.3g} N (before {me.rms_before_n:.3g} N), largest {me.max_n:.3g} N"
+        errors = "± half width of 95 %, " + ("by the stated errors" if me.errors_stated else f"by the residuals, {me.degrees_of_freedom} degrees of freedom")
+        return "\n".join([head, *words, errors, *(f"note: {text}" for text in me.warnings)])
+
+
+class FittedLaws(Found):
+    """Laws fitted to tests of a rubber; ``x``, ``names`` and ``stderr`` are those of the recommended one."""
+
+    def rubber(self, law: str | None = None) -> Rubber:
+        """A law with its constants; the recommended one where none is named."""
+        from ._parts import Rubber
+
+        name = law or self.__dict__["recommended"]
+        if name is None:
+            raise NoAnswerError("no law is stable in a muscle", kind="no_answer", hint="name one")
+        found = next((of for of in self.__dict__["laws"] if name in (of.name, of.law)), None)
+        if found is None:
+            raise KeyError(name)
+        constants: dict[str, Any] = {}
+        for p in found.parameters:
+            # The terms of Ogden's law are in lists: mu1, mu2 are mu = […].
+            constant = p.name.rstrip("0123456789") if found.law == "ogden" else p.name
+            constants[constant] = [*constants.get(constant, []), p.value] if found.law == "ogden" else p.value
+        return Rubber(found.law, **constants)
+
+
+class Designed(Record):
+    """Ranked muscles, and why others fail."""
+
+    @property
+    def muscles(self) -> list[Muscle]:
+        """The candidates as muscles, best first."""
+        from ._muscle import Muscle
+
+        return [Muscle.from_toml(file.text) for file in self.__dict__.get("muscle_files") or []]
+
+    @property
+    def best(self) -> Muscle:
+        """The first of them."""
+        if not self.muscles:
+            raise NoAnswerError("no muscle fits", kind="no_answer", hint="`closest` and `rejected` say why")
+        return self.muscles[0]
+
+    def __str__(self) -> str:
+        return "\n".join(self.__dict__.get("decision") or []) or super().__str__()
+
+
+class Files(Record):
+    """An answer of files."""
+
+    def write(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
+        """Writes the files into a folder, and gives the one to begin with. Another file that is there is replaced only with ``overwrite``."""
+        from base64 import b64decode
+        from pathlib import Path
+
+        place = Path(folder)
+        contents: dict[str | os.PathLike[str], str | bytes] = {place / f.name: b64decode(f.base64) if f.base64 is not None else str(f.text) for f in self.__dict__["files"]}
+        place.mkdir(parents=True, exist_ok=True)
+        put(contents, overwrite)
+        return Path(next(iter(contents)))
+
+
+class Shaped(Record):
+    """The deformed muscle. In a notebook it is shown in space."""
+
+    def array(self, name: str) -> NDArray[np.float64]:
+        """What there is at the nodes, as an array of stations and nodes through the wall; of the strands, one number for each station."""
+        import numpy as np
+
+        me: Any = self
+        values = np.asarray(me.arrays[name], dtype=np.float64)
+        return values.reshape(me.stations, -1) if values.size == me.stations * me.across else values
+
+    def to_html(self) -> str:
+        """A page with the muscle in space, to rotate with the mouse, for use offline."""
+        return _native.body_html(self.__dict__["_asked"][1])
+
+    def _frame(self) -> str:
+        from html import escape
+
+        page = escape(self.to_html(), quote=True)
+        return f'<iframe srcdoc="{page}" style="width:100%;max-width:760px;height:430px;border:0" sandbox="allow-scripts" title="muscle"></iframe>'
+
+    def _repr_html_(self) -> str:
+        return self._frame() + super()._repr_html_()

@@ -1,28 +1,150 @@
-"""Requests in the words of JSON: files are read where they are named, what is not given is left to the program."""
+"""What users give: numbers in the unit of their name, texts with a unit, quantities of pint, arrays, tables, files; and requests of these, in the words of JSON."""
 
 from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, TypeVar
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar, Union
 
 from . import _native
-from ._errors import ExistingFileError, InputError
-from ._values import Fixed, Options, Progress, columns_of, plain, to_csv
+from ._errors import ExistingFileError, InputError, warned
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+    from ._muscle import Muscle
+    from ._parts import Formula, Rubber
     from ._record import Record
 
-    Answer = TypeVar("Answer", bound=Record)
+    class Measured(Protocol):
+        """A quantity of pint."""
 
-# Fields that are files, tables and formulas, and those that a design searches through.
-FILES = ("muscle", "rubber_file", "parts", "plan", "drive", "joint")
+        @property
+        def magnitude(self) -> Any: ...
+        def to(self, unit: Any, /) -> Any: ...
+
+    Answer = TypeVar("Answer", bound=Record)
+    # A number in the unit of its name, a text with its unit, or a quantity of pint.
+    Number = Union[float, str, Measured]
+    # Several; a text may be a range with both ends in, such as "0..2.5:0.5 bar".
+    Numbers = Union[Sequence[Number], NDArray[np.floating[Any]], str, Measured]
+    # What a search goes through: one value, a list of values, or all between the two of a tuple or of "30..50 mm".
+    Choice = Union[Number, Numbers, Mapping[str, Number]]
+    # What a table of a request, and an option, may hold.
+    Plain = Union[None, bool, Number, NDArray[np.floating[Any]], Sequence["Plain"], Mapping[str, "Plain"]]
+    # What a model is asked for: anything that NumPy reads as numbers, texts with a unit, quantities of pint.
+    Floats = Union[ArrayLike, Number, Numbers]
+    # A path, or the content of the file as {"name": …, "text": …}.
+    FileLike = Union[str, os.PathLike[str], Mapping[str, str]]
+    # The same, or a data frame, an answer with a table, or columns by name.
+    TableLike = Union[str, os.PathLike[str], Mapping[str, Any], Any]
+    FormulaLike = Union[FileLike, Formula]
+    MuscleLike = Union[FileLike, Muscle]
+    RubberLike = Union[str, Rubber]
+    # True for a line on standard error, or a function that is called with (done, total).
+    Progress = Union[bool, Callable[[int, int], object], None]
+
+# Fields that are files, tables and formulas, those of them that are lists, and those that a design searches through.
+FILES = ("muscle", "rubber_file", "parts", "plan", "drive", "joint", "muscles")
 TABLES = ("data", "log", "table", "tables", "load_tables")
 FORMULAS = ("formulas", "file")
 LISTS = ("data", "tables", "load_tables", "cases", "formulas", "muscles")
 CHOICES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "radius_mm")
+
+
+class Fixed:
+    """An object that does not change; two are equal where they are of one class and have one key."""
+
+    __slots__ = ()
+
+    def _key(self) -> Any:
+        raise NotImplementedError
+
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and isinstance(other, Fixed) and bool(self._key() == other._key())
+
+    def __hash__(self) -> int:
+        return hash((type(self).__name__, self._key()))
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a {type(self).__name__} does not change: {name}")
+
+    def __delattr__(self, name: str) -> None:
+        setattr(self, name, None)
+
+
+class Saved(Fixed):
+    """An object whose key is the text of its file."""
+
+    __slots__ = ()
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Writes its file, from which :func:`load` reads it again. Another file that is there is replaced only with ``overwrite``."""
+        put({path: self._key()}, overwrite)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        me: Any = self
+        return type(me).from_toml, (self._key(),)
+
+
+def unit_for_pint(name: str) -> str:
+    """The unit of a name as pint writes it."""
+    unit = (_native.unit_of(name) or "dimensionless").replace("²", "2").replace("³", "3")
+    return "".join(f"**{c}" if c in "23" and unit[i - 1].isalpha() else c for i, c in enumerate(unit))
+
+
+def bare(name: str, value: Any) -> Any:
+    """The magnitude of a quantity of pint in the unit of a name; anything else as it is."""
+    if not (hasattr(value, "magnitude") and hasattr(value, "to")):
+        return value
+    try:
+        return value.to(unit_for_pint(name)).magnitude
+    except Exception as error:
+        raise InputError(f"{value} is not in {unit_for_pint(name)}: {error}", kind="quantity", field=name) from None
+
+
+def plain(name: str, value: Any) -> Any:
+    """An argument as JSON has it: quantities of pint in the unit of their name, arrays as lists; texts with a unit stay, the program reads them."""
+    value = bare(name, value)
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, Mapping):
+        return {str(key): plain(str(key) if _native.unit_of(str(key)) else name, item) for key, item in value.items() if item is not None}
+    return [plain(name, item) for item in value] if isinstance(value, (list, tuple, range)) else value
+
+
+def number(name: str, value: Any) -> float:
+    """One number in the unit of its name."""
+    if isinstance(value, str):
+        return _native.quantity(name, value)
+    found = bare(name, value)
+    if isinstance(found, (bool, bytes)) or getattr(found, "shape", ()) != () or not hasattr(found, "__float__"):
+        raise TypeError(f"{name}: a number, a text with its unit or a quantity of pint, not {type(found).__name__}")
+    out = float(found)
+    if found is value and (said := _native.unlikely(name, out)):
+        warned(said)
+    return out
+
+
+def array(name: str, value: Any) -> NDArray[np.float64]:
+    """Numbers in the unit of a name, without a copy where they are such already; masked ones stay masked."""
+    import numpy as np
+
+    if isinstance(value, str):
+        several = ".." in value or "," in value
+        return np.asarray(_native.quantities(name, value) if several else _native.quantity(name, value), dtype=np.float64)
+    value = bare(name, value)
+    if isinstance(value, (list, tuple)) and any(isinstance(v, str) or hasattr(v, "magnitude") for v in value):
+        value = [number(name, item) for item in value]
+    given: Any = np.asanyarray(value) if isinstance(value, np.ma.MaskedArray) else np.asarray(value)
+    if given.dtype.kind not in "fiu":
+        raise TypeError(f"{name}: numbers, a text with its unit or quantities of pint, not {given.dtype}")
+    out: NDArray[np.float64] = given.astype(np.float64, copy=not given.flags.aligned)
+    return out
 
 
 def ask(command: str, request: Mapping[str, Any] | None = None, *, progress: Progress = None) -> dict[str, Any]:
@@ -37,11 +159,6 @@ def ask(command: str, request: Mapping[str, Any] | None = None, *, progress: Pro
     progress
         True for a line on standard error, or a function that is called with (done, total).
 
-    Returns
-    -------
-    dict
-        The answer, as JSON has it.
-
     Raises
     ------
     MckibbenError
@@ -53,35 +170,31 @@ def ask(command: str, request: Mapping[str, Any] | None = None, *, progress: Pro
     >>> round(mk.ask("force", {"pressure_mpa": "2 bar", "contraction": 0.1, "model": "ideal"})["force_n"], 1)
     573.7
     """
-    with listening(progress, command) as heard:
-        return _native.ask(command, {} if request is None else request, heard)
+    return _native.ask(command, {} if request is None else request, heard(progress, command))
 
 
 def answered(kind: type[Answer], command: str, given: dict[str, Any], figure: str | bool | None = None) -> Answer:
     """The answer to a command with these arguments; with its figure, as to draw it takes less than to ask again."""
     progress = given.pop("progress", None)
-    if "self" in given:
-        given = {**given.pop("self")._files(command), **{name: value for name, value in given.items() if value is not None}}
-    request = fields(given)
-    with listening(progress, command) as heard:
-        return kind._read(_native.ask(command, request if figure is None else {**request, "figure": figure}, heard), (command, request))
+    me = given.pop("self", None)
+    request = fields({**me._files(command), **{name: value for name, value in given.items() if value is not None}} if me else given)
+    return kind._read(ask(command, request if figure is None else {**request, "figure": figure}, progress=progress), (command, request))
 
 
 def fields(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Arguments as the fields of a request."""
-    given = {name.rstrip("_"): value for name, value in given.items() if value is not None}
-    if "drive" in given or "joint" in given:
-        _beside(given)
+    """Arguments as the fields of a request: files are read where they are named, what is not given is left to the program."""
     out: dict[str, Any] = {}
     for name, value in given.items():
-        read = file if name in FILES or name == "muscles" else table if name in TABLES else formula if name in FORMULAS else measured if name == "cases" else None
+        name = name.rstrip("_")
+        read = file if name in FILES else table if name in TABLES else formula if name in FORMULAS else measured if name == "cases" else None
+        if value is None:
+            continue
         if name in ("model", "models"):
             models = [value] if name == "model" or isinstance(value, str) else value
-            words = [model.name if hasattr(model, "to_json") else os.fspath(model) if isinstance(model, os.PathLike) else model for model in models]
-            files = [formula(model) for model, word in zip(models, words) if isinstance(word, str) and (hasattr(model, "to_json") or word.strip().lower().endswith(".json"))]
+            files = [formula(model) for model in models if hasattr(model, "to_json") or str(model).strip().lower().endswith(".json")]
+            words = [model.name if hasattr(model, "to_json") else plain(name, model) for model in models]
             out[name] = words[0] if name == "model" else words
-            if files:
-                out["formulas"] = [*out.get("formulas", []), *files]
+            out |= {"formulas": [*out.get("formulas", []), *files]} if files else {}
         elif read is not None and not isinstance(value, (bool, int)):
             several = isinstance(value, (list, tuple))
             out[name] = [*out.get(name, []), *map(read, value if several else [value])] if several or name in LISTS else read(value)
@@ -92,26 +205,25 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
     return out
 
 
-def options(given: Mapping[str, Any]) -> dict[str, Any]:
-    """The options of a model as fields of a request."""
-    if unknown := [name for name in given if name not in Options.__annotations__]:
-        from difflib import get_close_matches
-
-        near = get_close_matches(unknown[0], Options.__annotations__, 1)
-        raise TypeError(f"unexpected keyword argument {unknown[0]!r}" + (f"; did you mean {near[0]!r}?" if near else f"; a model has {', '.join(Options.__annotations__)}"))
-    return fields(given)
+def known(given: Mapping[str, Any], kind: Any) -> Mapping[str, Any]:
+    """Keywords, of which each is one of a class of keywords."""
+    if unknown := [name for name in given if name not in kind.__annotations__]:
+        raise TypeError(f"unexpected keyword argument {unknown[0]!r}; there is {', '.join(kind.__annotations__)}")
+    return given
 
 
-@contextmanager
-def listening(progress: Progress, what: str) -> Iterator[Callable[[int, int], object] | None]:
+def is_nan(errors: str) -> bool:
+    """Whether a point without an answer is NaN; else it raises."""
+    if errors not in ("raise", "nan"):
+        raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
+    return errors == "nan"
+
+
+def heard(progress: Progress, what: str) -> Callable[[int, int], object] | None:
     """The function that hears of progress: the caller's own, or one that writes a line on standard error."""
-    if progress is True:
-        try:
-            yield lambda done, total: print(f"\r{what}: {done} of {total}", end="", file=sys.stderr, flush=True)
-        finally:
-            print(file=sys.stderr)
-    else:
-        yield progress or None
+    if progress is not True:
+        return progress or None
+    return lambda done, total: print(f"\r{what}: {done} of {total}", end="\n" if done == total else "", file=sys.stderr, flush=True)
 
 
 def put(files: Mapping[str | os.PathLike[str], str | bytes], overwrite: bool = False) -> None:
@@ -121,23 +233,10 @@ def put(files: Mapping[str | os.PathLike[str], str | bytes], overwrite: bool = F
         if not overwrite and os.path.isfile(path) and os.path.getsize(path):
             with open(path, "rb") as there:
                 if os.path.getsize(path) != len(content) or there.read() != content:
-                    raise ExistingFileError(f"{path} is another file and would be overwritten", kind="output", field="path", hint="name another place, or replace it with overwrite=True")
+                    hint = "name another place, or replace it with overwrite=True"
+                    raise ExistingFileError(f"{path} is another file and would be overwritten", kind="output", field="path", hint=hint)
     for path, content in contents.items():
         _native.write_file(path, content)
-
-
-class Saved(Fixed):
-    """An object that is the text of its file."""
-
-    __slots__ = ()
-
-    def _key(self) -> Any:
-        """The text of its file."""
-        raise NotImplementedError
-
-    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Writes its file, from which :func:`load` reads it again. Another file that is there is replaced only with ``overwrite``."""
-        put({path: self._key()}, overwrite)
 
 
 def file(value: Any, kind: str = "text") -> dict[str, str]:
@@ -149,8 +248,7 @@ def file(value: Any, kind: str = "text") -> dict[str, str]:
     path = os.fspath(value)
     if path.strip().lower().startswith("lib:") and not os.path.exists(path):
         return {"name": path, "text": ""}
-    name, text = _native.read_file(path, kind)
-    return {"name": name, "text": text}
+    return dict(zip(("name", "text"), _native.read_file(path, kind)))
 
 
 def formula(value: Any) -> dict[str, str]:
@@ -171,36 +269,59 @@ def measured(value: Any) -> dict[str, str]:
     """
     if isinstance(value, Mapping):
         return {str(name): str(text) for name, text in value.items()}
-    path = os.fspath(value)
-    files = {name: os.path.join(path, f"{name}.toml") for name in ("case", "muscle", "identified")}
-    texts = {name: file(place)["text"] for name, place in files.items() if name == "case" or os.path.exists(place)}
-    return {"name": os.path.basename(os.path.abspath(path)), "muscle": "", **texts, "points": table(os.path.join(path, "points.csv"))["text"]}
+    places = {name: os.path.join(value, f"{name}.toml") for name in ("case", "muscle", "identified")}
+    texts = {name: file(place)["text"] for name, place in places.items() if name == "case" or os.path.exists(place)}
+    return {"name": os.path.basename(os.path.abspath(value)), "muscle": "", **texts, "points": table(os.path.join(value, "points.csv"))["text"]}
 
 
-def beside(path: str, names: Sequence[str]) -> dict[str, str]:
-    """The places of files that another file names, by these names."""
-    return {name: name if name.startswith("lib:") else os.path.join(os.path.dirname(path), name) for name in names}
+def column(values: Any) -> Any:
+    """A column: an array of float64, int64 or bool, or a list of texts. Missing numbers are NaN."""
+    import numpy as np
+
+    values = [v.item() if isinstance(v, np.generic) else v for v in (values.tolist() if hasattr(values, "tolist") else values)]
+    values = [None if v != v else v for v in values]
+    kinds = {type(v) for v in values}
+    if kinds <= {float, int, type(None)} and kinds != {int}:
+        return np.array(values, dtype=np.float64)
+    return np.array(values, dtype=kinds.pop()) if kinds in ({int}, {bool}) else [None if v is None else str(v) for v in values]
 
 
-def _beside(given: dict[str, Any]) -> None:
-    """The files that a joint or drive file names, from beside it where they are not given."""
-    from ._drives import Drive, Joint
+def columns_of(data: Any) -> dict[str, Any]:
+    """The columns of a data frame, of records, of an answer, or of a map in which a single value applies to all rows."""
+    if hasattr(data, "to_columns"):
+        return dict(data.to_columns())
+    if hasattr(data, "columns") and hasattr(data, "reset_index"):
+        if not data.columns.is_unique:
+            raise ValueError("two columns of one name")
+        # An index with a name is a column.
+        data = data.reset_index() if any(name is not None for name in data.index.names) else data
+        data = {name: v.astype(object).where(v.notna(), None).tolist() for name, v in data.items()}
+    elif names := getattr(getattr(data, "dtype", None), "names", None):
+        data = {name: data[name] for name in names}
+    elif hasattr(data, "get_columns"):
+        data = {part.name: part.to_list() for part in data.get_columns()}
+    elif hasattr(data, "__arrow_c_stream__"):
+        import pyarrow as pa
 
-    for name, kind in (("drive", Drive), ("joint", Joint)):
-        value = given.get(name)
-        if isinstance(value, (str, os.PathLike)):
-            given[name] = value = kind.load(value)
-        if isinstance(value, (Drive, Joint)):
-            for other, files in value._files("").items():
-                given.setdefault(other, files)
-    if isinstance(given.get("muscles"), Mapping):
-        joint = file(given["joint"])
-        names = dict.fromkeys(_native.joint_files(joint["name"], joint["text"]))
-        if unknown := [name for name in given["muscles"] if name not in names]:
-            raise InputError(f"{joint['name']} names {', '.join(names)}, not {unknown[0]}", kind="usage", field="muscles")
-        given["muscles"] = [{**file(of), "name": name} for name, of in given["muscles"].items()]
-    if isinstance(given.get("tables"), Mapping):
-        given["tables"] = [{**table(of), "name": name} for name, of in given["tables"].items()]
-    drive = given.get("drive")
-    if isinstance(drive, Drive) and isinstance(given.get("muscle"), Mapping) is False and given.get("muscle") is not None:
-        given["muscle"] = {**file(given["muscle"]), "name": drive._subject()}
+        data = pa.table(data).to_pydict()
+    if not isinstance(data, Mapping):
+        raise TypeError(f"a table is a path, a data frame or columns by name, not {type(data).__name__}")
+    given = {str(name): bare(str(name), values) for name, values in data.items()}
+    several = {n: len(v) for n, v in given.items() if hasattr(v, "__len__") and not isinstance(v, str) and getattr(v, "shape", None) != ()}
+    if len(set(several.values())) > 1:
+        raise ValueError(f"columns of different length: {several}")
+    rows = max(several.values(), default=1)
+    return {n: column([bare(n, x) for x in v] if isinstance(v, (list, tuple)) else v if n in several else [v] * rows) for n, v in given.items()}
+
+
+def to_csv(columns: Mapping[str, Any]) -> str:
+    """Columns as CSV, numbers with as many digits as it takes to read back the same."""
+    import csv
+    import io
+
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(columns)
+    for row in zip(*(values.tolist() if hasattr(values, "tolist") else values for values in columns.values())):
+        writer.writerow(["" if v is None or v != v else repr(v) if isinstance(v, float) else str(v).lower() if isinstance(v, bool) else v for v in row])
+    return out.getvalue()

@@ -13,11 +13,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from ._native import unit_of as unit_of
-from ._values import unit_for_pint
+from ._request import unit_for_pint
 
 if TYPE_CHECKING:
-    from ._record import Record
-    from ._results import Points
+    from ._record import Points, Record
 
 __all__ = ["quantities", "quantity", "unit_of"]
 

@@ -170,8 +170,9 @@ def test_a_solution_is_saved_compared_and_given_to_others(thin: mk.Muscle, tmp_p
     data = points.to_xarray()
     assert dict(data.sizes) == {"pressure_mpa": 3, "contraction": 5} and data.force_n.attrs["units"] == "N" and len(points.to_pandas()) == 15
     assert dict(thin.solve([0.1, 0.2], [0.0, 0.1], model="universal").to_xarray().sizes) == {"dim_0": 2}
+    fixed: Any = points
     with pytest.raises(AttributeError):
-        points.force_n = 1  # type: ignore[assignment]
+        fixed.force_n = 1
 
 
 def test_threads_ask_at_once(thin: mk.Muscle) -> None:

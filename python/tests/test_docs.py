@@ -27,7 +27,7 @@ def test_code_of_pages_runs(page: str, root: Path, monkeypatch: pytest.MonkeyPat
         assert out.getvalue().splitlines() == expected, block
 
 
-@pytest.mark.parametrize("module", ["", "._api", "._muscle", "._rubber", "._drives", "._simulation", "._campaign", "._load", "._request", ".units"])
+@pytest.mark.parametrize("module", ["", "._api", "._muscle", "._parts", "._motion", "._campaign", "._request", ".units"])
 def test_examples_of_docstrings(module: str, monkeypatch: pytest.MonkeyPatch) -> None:
     if module == ".units":
         pytest.importorskip("pint")

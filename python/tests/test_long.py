@@ -30,15 +30,19 @@ def long_work(progress: Any = None) -> None:
 def test_ctrl_c_ends_the_work_at_once() -> None:
     # A shell's background work begins with the signal ignored.
     usual = signal.signal(signal.SIGINT, signal.default_int_handler)
-    begun = time.monotonic()
-    timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
-    timer.start()
+    told: list[tuple[int, int]] = []
+
+    def hear(done: int, total: int) -> None:
+        told.append((done, total))
+        if len(told) == 1:
+            threading.Timer(0.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+
     try:
         with pytest.raises(KeyboardInterrupt):
-            long_work()
+            long_work(hear)
     finally:
         signal.signal(signal.SIGINT, usual)
-    assert time.monotonic() - begun < 3.0
+    assert told[-1][0] < 0.5 * told[-1][1]
     # And what comes after it works.
     assert mk.Muscle.prototype().force(0.2, 0.1) > 0
 
@@ -56,29 +60,31 @@ LONG = {
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals")
 @pytest.mark.parametrize("work", LONG)
-def test_ctrl_c_ends_every_command_within_a_second(work: str, root: Path) -> None:
+def test_ctrl_c_ends_every_command_soon(work: str, root: Path) -> None:
+    """In four times what 4000 pulls by finite elements take in the same process (about half a second on two idle cores)."""
     code = f"""
 import os, signal, threading, time
-import mckibben as mk
+import numpy as np, mckibben as mk
 signal.signal(signal.SIGINT, signal.default_int_handler)
 sent = []
 def send():
     sent.append(time.monotonic())
     os.kill(os.getpid(), signal.SIGINT)
-mk.Muscle.prototype().force(0.2, 0.1)
+begun = time.monotonic()
+mk.Muscle.prototype().force(np.linspace(0.02, 0.3, 1000)[:, None], [0.0, 0.03, 0.07, 0.1])
+own = time.monotonic() - begun
 threading.Timer(0.5, send).start()
 try:
     {LONG[work]}
 except KeyboardInterrupt:
-    print("ended", time.monotonic() - sent[0])
+    print("ended", (time.monotonic() - sent[0]) / own)
 else:
     print("done")
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, cwd=root)
-    word, _, seconds = done.stdout.strip().partition(" ")
+    word, _, ratio = done.stdout.strip().partition(" ")
     assert word == "ended", (done.stdout, done.stderr)
-    # A second, and as much again for a machine that has other things to do.
-    assert float(seconds) < 2.0
+    assert float(ratio) < 4.0
 
 
 def test_progress_is_told_and_may_end_the_work() -> None:
@@ -145,7 +151,7 @@ def test_a_number_costs_little_more_than_its_model() -> None:
         pass
 
     def seconds(work: Any) -> float:
-        return min(timeit.repeat(work, number=3000, repeat=7)) / 3000
+        return min(timeit.repeat(work, timer=time.process_time, number=3000, repeat=7)) / 3000
 
     own, alone = (seconds(work) for work in (lambda: muscle.force(0.2, 0.1, model="universal"), lambda: native.one("force", 0.2, 0.1, False)))
     assert own - alone < 60 * seconds(lambda: empty(0.2, 0.1, model="universal"))

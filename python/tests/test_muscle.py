@@ -156,12 +156,14 @@ def test_a_muscle_is_made_of_its_file_its_dict_and_its_pickle(path: Path, tmp_pa
 
 def test_a_citation_names_package_model_and_data(thin: mk.Muscle) -> None:
     text = thin.replace(rubber="dragon-skin-30").cite("universal")
+    sleeve = mk.Muscle(outer_diameter_mm=25, wall_mm=1, length_mm=285, braid="nfl-19", strands=96, strand_diameter_mm=0.25, strand_modulus_mpa=3000, rubber="shore:40A")
+    assert "tandukion" in sleeve.cite("ideal") and "mckibben_rubber" not in sleeve.cite("ideal")
     assert text.count("@") >= 3 and "mckibben_rubber" in text and mk.__version__ in text and mk.part("dragon-skin-30").rubber is not None
 
 
 def test_a_notebook_shows_a_muscle(thin: mk.Muscle, tmp_path: Path) -> None:
-    assert "<iframe srcdoc=" in thin._repr_html_() and "<iframe" in thin.shape(0.2, 0.1)._repr_html_()
-    assert thin.report(tmp_path / "r.html").startswith("<!DOCTYPE html>") and (tmp_path / "r.html").exists()
+    assert "<iframe srcdoc=" in thin._repr_html_() and "<iframe" in thin.shape("2 bar", "10%")._repr_html_()
+    assert thin.report(tmp_path / "r.html", pressure_mpa="2 bar").startswith("<!DOCTYPE html>") and (tmp_path / "r.html").exists()
     assert thin.shape(0.2, 0.1).array("r_mm").ndim == 2
 
 

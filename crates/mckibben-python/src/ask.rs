@@ -2,7 +2,7 @@
 
 use crate::{error::Wrong, request, run, value};
 use mckibben::units::NamedUnit;
-use mckibben_app::{ask_value, find};
+use mckibben_app::ask_value;
 use pyo3::prelude::*;
 
 /// The answer to a request; texts with a unit are read, and numbers that were likely meant in another one are warned of.
@@ -16,10 +16,8 @@ pub fn ask<'py>(
     request: &Bound<'py, PyAny>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let entry = find(command).map_err(Wrong::from)?;
-    let mut request = value::request(request)?;
-    value::warn(py, &request::read(entry, &mut request).map_err(Wrong::from)?)?;
-    let work = |progress: &dyn mckibben::progress::Progress| Ok(ask_value(entry.name, request, progress)?);
+    let request = request::given(py, command, request)?;
+    let work = |progress: &dyn mckibben::progress::Progress| Ok(ask_value(command, request, progress)?);
     value::answer(py, &run::long(py, progress, work)?)
 }
 

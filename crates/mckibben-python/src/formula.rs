@@ -41,9 +41,9 @@ impl Formula {
         }
     }
 
-    /// Pulls in N at points: rows of pressures, contractions, walls and diameters. NaN outside of the range, unless this is not looked at;
-    /// returns the place of the first such point.
-    #[pyo3(signature = (points: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", extrapolate, two_sided))]
+    /// Pulls in N at points: rows of pressures, contractions, walls and diameters. The first one outside of the range raises, unless this is not
+    /// looked at; or it is NaN.
+    #[pyo3(signature = (points: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", extrapolate, two_sided, nan))]
     fn fill(
         &self,
         py: Python<'_>,
@@ -51,29 +51,39 @@ impl Formula {
         mut out: PyReadwriteArray1<'_, f64>,
         extrapolate: bool,
         two_sided: bool,
-    ) -> PyResult<Option<usize>> {
+        nan: bool,
+    ) -> PyResult<()> {
         let wrong = |e: numpy::AsSliceError| PyValueError::new_err(e.to_string());
         let (numbers, places) = (points.as_slice().map_err(wrong)?, out.as_slice_mut().map_err(wrong)?);
         let count = places.len();
         let mut rows = numbers.chunks_exact(count.max(1));
         let [Some(p), Some(e), Some(s), Some(d)] = [rows.next(), rows.next(), rows.next(), rows.next()]
         else {
-            return if count == 0 { Ok(None) } else { Err(PyValueError::new_err("four rows of points")) };
+            return if count == 0 { Ok(()) } else { Err(PyValueError::new_err("four rows of points")) };
         };
         Ok(run::quick(py, |_| {
             let range = &self.formula.range;
-            let holds = |(low, high): (f64, f64), v: f64| (low - EDGE..=high + EDGE).contains(&v);
-            let (mut first, mut last) = (None, None);
+            let mut last = None;
             let points = p.iter().zip(e).zip(s).zip(d).zip(places);
             for (index, ((((&p, &e), &s), &d), place)) in points.enumerate() {
-                let inside = holds(range.pressure_mpa, p)
-                    && holds(range.contraction, e)
-                    && holds(range.wall_mm, s)
-                    && holds(range.outer_diameter_mm, d);
-                if !inside && !extrapolate {
+                let bounds = [
+                    ("pressure_mpa", p, range.pressure_mpa),
+                    ("contraction", e, range.contraction),
+                    ("wall_mm", s, range.wall_mm),
+                    ("outer_diameter_mm", d, range.outer_diameter_mm),
+                ];
+                let outside = bounds
+                    .into_iter()
+                    .find(|(_, value, (low, high))| !(low - EDGE..=high + EDGE).contains(value));
+                if let Some((field, value, (low, high))) = outside.filter(|_| !extrapolate) {
                     *place = f64::NAN;
-                    first = first.or(Some(index));
-                    continue;
+                    if nan {
+                        continue;
+                    }
+                    let message = format!("{value} is outside of the formula's range, {low} to {high}");
+                    let hint = "extrapolate=True computes it all the same";
+                    let problem = Problem::new(ProblemKind::OutOfRange, message, hint).in_field(field);
+                    return Err(Wrong::Problem(problem, Some(index)));
                 }
                 // Points of one muscle mostly follow one another.
                 let section = match last.take() {
@@ -88,15 +98,8 @@ impl Formula {
                 let nothing = force.abs() <= ROUNDING * p * PI * 0.25 * d * d;
                 *place = if nothing || (force < 0.0 && !two_sided) { 0.0 } else { force };
             }
-            Ok(first)
+            Ok(())
         })?)
-    }
-
-    /// Where it was fitted: pressures in MPa, contractions, walls and diameters in mm, both ends in.
-    #[getter]
-    fn range(&self) -> [(f64, f64); 4] {
-        let range = &self.formula.range;
-        [range.pressure_mpa, range.contraction, range.wall_mm, range.outer_diameter_mm]
     }
 }
 

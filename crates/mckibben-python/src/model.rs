@@ -11,13 +11,7 @@ use serde_json::json;
 /// A model bound to its muscle.
 #[pyclass(frozen, module = "mckibben._native")]
 pub struct Model {
-    bound: BoundModel,
-}
-
-impl From<BoundModel> for Model {
-    fn from(bound: BoundModel) -> Self {
-        Self { bound }
-    }
+    pub bound: BoundModel,
 }
 
 #[pymethods]

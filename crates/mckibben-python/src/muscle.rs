@@ -5,13 +5,14 @@ use mckibben::muscle::Muscle as Held;
 use mckibben::muscle::measures::{STIFFNESS, fields};
 use mckibben::{muscle::file::to_toml, rubber::RubberLaw};
 use mckibben_app::{
-    AskFields, BoundModel, ModelFields, MuscleFields, Problem, ProblemKind, Result, TextFile, find,
-    muscle_of, understood, with_parameters,
+    AskFields, BoundModel, ModelFields, MuscleFields, Problem, ProblemKind, Result, TextFile, muscle_of,
+    understood, with_parameters,
 };
 use mckibben_fit::identify::Target;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// A muscle.
 #[pyclass(frozen, module = "mckibben._native")]
@@ -72,9 +73,7 @@ impl Muscle {
     #[new]
     #[pyo3(signature = (request: "dict[str, typing.Any]", rubber: "str | None" = None))]
     fn new(py: Python<'_>, request: &Bound<'_, PyAny>, rubber: Option<String>) -> PyResult<Self> {
-        let mut request = value::request(request)?;
-        let read = find("check").and_then(|entry| request::read(entry, &mut request));
-        value::warn(py, &read.map_err(Wrong::from)?)?;
+        let request = request::given(py, "check", request)?;
         Ok(run::quick(py, |_| {
             described(&request, rubber.as_deref())
                 .map(Self::from)
@@ -85,9 +84,7 @@ impl Muscle {
     /// The fields by which a muscle is given, of this one; those that it does not have are left out.
     #[pyo3(signature = () -> "dict[str, typing.Any]")]
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let wrong = |e: serde_json::Error| Problem::new(ProblemKind::Internal, e.to_string(), "");
-        let fields = serde_json::to_value(MuscleFields::from_muscle(&self.held)).map_err(wrong);
-        value::answer(py, &fields.map_err(Wrong::from)?)
+        value::answer(py, &json!(MuscleFields::from_muscle(&self.held)))
     }
 
     /// Constants and measures by which a model has derivatives, with their values.
@@ -114,22 +111,22 @@ impl Muscle {
             let problem = Problem::new(ProblemKind::Quantity, message, "").in_field("stretch");
             return Err(Wrong::from(problem).into());
         }
-        let stress = |stretch: &f64| match mode {
-            "planar" => law.planar_stress_mpa(*stretch),
-            "equibiaxial" => law.equibiaxial_stress_mpa(*stretch),
-            _ => law.uniaxial_stress_mpa(*stretch),
+        let stress: fn(&_, f64) -> f64 = match mode {
+            "uniaxial" => RubberLaw::uniaxial_stress_mpa,
+            "planar" => RubberLaw::planar_stress_mpa,
+            "equibiaxial" => RubberLaw::equibiaxial_stress_mpa,
+            _ => return Err(PyValueError::new_err("uniaxial, planar or equibiaxial")),
         };
-        Ok(stretches.iter().map(stress).collect())
+        Ok(stretches.iter().map(|stretch| stress(law, *stretch)).collect())
     }
 
     /// The model that a request names, of this muscle.
     #[pyo3(signature = (request: "dict[str, typing.Any]"))]
     fn model(&self, py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<Model> {
-        let mut request = value::request(request)?;
-        find("force").and_then(|entry| request::read(entry, &mut request)).map_err(Wrong::from)?;
+        let request = request::given(py, "force", request)?;
         Ok(run::quick(py, |_| {
             let (model, asking): (ModelFields, AskFields) = (understood(&request)?, understood(&request)?);
-            Ok(Model::from(BoundModel::new(&self.held, &model, asking)?))
+            Ok(Model { bound: BoundModel::new(&self.held, &model, asking)? })
         })?)
     }
 }

@@ -1,9 +1,10 @@
 //! Texts with a unit in a request, as the numbers that its schema wants; and numbers that were likely meant in another unit.
 
+use crate::{error::Wrong, value};
 use mckibben::units::{Dimension, NamedUnit, parse_quantity, parse_values};
-use mckibben_app::{Choice, CommandEntry, Problem, ProblemKind};
-use pyo3::pyfunction;
-use serde_json::{Map, Value, json};
+use mckibben_app::{Choice, CommandEntry, Problem, ProblemKind, find};
+use pyo3::prelude::*;
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -22,8 +23,16 @@ const LIKELY: [(&str, f64, f64); 7] = [
     ("max_pressure_mpa", 0.0, 1.0),
 ];
 
+/// A request of a command as Python gives it, with numbers for its texts; the caller is warned of numbers that were likely meant in another unit.
+pub fn given(py: Python<'_>, command: &str, object: &Bound<'_, PyAny>) -> PyResult<Value> {
+    let mut request = value::request(object)?;
+    let said = find(command).and_then(|entry| read(entry, &mut request)).map_err(Wrong::from)?;
+    value::warn(py, &said)?;
+    Ok(request)
+}
+
 /// Numbers for texts, in place. What is said of numbers that were likely meant in another unit.
-pub fn read(entry: &'static CommandEntry, request: &mut Value) -> Result<Vec<String>, Problem> {
+fn read(entry: &'static CommandEntry, request: &mut Value) -> Result<Vec<String>, Problem> {
     let known = || SCHEMAS.lock().unwrap_or_else(PoisonError::into_inner);
     let schema = known().get(entry.name).cloned();
     let schema = schema.unwrap_or_else(|| {
@@ -145,8 +154,7 @@ impl<'a> Reading<'a> {
     }
 
     fn fields(&mut self, node: &'a Value, value: &mut Value) -> Result<(), Problem> {
-        let fields: Option<&mut Map<String, Value>> = value.as_object_mut();
-        fields.into_iter().flatten().try_for_each(|(name, value)| {
+        value.as_object_mut().into_iter().flatten().try_for_each(|(name, value)| {
             self.value(name, &node["properties"][name], value).map_err(|problem| problem.in_field(name))
         })
     }

@@ -1,6 +1,6 @@
 //! A drive in a control loop.
 
-use crate::{error::Wrong, run, value};
+use crate::{error::Wrong, request, run, value};
 use mckibben::threads::Threads;
 use mckibben_app::{MotionRequest, Problem, SimulatedDrive, understood};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1};
@@ -31,7 +31,7 @@ impl Simulation {
     #[new]
     #[pyo3(signature = (request: "dict[str, typing.Any]", step_s, records))]
     fn new(py: Python<'_>, request: &Bound<'_, PyAny>, step_s: f64, records: bool) -> PyResult<Self> {
-        let request = value::request(request)?;
+        let request = request::given(py, "motion", request)?;
         Ok(run::long(py, None, |progress| {
             let request: MotionRequest = understood(&request)?;
             Ok(Self { drive: Mutex::new(SimulatedDrive::new(&request, step_s, progress)?), records })
@@ -138,8 +138,7 @@ pub fn rollout(
     if steps * count == 0 || rows.len() / (steps * count) * whole != places.len() {
         return Err(PyValueError::new_err("places for as many steps as there are commands"));
     }
-    let start = py.detach(|| simulation.drive().duplicate());
-    let start = Mutex::new(start);
+    let start = Mutex::new(py.detach(|| simulation.drive().duplicate()));
     run::long(py, progress, |progress| {
         let (done, total) = (AtomicUsize::new(0), places.len() / whole);
         let failed: Mutex<Option<(usize, Problem)>> = Mutex::new(None);

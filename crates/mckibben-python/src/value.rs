@@ -20,6 +20,5 @@ pub fn answer<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>
 
 /// Warns the caller of units, at the line that called the package.
 pub fn warn(py: Python<'_>, said: &[String]) -> PyResult<()> {
-    said.iter()
-        .try_for_each(|text| py.import("mckibben._errors")?.call_method1("warned_of_unit", (text,)).map(drop))
+    said.iter().try_for_each(|text| py.import("mckibben._errors")?.call_method1("warned", (text,)).map(drop))
 }

@@ -1,6 +1,6 @@
 //! The muscle in space, and reports, as pages in one piece.
 
-use crate::{error::Wrong, run, value};
+use crate::{error::Wrong, request, run};
 use mckibben_app::{BuildRequest, Problem, ProblemKind, ShapeRequest, body, build, understood};
 use mckibben_report::Document;
 use pyo3::prelude::*;
@@ -14,7 +14,7 @@ fn page(document: &Document) -> Result<String, Wrong> {
 #[pyfunction]
 #[pyo3(signature = (request: "dict[str, typing.Any]"))]
 pub fn body_html(py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<String> {
-    let request = value::request(request)?;
+    let request = request::given(py, "shape", request)?;
     Ok(run::long(py, None, |_| {
         let request: ShapeRequest = understood(&request)?;
         page(&body(&request)?)
@@ -29,7 +29,7 @@ pub fn report_html(
     request: &Bound<'_, PyAny>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<String> {
-    let request = value::request(request)?;
+    let request = request::given(py, "build", request)?;
     Ok(run::long(py, progress, |progress| {
         let request: BuildRequest = understood(&request)?;
         page(&build(&request, progress)?.document.unwrap_or_default())

@@ -1,0 +1,429 @@
+"""Joints and drives: files of tables, and the files that they name; and drives in a control loop."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal
+
+from . import _api, _native
+from ._api import State
+from ._errors import InputError
+from ._muscle import Muscle
+from ._request import Fixed, fields, file, heard, is_nan, known, number, plain, put, table
+
+if TYPE_CHECKING:
+    import numpy as np
+    import pandas
+    from numpy.typing import ArrayLike, NDArray
+    from typing_extensions import Self, Unpack
+
+    from ._api import Keys
+    from ._request import Number, Progress, TableLike
+
+# Units of commands, by what is commanded.
+_COMMANDS = {"pressure": "pressure_mpa", "opening": "opening", "volume": "volume_mm3", "position": "contraction"}
+
+
+def _table(given: Mapping[str, Any] | None) -> dict[str, Any]:
+    """A table of a file. A number carries its unit in the key, and in the file it is a text with that unit; a tuple of two is bounds, of pairs the first are times."""
+    out: dict[str, Any] = {}
+    for name, value in (given or {}).items():
+        unit, words = _native.unit_of(name), name.split("_")
+        # The unit is the shortest end of the name that is one by itself.
+        ends = [i for i in range(1, len(words)) if unit and _native.unit_of("_".join(["x", *words[i:]])) == unit]
+
+        def said(number: Any) -> Any:
+            return f"{number!r} {unit}" if unit and type(number) in (int, float) else number
+
+        found = plain(name, value)
+        if isinstance(value, tuple) and len(value) == 2 and unit:
+            found = f"{found[0]!r}..{found[1]!r} {unit}"
+        elif isinstance(found, list):
+            found = [[item[0], said(item[1])] if isinstance(item, list) else said(item) for item in found]
+        if value is not None:
+            out["_".join(words[: ends[-1]] if ends else words)] = said(found)
+    return out
+
+
+def _tables(kind: Any, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Tables by their names, which are those of a kind of file; a part of the library stands for its table."""
+    return {n: value if n == "name" else {"name": value} if isinstance(value, str) else _table(value) for n, value in known(given, kind).items()}
+
+
+class _File(Fixed):
+    """A file of tables, and the files that it names."""
+
+    __slots__ = ("_beside", "_tables")
+    _tables: dict[str, Any]
+    _beside: dict[str, Any]
+
+    def _hold(self, tables: Mapping[str, Any], beside: Mapping[str, Any]) -> Self:
+        object.__setattr__(self, "_tables", {name: value for name, value in tables.items() if value not in (None, {})})
+        object.__setattr__(self, "_beside", dict(beside))
+        return self
+
+    @classmethod
+    def _of(cls, tables: Mapping[str, Any], beside: Mapping[str, Any]) -> Self:
+        return object.__new__(cls)._hold(tables, beside)
+
+    def to_toml(self) -> str:
+        """The text of its file, which names its schema for editors."""
+        return f"#:schema {type(self).__name__.lower()}.schema.json\n\n{_native.toml_text(self._tables)}"
+
+    def to_dict(self) -> dict[str, Any]:
+        """Its tables as plain dicts; under ``files`` the texts of the files that it names, and of those that these name."""
+        files = {name: of["text"] if isinstance(of, Mapping) else of.to_toml() for name, of in self._beside.items()}
+        for of in self._beside.values():
+            files |= of.to_dict().get("files", {}) if isinstance(of, _File) else {}
+        return {**self._tables, **({"files": files} if files else {})}
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Writes its file, and beside it the files that it names. Other files that are there are replaced only with ``overwrite``."""
+        folder = os.path.dirname(path)
+        put({**{os.path.join(folder, name): text for name, text in self.to_dict().get("files", {}).items()}, path: self.to_toml()}, overwrite)
+
+    def _key(self) -> Any:
+        return self.to_toml(), tuple((name, tuple(of.items()) if isinstance(of, Mapping) else of) for name, of in self._beside.items())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self)._of, (self._tables, self._beside)
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {', '.join(f'{name}={value!r}' for name, value in self._tables.items())}>"
+
+
+class Joint(_api.JointCommands, _File):
+    """A joint with one or two muscles. Its tables are those of a joint file (docs/joints.md) as dicts: a number carries its unit in the key
+    (``radius_mm``), a text stands under the same word without it (``"radius": "25 mm"``); a tuple of two is bounds.
+
+    Parameters
+    ----------
+    muscle_1, muscle_2
+        The muscle that turns the joint to +, and the one that turns it to -, where there is one.
+    joint
+        Keys of ``[joint]``: ``radius_mm``, ``range_deg``, ``inertia``, ``damping``.
+    contraction_at_neutral : ratio
+        Of both muscles, at the neutral angle.
+    geometry_1, geometry_2
+        Keys of ``[muscle_1]`` and ``[muscle_2]``: ``contraction_at_neutral``, ``radius_mm``, ``origin_mm``, ``insertion_mm``.
+    tables
+        The others by their names: ``link``, ``spring``; and ``name``.
+
+    Raises
+    ------
+    InputError
+        A key is none, or its value has no unit.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> biceps = mk.Muscle(outer_diameter_mm=20, wall_mm=1.5, length_mm=220, angle_deg=24, stiffness=900)
+    >>> elbow = mk.Joint(biceps, biceps, joint={"radius_mm": 25, "range_deg": (-60, 60)}, contraction_at_neutral=0.12)
+    >>> round(elbow.solve(pressures_mpa=[["3 bar", "1 bar"]], angles_deg=0, model="universal").points[0].torque_nm, 2)
+    7.78
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self, muscle_1: Muscle, muscle_2: Muscle | None = None, *, joint: Keys, contraction_at_neutral: Number | None = None,
+        geometry_1: Keys | None = None, geometry_2: Keys | None = None, **tables: Unpack[_api.JointTables],
+    ) -> None:
+        files: dict[str, Muscle] = {"muscle_1.toml": muscle_1}
+        made = {"joint": _table(joint), **_tables(_api.JointTables, tables)}
+        for side, muscle, geometry in ((1, muscle_1, geometry_1), (2, muscle_2, geometry_2)):
+            if muscle is not None:
+                place = f"muscle_{side}.toml" if muscle != muscle_1 else "muscle_1.toml"
+                files[place] = muscle
+                made[f"muscle_{side}"] = {"file": place, **_table({"contraction_at_neutral": contraction_at_neutral, **(geometry or {})})}
+        if without := [key for key in ("radius", "range") if isinstance(joint.get(key), (int, float, tuple, list))]:
+            raise InputError(f"{without[0]} has no unit", kind="quantity", field=without[0], hint='radius_mm=25, or "radius": "25 mm"')
+        self._hold(made, files)
+        # It says what is wrong with it.
+        _native.joint_files("the joint", self.to_toml())
+
+    @property
+    def muscles(self) -> dict[str, Muscle]:
+        """Its muscles by the names of their files."""
+        return dict(self._beside)
+
+    def replace(self, *, muscle_1: Muscle | None = None, muscle_2: Muscle | None = None) -> Joint:
+        """The same with other muscles."""
+        if muscle_2 is not None and "muscle_2" not in self._tables:
+            raise TypeError("the joint has no muscle_2")
+        given = {"muscle_1": muscle_1, "muscle_2": muscle_2}
+        muscles = {name: muscle or self._beside[self._tables[name]["file"]] for name, muscle in given.items() if name in self._tables}
+        tables = {**self._tables, **{name: {**self._tables[name], "file": f"{name}.toml"} for name in muscles}}
+        return Joint._of(tables, {f"{name}.toml": muscle for name, muscle in muscles.items()})
+
+    def _files(self, command: str) -> dict[str, Any]:
+        return {"joint": self, "muscles": [{**file(muscle), "name": name} for name, muscle in self._beside.items()]}
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Joint:
+        """The joint of a joint file, with the muscles from beside it."""
+        held = file(path)
+        names = dict.fromkeys(_native.joint_files(held["name"], held["text"]))
+        return cls._of(_native.toml(held["name"], held["text"]), {name: muscle_at(_beside(path, name)) for name in names})
+
+
+class Drive(_api.DriveCommands, _File):
+    """A muscle with a load, or a joint, with its air, its valve and its commands. Its tables are those of a drive file (docs/motion.md) as dicts, with keys as
+    those of a :class:`Joint`; of a list of pairs the first are times in s.
+
+    Parameters
+    ----------
+    of
+        A muscle or a :class:`Joint`.
+    command
+        Keys of ``[command]``: ``pressure_mpa``, ``pressure_1_mpa``, ``valve``, ``volume_mm3``, ``position_deg``, …: a value, pairs of times and values, or a text
+        such as ``"ramp 0..3 bar in 2 s"``; and ``until_s``, ``output_step_s``.
+    tables
+        Tables that the commands or the load name, by their names.
+    others
+        The others by their names: ``valve``, which may be the name of one of the library such as ``festo-mh2``, ``supply``, ``air``, ``load``, ``friction``,
+        ``rubber``, ``controller``, ``regulator``; of a muscle that is filled with a liquid ``liquid``, ``pump``, ``syringe``.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> load = {"mass_kg": 10, "damping": "200 N s/m"}
+    >>> lift = mk.Drive(mk.Muscle.prototype(), valve="festo-mh2", load=load, command={"pressure_mpa": [[0, 0], [0.1, 0.3]], "until_s": 2})
+    >>> lift.motion(model="universal").at_rest
+    True
+    """
+
+    __slots__ = ()
+
+    def __init__(self, of: Muscle | Joint, *, command: Keys, tables: Mapping[str, TableLike] | None = None, **others: Unpack[_api.DriveTables]) -> None:
+        subject = "joint" if isinstance(of, Joint) else "muscle"
+        made = {**_tables(_api.DriveTables, others), "command": _table(command)}
+        self._hold({subject: f"{subject}.toml", **made}, {f"{subject}.toml": of, **{name: {**table(data), "name": name} for name, data in (tables or {}).items()}})
+
+    @property
+    def of(self) -> Muscle | Joint:
+        """The muscle or joint that it moves."""
+        held: Muscle | Joint = self._beside[self._subject()]
+        return held
+
+    def _subject(self) -> str:
+        return str(self._tables.get("joint") or self._tables["muscle"])
+
+    def replace(self, of: Muscle | Joint) -> Drive:
+        """The same drive of another muscle or joint."""
+        if type(of) is not type(self.of):
+            raise TypeError(f"the drive is that of a {type(self.of).__name__}")
+        return Drive._of(self._tables, {**self._beside, self._subject(): of})
+
+    def _files(self, command: str) -> dict[str, Any]:
+        own = [of for of in self._beside.values() if isinstance(of, Mapping)]
+        subject = self.of._files(command) if isinstance(self.of, Joint) else {"muscle": {**file(self.of), "name": self._subject()}}
+        return {"drive": self, **subject, **({"tables": own} if own else {})}
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Drive:
+        """The drive of a drive file, with the files that it names from beside it."""
+        held = file(path)
+        subject, name, names = _native.drive_files(held["name"], held["text"])
+        of = (Joint.load if subject == "joint" else muscle_at)(_beside(path, name))
+        tables = {name: {**table(_beside(path, name)), "name": name} for name in names}
+        return cls._of(_native.toml(held["name"], held["text"]), {name: of, **tables})
+
+
+def muscle_at(path: str | os.PathLike[str]) -> Muscle:
+    """The muscle of a file, or of the library."""
+    return object.__new__(Muscle)._hold(_native.Muscle({"muscle": file(path)}))
+
+
+def _beside(path: str | os.PathLike[str], name: str) -> str:
+    """The place of a file that another file names."""
+    return name if name.startswith("lib:") else os.path.join(os.path.dirname(path), name)
+
+
+class Simulation:
+    """A drive in a control loop: each step holds its commands for ``dt_s`` seconds. Stops, slack, switching valves and reversals within a step
+    are found and passed exactly, as in :meth:`Drive.motion`, whose numbers these are to the last bit where the commands are the same.
+
+    Parameters
+    ----------
+    drive
+        A :class:`Drive`, or the path of a drive file (TOML). Its first commands say where it begins, at rest; its others are not used.
+    dt_s : s
+        Length of a step.
+    record
+        Whether all steps are recorded for :meth:`to_columns` and :attr:`events`; without, memory and a copy stay small however long it runs.
+    options
+        ``model``, ``formulas``, ``mesh``, ``match``, ``terminal`` as in :meth:`Drive.motion`: ``universal`` is quick.
+
+    Raises
+    ------
+    MckibbenError
+        The drive is none, or has no beginning.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> load = {"mass_kg": 10, "damping": "200 N s/m"}
+    >>> lift = mk.Drive(mk.Muscle.prototype(), valve="festo-mh2", load=load, command={"pressure_mpa": 0.1, "until_s": 1})
+    >>> round(mk.Simulation(lift, 0.01, model="universal").step("2 bar").time_s, 3)
+    0.01
+    """
+
+    __slots__ = ("_commands", "_joint", "_made", "_names", "_native")
+
+    def __init__(self, drive: Drive | str | os.PathLike[str], dt_s: float, *, record: bool = True, **options: Unpack[_api.Options]) -> None:
+        held = drive if isinstance(drive, Drive) else Drive.load(drive)
+        self._hold(fields({**held._files("motion"), **known(options, _api.Options)}), float(dt_s), record)
+
+    def _hold(self, request: dict[str, Any], dt_s: float, record: bool, native: _native.Simulation | None = None) -> Simulation:
+        self._made = request, dt_s, record
+        self._native = native or _native.Simulation(request, dt_s, record)
+        commands = self._native.commands
+        self._commands, self._joint = commands[:2], commands[2]
+        self._names = self._native.names
+        return self
+
+    @property
+    def dt_s(self) -> float:
+        """Length of a step, s."""
+        return self._made[1]
+
+    @property
+    def commanded(self) -> str:
+        """What is commanded: ``pressure`` in MPa, ``opening`` from -1 to 1, ``volume`` of a syringe in mm³, or ``position`` (contraction ratio, or angle in degrees)."""
+        return self._commands[0]
+
+    def step(self, command: Number | Sequence[Number] | NDArray[np.floating[Any]], *, force_n: Number = 0.0, torque_nm: Number = 0.0) -> State:
+        """One step on; where it is at its end. A step that fails leaves the simulation as it was.
+
+        Parameters
+        ----------
+        command
+            A number for each muscle, or a single one for all: pressures in MPa (or texts with their unit, or quantities of pint), or what else is :attr:`commanded`.
+        force_n : N
+            Of a muscle: a force from outside besides the load, which stretches it.
+        torque_nm : N m
+            Of a joint: a torque from outside, which turns it to +.
+
+        Raises
+        ------
+        MckibbenError
+            The step has no end: a pressure above the supply, a model without an answer.
+        """
+        kind, count = self._commands
+        several = isinstance(command, (list, tuple)) or getattr(command, "ndim", 0) == 1
+        given: Any = command if several else [command] * count
+        name, force, torque = _COMMANDS[kind], number("force_n", force_n), number("torque_nm", torque_nm)
+        if torque and not self._joint or force and self._joint:
+            raise TypeError("torque_nm is for a joint, force_n for a muscle")
+        values = [value if type(value) is float and value <= 1.0 else number(name, value) for value in given]
+        return self._state(self._native.step(values, torque if self._joint else force))
+
+    def _state(self, values: Sequence[float]) -> State:
+        return State._read(dict(zip(self._names, values)))
+
+    @property
+    def state(self) -> State:
+        """Where it is."""
+        return self._state(self._native.last())
+
+    def get_state(self) -> NDArray[np.float64]:
+        """Where it is as an array: of it :meth:`set_state` goes on, in any simulation of the same drive."""
+        return self._native.numbers()
+
+    def set_state(self, state: ArrayLike) -> State:
+        """Goes to where a simulation of the same drive was, and on from there to the tolerance of the integration; what was recorded is forgotten.
+
+        Raises
+        ------
+        MckibbenError
+            The array is not a state of this drive.
+        """
+        import numpy as np
+
+        self._native.restore(np.asarray(state, dtype=np.float64).tolist())
+        return self.state
+
+    @property
+    def events(self) -> list[dict[str, Any]]:
+        """What happened so far: ends of stroke, slack, switching, reversals, with ``time_s``, ``kind``, ``muscle``, ``lost_j``."""
+        return self._native.events()
+
+    def reset(self) -> State:
+        """Back to the start, with nothing recorded."""
+        return self._state(self._native.reset())
+
+    def copy(self) -> Simulation:
+        """Another one in the same state, which goes its own way and records from here on; it takes as long after many steps as after one."""
+        return object.__new__(Simulation)._hold(*self._made, self._native.copy())
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Simulation:
+        return self.copy()
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        return self._made, self.get_state()
+
+    def __setstate__(self, held: tuple[Any, Any]) -> None:
+        self._hold(*held[0]).set_state(held[1])
+
+    def to_columns(self) -> dict[str, Any]:
+        """What was recorded as arrays: the start, and the end of each step."""
+        return dict(zip(self._names, self._native.rows().T))
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The same as a ``pandas.DataFrame``."""
+        import pandas as pd
+
+        return pd.DataFrame(self.to_columns())
+
+    def __repr__(self) -> str:
+        kind, count = self._commands
+        return f"<Simulation: {'joint' if self._joint else 'muscle'}, {count} {kind} commands, dt_s={self.dt_s:g}, at {self.state.time_s:g} s>"
+
+
+def rollout(simulation: Simulation, commands: ArrayLike, *, errors: Literal["raise", "nan"] = "raise", progress: Progress = None) -> dict[str, NDArray[np.float64]]:
+    """Copies of a simulation side by side, each under its own commands, from where the simulation is; it stays there. Arrays of shape (copies, steps + 1),
+    the start and the end of each step, by the names of :class:`State`.
+
+    Parameters
+    ----------
+    simulation
+        Where all begin.
+    commands
+        An array of shape (copies, steps, commands), or (copies, steps) of a single command, in the unit of :attr:`Simulation.commanded`.
+    errors
+        ``raise`` for the first step that fails, or ``nan``: from there on that copy is NaN.
+    progress
+        True for a line on standard error, or a function that is called with (done, total), in copies.
+
+    Raises
+    ------
+    MckibbenError
+        A step fails; ``index`` is its place among all steps.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> load = {"mass_kg": 10, "damping": "200 N s/m"}
+    >>> lift = mk.Drive(mk.Muscle.prototype(), valve="festo-mh2", load=load, command={"pressure_mpa": 0.1, "until_s": 1})
+    >>> ends = mk.rollout(mk.Simulation(lift, 0.01, model="universal"), [[0.1] * 5, [0.2] * 5])
+    >>> ends["contraction"].shape
+    (2, 6)
+    """
+    import numpy as np
+
+    kind, count = simulation._commands
+    given = np.asarray(commands, dtype=np.float64)
+    given = given[..., None] if given.ndim == 2 and count == 1 else given
+    if given.ndim != 3 or given.shape[2] != count:
+        raise ValueError(f"commands: an array of shape (copies, steps, {count}), not {given.shape}")
+    if kind == "pressure" and given.size:
+        number("pressure_mpa", float(given.max()))
+    out = np.empty((given.shape[0], given.shape[1] + 1, len(simulation._names)))
+    if given.size:
+        rows = np.ascontiguousarray(given).reshape(-1, count)
+        _native.rollout(simulation._native, given.shape[1], rows, out.reshape(-1), is_nan(errors), heard(progress, "rollout"))
+    return {name: out[:, :, i] for i, name in enumerate(simulation._names)}

@@ -1,0 +1,230 @@
+"""Rubbers by their law and constants, fitted formulas, and all that was saved."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, Literal, overload
+
+from . import _api, _native
+from ._motion import Drive, Joint, muscle_at
+from ._errors import InputError
+from ._record import Record
+from ._request import Saved, array, bare, file, is_nan
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+    from ._request import Floats, Number, Plain
+
+    Errors = Literal["raise", "nan"]
+
+
+_compiled = lru_cache(_native.Formula)
+
+
+class Rubber(Saved):
+    """A rubber by its law and constants. A rubber of the library is named by its name alone, as in ``Muscle(rubber="dragon-skin-30")``.
+
+    Parameters
+    ----------
+    law
+        ``neo-hookean`` (mu), ``mooney-rivlin`` (c10, c01), ``yeoh`` (c10, c20, c30), ``gent`` (mu, jm), ``ogden`` (mu = […], alpha = […]), …
+    bulk_modulus_mpa : MPa
+        The bulk modulus; ``incompressible`` where it is left out. Only the finite elements use it.
+    constants
+        Those of the law: moduli in MPa or with their unit (``"120 kPa"``), the others plain numbers.
+
+    Raises
+    ------
+    InputError
+        No law has this name, or these constants are not those of a rubber.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> mk.Rubber("mooney-rivlin", c10="120 kPa", c01=0)
+    Rubber('mooney-rivlin', c10=0.12, c01=0.0)
+    """
+
+    __slots__ = ("_held", "_text", "constants", "law")
+    law: str
+    constants: dict[str, Any]
+    _held: _native.Muscle
+    _text: str
+
+    def __init__(self, law: str, *, bulk_modulus_mpa: Number | Literal["incompressible"] | None = None, **constants: Plain) -> None:
+        stated = {n: _constant(v) for n, v in {**constants, "bulk_modulus_mpa": bulk_modulus_mpa}.items() if v is not None}
+        given = {n: v for n, v in stated.items() if v != "incompressible"}
+        bulk = given.get("bulk_modulus_mpa")
+        material = {"law": law, **{n: v for n, v in given.items() if n != "bulk_modulus_mpa"}, **({"bulk_modulus": f"{bulk!r} MPa"} if bulk is not None else {})}
+        text = _native.toml_text({"tube": {"material": material}})
+        # A muscle of nothing else says what is wrong with it.
+        for name, value in {"_held": _native.Muscle({}, text), "_text": text, "law": law, "constants": given}.items():
+            object.__setattr__(self, name, value)
+
+    @classmethod
+    def from_toml(cls, text: str) -> Rubber:
+        """The rubber of its table, or of a muscle file."""
+        held = _native.toml("rubber", text).get("tube", {})
+        if "material" not in held:
+            raise InputError(f"the rubber is {held.get('rubber', 'paper')!r} of the library", kind="rubber", field="text")
+        return cls(**{"bulk_modulus_mpa" if name == "bulk_modulus" else name: value for name, value in held["material"].items()})
+
+    def to_toml(self) -> str:
+        """The table as in a muscle file."""
+        return self._text
+
+    def to_dict(self) -> dict[str, Any]:
+        """Its law and constants, as the arguments of ``Rubber(…)``."""
+        return {"law": self.law, **self.constants}
+
+    def replace(self, **constants: Plain) -> Rubber:
+        """The same with other constants."""
+        given: dict[str, Any] = {**self.to_dict(), **constants}
+        return Rubber(**given)
+
+    def stress(self, mode: Literal["uniaxial", "planar", "equibiaxial"], stretch: ArrayLike) -> NDArray[np.float64]:
+        """Nominal stress (force over the area at rest) of the incompressible rubber in MPa, at stretches (length over that at rest)."""
+        import numpy as np
+
+        stretches = np.asarray(stretch, dtype=np.float64)
+        return np.array(self._held.stress(mode, stretches.ravel().tolist())).reshape(stretches.shape)
+
+    _key = to_toml
+
+    def __repr__(self) -> str:
+        return f"Rubber({self.law!r}, {', '.join(f'{name}={value!r}' for name, value in self.constants.items())})"
+
+
+def _constant(value: Any) -> Any:
+    """A constant of a law: a modulus in MPa, a plain number, a word, several of these, or a table of them."""
+    if isinstance(value, str):
+        try:
+            return _native.quantity("pressure_mpa", value)
+        except InputError:
+            # A word, or the text of another quantity: a time, a share.
+            return value
+    if isinstance(value, Mapping):
+        return {key: _constant(item) for key, item in value.items()}
+    value = bare("ratio" if getattr(value, "dimensionless", False) else "pressure_mpa", value)
+    if hasattr(value, "__iter__") and getattr(value, "shape", None) != ():
+        return [_constant(item) for item in value]
+    return value if isinstance(value, bool) else float(value)
+
+
+class Formula(Saved):
+    """A fitted formula, as :func:`fit` makes it and its file (JSON) holds it. It is a model: ``muscle.force(0.2, 0.1, model=formula)``; and a function of pressures,
+    contractions, walls and diameters: ``formula(pressure_mpa, contraction, wall_mm, outer_diameter_mm)``.
+
+    Parameters
+    ----------
+    text
+        The content of its file.
+    name
+        How it is named as a model; the name in the file where it is left out.
+
+    Raises
+    ------
+    InputError
+        The text is not that of a formula.
+    """
+
+    __slots__ = ("_text", "name")
+    name: str
+    _text: str
+
+    def __init__(self, text: str, name: str | None = None) -> None:
+        shown = _native.ask("check-formula", {"file": {"name": name or "the formula", "text": text}})
+        object.__setattr__(self, "_text", text)
+        object.__setattr__(self, "name", name or str(shown["name"]))
+
+    @overload
+    def __call__(  # type: ignore[overload-overlap]
+        self, pressure_mpa: float, contraction: float, wall_mm: float, outer_diameter_mm: float, *, two_sided: bool = ..., extrapolate: bool = ..., errors: Errors = ...
+    ) -> float: ...
+    @overload
+    def __call__(
+        self, pressure_mpa: Floats, contraction: Floats, wall_mm: Floats, outer_diameter_mm: Floats, *, two_sided: bool = ..., extrapolate: bool = ..., errors: Errors = ...
+    ) -> NDArray[np.float64]: ...
+
+    def __call__(
+        self, pressure_mpa: Any, contraction: Any, wall_mm: Any, outer_diameter_mm: Any, *, two_sided: bool = False, extrapolate: bool = False, errors: Errors = "raise"
+    ) -> Any:
+        """The pull of many muscles at once in N, of the broadcast shape; 0 where a muscle is slack. The rubber, the braid and the length are those for which it was made.
+
+        Parameters
+        ----------
+        pressure_mpa, contraction, wall_mm, outer_diameter_mm : MPa, ratio, mm, mm
+            Gauge pressures, contraction ratios and tubes: numbers, a text with its unit, or quantities of pint; broadcast as NumPy does it.
+        two_sided
+            Negative pulls instead of slack.
+        extrapolate, errors
+            Outside of its range: an answer with ``extrapolate``, else an exception, or NaN with ``errors="nan"``.
+
+        Raises
+        ------
+        OutOfRangeError
+            A point lies outside of its range.
+        """
+        import numpy as np
+
+        given = {"pressure_mpa": pressure_mpa, "contraction": contraction, "wall_mm": wall_mm, "outer_diameter_mm": outer_diameter_mm}
+        points = np.broadcast_arrays(*(array(name, value) for name, value in given.items()))
+        out = np.empty(points[0].size)
+        _compiled(self.name, self._text).fill(np.stack([values.ravel() for values in points]), out, extrapolate, two_sided, is_nan(errors))
+        return out.reshape(points[0].shape) if points[0].shape else float(out[0])
+
+    def check(self, *, latex: bool = False) -> _api.FormulaCheck:
+        """What it was made for, its range and its errors; with `latex` the equation as well."""
+        return _api.check_formula(self, latex=latex)
+
+    def to_json(self) -> str:
+        """The content of its file."""
+        return self._text
+
+    def to_dict(self) -> dict[str, Any]:
+        """The same as plain dicts and lists."""
+        return dict(json.loads(self._text))
+
+    _key = to_json
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Formula, (self._text, self.name)
+
+    def __repr__(self) -> str:
+        return f"<Formula {self.name!r}>"
+
+    def _repr_latex_(self) -> str | None:
+        latex = self.check(latex=True).latex
+        return f"$${latex}$$" if latex and "\\begin{document}" not in latex else None
+
+
+def load(path: str | os.PathLike[str]) -> Any:
+    """What ``save()`` wrote or a person did: a muscle, a rubber, a joint or a drive (TOML), a formula or an answer (JSON); a muscle of the library by ``lib:NAME``.
+
+    Raises
+    ------
+    FileError
+        It is none of these.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> mk.load("lib:dmsp-20-300").length_mm
+    300.0
+    """
+    held = file(path, "table")
+    text = held["text"]
+    if not text.lstrip().startswith("{"):
+        tables = _native.toml(held["name"], text)
+        if "command" in tables or "joint" in tables:
+            return (Drive if "command" in tables else Joint).load(path)
+        # A rubber that was saved begins with its table, a muscle with a comment.
+        return Rubber.from_toml(text) if text.startswith("[tube.material]") else muscle_at(os.fspath(path))
+    answer = json.loads(text)
+    kind: type[Record] = getattr(_api, answer.get("mckibben", ""), Record)
+    return Formula(text) if kind is Record else kind._read(answer["data"], tuple(answer["asked"]) if answer["asked"] else None)
