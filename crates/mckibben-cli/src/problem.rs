@@ -1,6 +1,6 @@
 //! What a command ends with when it does not end well: kind, message, hint, exit code, in the words of the command line.
 
-use crate::{Flag, clean, quantities::unit_hint, shown, spec};
+use crate::{Flag, clean, output::plain, quantities::unit_hint, shown, spec};
 use mckibben_app::{Ending, Problem, ProblemKind};
 use std::{io::ErrorKind, sync::OnceLock};
 
@@ -79,7 +79,7 @@ pub fn as_text(problem: &Problem) -> String {
 
 /// `{"error": {"kind", "message", "hint"}}` on one line.
 pub fn as_json(problem: &Problem) -> String {
-    serde_json::json!({ "error": problem }).to_string()
+    plain(serde_json::json!({ "error": problem }).to_string())
 }
 
 /// The exit code of an answer that may have a problem.

@@ -14,8 +14,9 @@ pub fn request(object: &Bound<'_, PyAny>) -> PyResult<Value> {
         .map_err(|e| PyValueError::new_err(format!("the request is not understood: {e}")))
 }
 
+/// An answer, with plain spaces in the place of those that join a quantity of a sentence to its unit.
 pub fn answer<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
-    py.import("json")?.call_method1("loads", (value.to_string(),))
+    py.import("json")?.call_method1("loads", (value.to_string().replace('\u{a0}', " "),))
 }
 
 /// Warns the caller of units, at the line that called the package.

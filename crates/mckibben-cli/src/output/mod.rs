@@ -27,13 +27,35 @@ pub fn json<T: Serialize>(answer: &T) -> Result<Value, Problem> {
         .map_err(|e| Problem::new(ProblemKind::Output, format!("cannot make JSON: {e}"), ""))
 }
 
+/// A text with plain spaces in the place of those that join a quantity to its unit.
+pub fn plain(text: String) -> String {
+    text.replace('\u{a0}', " ")
+}
+
+/// The same of what is written, text after text.
+struct Plain<W>(W);
+
+impl<W: Write> Write for Plain<W> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        match std::str::from_utf8(bytes) {
+            Ok(text) if text.contains('\u{a0}') => self.0.write_all(plain(text.into()).as_bytes())?,
+            _ => self.0.write_all(bytes)?,
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.0.flush()
+    }
+}
+
 /// Prints an answer of many points as JSON: straight to standard output, or into a file, which appears whole.
 pub fn emit_json<T: Serialize>(answer: &T, target: Target<'_>) -> Result<(), Problem> {
     if target.is_some() {
-        return emit(format!("{:#}\n", json(answer)?), target);
+        return emit(plain(format!("{:#}\n", json(answer)?)), target);
     }
     let mut out = BufWriter::new(std::io::stdout().lock());
-    let written = serde_json::to_writer_pretty(&mut out, answer).map_err(Error::from);
+    let written = serde_json::to_writer_pretty(Plain(&mut out), answer).map_err(Error::from);
     let written = written.and_then(|()| writeln!(out)).and_then(|()| out.flush());
     written.map_err(|error| unprinted(&error))
 }
@@ -68,9 +90,9 @@ fn made(
             if target.is_some() {
                 width::in_file();
             }
-            width::broken(&clean::lines(&text().replace('\u{a0}', " "))).into_bytes()
+            width::broken(&clean::lines(&plain(text()))).into_bytes()
         }
-        Format::Json => format!("{:#}\n", json()?).into_bytes(),
+        Format::Json => plain(format!("{:#}\n", json()?)).into_bytes(),
         Format::Csv => {
             let mut value = json()?;
             // A table has no place for it.
