@@ -422,7 +422,8 @@ def joint():
         for target in ("python", "mjcf"):
             done = run(program, "export", folder / f"{name}.toml", "--as", target, "-o", folder, "--overwrite", "--format", "json")
         answer = json.loads(done.stdout)
-        count = len(answer["muscles"])
+        forces = [float(v) for v in re.findall(r"blocked force of ([\d.]+) N", (folder / f"joint_{name}.xml").read_text())]
+        count = len(forces)
         pressures = [0.22, 0.16][:count]
 
         def core(*words):
@@ -434,7 +435,7 @@ def joint():
         library = plugged(folder, *(f"muscle_{name}_{k + 1}" for k in range(count)))
         worst = [float(v) / 100 for v in re.findall(r"free contraction: .* ([\d.]+) % worst", "\n".join(answer["warnings"]))]
         arm = ARM if name == "pair" else max(p["arm_1_mm"] for p in points) / 1e3
-        for kind, bound, each in (("", max(worst) * arm * sum(m["blocked_force_n"] for m in answer["muscles"]), 2), ("_plugin", answer["torque_error_nm"], 1)):
+        for kind, bound, each in (("", max(worst) * arm * sum(forces), 2), ("_plugin", answer["torque_error_nm"], 1)):
             model = mujoco.MjModel.from_xml_path(str(folder / f"joint_{name}{kind}.xml"))
             data = mujoco.MjData(model)
             controls = np.append(np.repeat([1e6 * p for p in pressures], each), [0.0] * (name != "pair"))
