@@ -74,7 +74,7 @@ const workshop = () => card("Workshop",
 function errorLine(answer) {
   const share = (/** @type {number} */ x) => `${number(100 * x, 2)} %`;
   return `${share(answer.force_rms)} rms and ${share(answer.force_worst_ratio)} at worst of the blocked force `
-    + `${show("force", answer.blocked_force_n)}, at ${answer.points} points up to `
+    + `${show("force", answer.blocked_force_n)}, up to `
     + `${show("pressure", answer.supply_pressure_mpa, 3)} and ${show("ratio", answer.contraction_high, 3)}; volume `
     + `${share(answer.volume_worst_ratio)} at worst. Against ${answer.model}, whose own ± is `
     + `${show("force", answer.uncertainty_n, 2)}.`;
