@@ -42,13 +42,24 @@ impl ExportedJoint {
         let angles: Vec<f64> = (0..=STATES[0])
             .map(|k| (low + (high - low) * f64::from(k) / f64::from(STATES[0])).to_radians())
             .collect();
-        let (mut muscles, mut torque, mut stiffness) = (vec![], 0.0, 0.0);
+        let (mut muscles, mut torque, mut stiffness) = (Vec::<ExportedMuscle>::new(), 0.0, 0.0);
+        let mut boxes: Vec<BoxRequest> = vec![];
         for (i, (&model, held)) in models.iter().zip(joint.muscles()).enumerate() {
             let all = angles.iter().filter_map(|&angle| joint.contraction(i, angle));
             let least = all.clone().map(|(e, _)| e).fold(f64::INFINITY, f64::min);
             let contraction_low = (least < BoxRequest::LOW).then_some(least - 1e-3);
             let wanted = BoxRequest { supply_mpa, contraction_low, contraction_high: None };
-            let mut muscle = ExportedMuscle::fit(model, &format!("{name}_{}", i + 1), wanted)?;
+            // Opposed muscles are often alike: one fit serves both.
+            let is_same = |other: &dyn ForceModel| {
+                other.muscle() == model.muscle() && other.info().name == model.info().name
+            };
+            let known = boxes.iter().zip(models).position(|(of, other)| *of == wanted && is_same(*other));
+            let name = format!("{name}_{}", i + 1);
+            let mut muscle = match known.and_then(|k| muscles.get(k)) {
+                Some(known) => ExportedMuscle { name, ..known.clone() },
+                None => ExportedMuscle::fit(model, &name, wanted)?,
+            };
+            boxes.push(wanted);
             if muscle.form.contraction_low > least {
                 return Err(ExportError::Host(format!(
                     "muscle {}: in the range of the joint its contraction reaches {:.1} %, and its form is accurate from {:.1} %; a narrower [joint] range or a larger contraction_at_neutral keeps it shorter",

@@ -111,19 +111,25 @@ static inline mckibben_real mckibben_joint_friction(const mckibben_joint *j, con
     return torque;
 }
 
-/* The muscles at an angle, and the torque in N m that they must give. */
+/* A joint at an angle. */
 typedef struct {
-    mckibben_real length[2], arm[2], least[2], most[2]; /* pulls without pressure and at the supply, N */
-    mckibben_real needed;
+    mckibben_real length[2], arm[2], slope[2]; /* of each path, and the slope of the arm */
+    mckibben_real least[2], most[2];           /* pulls without pressure and at the supply, N */
+    mckibben_real needed, passive;             /* torque that the muscles must give, N m; stiffness of spring and weight, N m/rad */
 } mckibben_joint_place;
 
-/* The pressures at which the first muscle pulls with `first` and the second does the rest; 0 of a muscle that need not pull (a millionth of its pull
- * at the supply is rounding). */
-static inline void mckibben_joint_pulled(const mckibben_joint *j, const mckibben_joint_place *at, mckibben_real first, mckibben_real p[2])
+/* The stiffness, and the pressures p at which the first muscle pulls with `first` and the second does the rest; 0 of a muscle that need not pull (a
+ * millionth of its pull at the supply is rounding). */
+static inline mckibben_real mckibben_joint_pulled(const mckibben_joint *j, const mckibben_joint_place *at, mckibben_real first, mckibben_real p[2])
 {
     const mckibben_real pull[2] = {first, j->muscles > 1 ? (at->needed - first * at->arm[0]) / at->arm[1] : MCKIBBEN_R(0)};
-    for (int i = 0; i < j->muscles; i++)
+    mckibben_real stiffness = at->passive;
+    for (int i = 0; i < j->muscles; i++) {
+        const mckibben_real force = pull[i] > at->least[i] ? (pull[i] < at->most[i] ? pull[i] : at->most[i]) : at->least[i];
         p[i] = pull[i] > MCKIBBEN_R(1e-6) * at->most[i] ? mckibben_pressure(j->muscle[i], pull[i], at->length[i], 0) : MCKIBBEN_R(0);
+        stiffness += mckibben_stiffness(j->muscle[i], p[i], at->length[i], 0) * at->arm[i] * at->arm[i] - force * at->slope[i];
+    }
+    return stiffness;
 }
 
 /* Pressures p, from 0 to the supply, for a torque and a stiffness at an angle; the lowest ones for the torque where `stiffness` is 0, and of those that
@@ -133,11 +139,11 @@ static inline void mckibben_joint_pressures(const mckibben_joint *j, mckibben_re
                                             mckibben_real p[2], mckibben_real reached[2], unsigned *status)
 {
     mckibben_joint_place at;
-    mckibben_real ends[2], low, high, slope, closest = MCKIBBEN_R(-1), best;
+    mckibben_real ends[2], low, high, rounding, closest = MCKIBBEN_R(-1), best;
     unsigned found = angle >= j->range[0] && angle <= j->range[1] ? 0u : MCKIBBEN_ANGLE_OUTSIDE;
-    at.needed = torque - mckibben_joint_passive(j, angle, &slope);
+    at.needed = torque - mckibben_joint_passive(j, angle, &at.passive);
     for (int i = 0; i < j->muscles; i++) {
-        at.length[i] = mckibben_path_length(&j->path[i], angle, &at.arm[i], &slope);
+        at.length[i] = mckibben_path_length(&j->path[i], angle, &at.arm[i], &at.slope[i]);
         at.least[i] = mckibben_force(j->muscle[i], MCKIBBEN_R(0), at.length[i], 0);
         at.most[i] = mckibben_force(j->muscle[i], j->muscle[i]->supply, at.length[i], 0);
     }
@@ -149,13 +155,13 @@ static inline void mckibben_joint_pressures(const mckibben_joint *j, mckibben_re
     }
     low = ends[0] < ends[1] ? ends[0] : ends[1];
     high = ends[0] < ends[1] ? ends[1] : ends[0];
-    slope = MCKIBBEN_R(1e-6) * at.most[0];
-    if (!(low <= at.most[0] + slope && high >= at.least[0] - slope))
+    rounding = MCKIBBEN_R(1e-6) * at.most[0];
+    if (!(low <= at.most[0] + rounding && high >= at.least[0] - rounding))
         found |= MCKIBBEN_NO_ANSWER;
     low = low > at.least[0] ? (low < at.most[0] ? low : at.most[0]) : at.least[0];
     high = high < at.most[0] ? (high > low ? high : low) : at.most[0];
     p[1] = MCKIBBEN_R(0);
-    mckibben_joint_pulled(j, &at, low, p);
+    (void)mckibben_joint_pulled(j, &at, low, p);
     if (j->muscles > 1 && (stiffness > MCKIBBEN_R(0) || stiffness < MCKIBBEN_R(0) || reached)) {
         mckibben_real pull, a = low, b = low, before = MCKIBBEN_R(0), k[2] = {MCKIBBEN_R(0), MCKIBBEN_R(0)};
         int between = 0;
@@ -165,8 +171,7 @@ static inline void mckibben_joint_pressures(const mckibben_joint *j, mckibben_re
             const mckibben_real share = (mckibben_real)i / MCKIBBEN_R(MCKIBBEN_PULLS);
             mckibben_real q[2], here, miss;
             pull = low + (high - low) * (MCKIBBEN_R(1e-5) + MCKIBBEN_R(1.0 - 2e-5) * share);
-            mckibben_joint_pulled(j, &at, pull, q);
-            (void)mckibben_joint_torque(j, q, angle, &here, 0, 0);
+            here = mckibben_joint_pulled(j, &at, pull, q);
             k[0] = i == 0 || here < k[0] ? here : k[0];
             k[1] = i == 0 || here > k[1] ? here : k[1];
             miss = here - stiffness;
@@ -188,17 +193,14 @@ static inline void mckibben_joint_pressures(const mckibben_joint *j, mckibben_re
         }
         if (stiffness > MCKIBBEN_R(0) || stiffness < MCKIBBEN_R(0)) {
             for (int i = 0; between && i < 40; i++) {
-                mckibben_real here;
                 best = MCKIBBEN_R(0.5) * (a + b);
-                mckibben_joint_pulled(j, &at, best, p);
-                (void)mckibben_joint_torque(j, p, angle, &here, 0, 0);
-                if ((here - stiffness < MCKIBBEN_R(0)) == (before < MCKIBBEN_R(0)))
+                if ((mckibben_joint_pulled(j, &at, best, p) - stiffness < MCKIBBEN_R(0)) == (before < MCKIBBEN_R(0)))
                     a = best;
                 else
                     b = best;
             }
             found |= between ? 0u : MCKIBBEN_NO_ANSWER;
-            mckibben_joint_pulled(j, &at, best, p);
+            (void)mckibben_joint_pulled(j, &at, best, p);
         }
     }
     if (status)
