@@ -3,8 +3,7 @@
 use super::joint;
 use crate::{Args, FLAT, Problem, Units, files, listed, pairs, place, save_all, tabled, value};
 use mckibben_app::{BuiltFile, ExportListRequest, export, export_joint, export_list, find, understood};
-use serde::Serialize;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::path::Path;
 
 pub fn run(args: &Args) -> Result<u8, Problem> {
@@ -25,33 +24,23 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
         save(&answer.files)?;
         return args.print(&answer, FLAT, |a, u| {
             let keys = "target torque_error_nm=error_of_the_torque,_at_most stiffness_error_nm_per_rad=of_the_stiffness";
-            text(a, String::new(), keys, &a.files, &a.warnings, folder.as_deref(), u)
+            text(value(a), String::new(), keys, folder.as_deref(), u)
         });
     }
     let answer = export(&args.request()?)?;
     save(&answer.files)?;
-    args.print(&answer, FLAT, |a, u| {
-        text(a, a.muscle.line(u) + "\n", KEYS, &a.files, &a.warnings, folder.as_deref(), u)
-    })
+    args.print(&answer, FLAT, |a, u| text(value(a), a.muscle.line(u) + "\n", KEYS, folder.as_deref(), u))
 }
 
 const TARGETS: &str = "name=target about=what_it_is needs loses";
 const KEYS: &str = "model supply_pressure_mpa contraction_low=contraction_from:% contraction_high=to:% blocked_force_n+uncertainty_n force_rms=error_of_the_pull,_rms:2% force_95_ratio=at_95_%_of_points:2% force_worst_ratio=largest:2% volume_rms=error_of_the_volume,_rms:2% volume_worst_ratio=largest:2% needs loses";
 
-fn text(
-    answer: &impl Serialize,
-    mut out: String,
-    keys: &str,
-    files: &[BuiltFile],
-    warnings: &[String],
-    folder: Option<&Path>,
-    u: &Units,
-) -> String {
-    out += &(pairs(&listed(&value(answer), keys, u)) + "\n");
-    out += &tabled(files, "name=file about=what_it_is", u);
-    for warning in warnings {
-        out += &format!("\nnote: {warning}");
-    }
+fn text(answer: Value, head: String, keys: &str, folder: Option<&Path>, u: &Units) -> String {
+    let list = |key: &str| answer[key].as_array().cloned().unwrap_or_default();
+    let files = list("files");
+    let mut out =
+        head + &pairs(&listed(&answer, keys, u)) + "\n" + &tabled(&files, "name=file about=what_it_is", u);
+    out.extend(list("warnings").iter().filter_map(Value::as_str).map(|warning| format!("\nnote: {warning}")));
     out += &match folder {
         Some(folder) => format!("\n{} files are in {}.\n", files.len(), place(folder)),
         None => "\n-o DIR writes the files into a folder.\n".into(),
