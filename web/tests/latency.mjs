@@ -20,18 +20,6 @@ const { page } = await tab(browser);
 await page.goto(site.url);
 await alive(page);
 await page.waitForTimeout(4000);
-await page.evaluate(() => {
-  const w = /** @type {any} */ (window);
-  w.delays = [];
-  /** @type {number[]} */ let open = [];
-  document.addEventListener("input", (event) => open.push(event.timeStamp), true);
-  new MutationObserver(() => {
-    const mine = open;
-    open = [];
-    // The frame is painted after its callbacks; a task queued in one runs once that is done.
-    requestAnimationFrame(() => { const { port1, port2 } = new MessageChannel(); port1.onmessage = () => mine.forEach((t) => w.delays.push(performance.now() - t)); port2.postMessage(0); });
-  }).observe(/** @type {any} */ (document.querySelector(".stage .say")), { childList: true });
-});
 /** To and fro on a slider. @param {import("playwright-core").Locator} slider */
 async function delays(slider) {
   await slider.scrollIntoViewIfNeeded();
@@ -48,23 +36,40 @@ async function delays(slider) {
   await page.waitForTimeout(800);
   return page.evaluate(() => /** @type {any} */ (window).delays.splice(0));
 }
-// What an input costs that asks for nothing: the frame alone, in the same run.
-await page.evaluate(() => {
+/** Measures from now on, and adds a slider that asks for nothing: the frame alone, in the same run. */
+const measure = () => page.evaluate(() => {
+  const w = /** @type {any} */ (window);
+  if (!w.delays) document.addEventListener("input", (event) => w.open.push(event.timeStamp), true);
+  Object.assign(w, { delays: [], open: [] });
+  new MutationObserver(() => {
+    const mine = w.open.splice(0);
+    // The frame is painted after its callbacks; a task queued in one runs once that is done.
+    requestAnimationFrame(() => { const { port1, port2 } = new MessageChannel(); port1.onmessage = () => mine.forEach((/** @type {number} */ t) => w.delays.push(performance.now() - t)); port2.postMessage(0); });
+  }).observe(/** @type {any} */ (document.querySelector(".stage .say")), { childList: true });
+  document.querySelector("[aria-label=Nothing]")?.remove();
   const slider = Object.assign(document.createElement("input"), { type: "range", max: 1000, value: 500, ariaLabel: "Nothing" });
   slider.addEventListener("input", () => document.querySelector(".stage .say")?.append(document.createComment("")));
   document.querySelector(".controls")?.prepend(slider);
   for (const box of document.querySelectorAll(".controls details")) /** @type {HTMLDetailsElement} */ (box).open = true;
 });
-const nothingAsked = await delays(page.getByRole("slider", { name: "Nothing", exact: true }));
-const empty = quantile(nothingAsked, 0.95);
-console.log(`an input that asks for nothing: median ${quantile(nothingAsked, 0.5).toFixed(1)} ms, 95 % ${empty.toFixed(1)} ms`);
-const names = await page.locator(".controls input[type=range]:enabled:visible").evaluateAll((all) => all.map((one) => one.getAttribute("aria-label") ?? ""));
-for (const name of names) {
-  if (name === "Nothing") continue;
-  const list = await delays(page.getByRole("slider", { name, exact: true }));
-  if (!list.length) { console.log(`${name}: no answer`); continue; }
-  const [half, most, worst] = [0.5, 0.95, 1].map((q) => quantile(list, q));
-  console.log(`${name}: ${list.length} inputs, median ${half.toFixed(1)} ms, 95 % ${most.toFixed(1)} ms (${(most / empty).toFixed(1)} null frames), worst ${worst.toFixed(1)} ms`);
+for (const [i, title] of (await page.locator("#welcome .gallery .card b").allTextContents()).entries()) {
+  await page.goto(`${site.url}#about`);
+  await page.goto(`${site.url}#muscle`);
+  await page.locator("#welcome .gallery .card").nth(i).click();
+  await page.waitForFunction(() => /file=/.test(location.hash));
+  // A joint and a bench test: the muscle of their address.
+  await page.evaluate(() => { location.hash = location.hash.replace(/^#[a-z]+/, "#muscle"); });
+  await alive(page);
+  await page.waitForTimeout(4000);
+  await measure();
+  let empty = NaN;
+  for (const name of await page.locator(".controls input[type=range]:enabled:visible").evaluateAll((all) => all.map((one) => one.getAttribute("aria-label") ?? ""))) {
+    const list = await delays(page.getByRole("slider", { name, exact: true }));
+    if (!list.length) { console.log(`${title}: ${name}: no answer`); continue; }
+    const [half, most, worst] = [0.5, 0.95, 1].map((q) => quantile(list, q));
+    if (name === "Nothing") empty = most;
+    console.log(`${title}: ${name}: ${list.length} inputs, median ${half.toFixed(1)} ms, 95 % ${most.toFixed(1)} ms (${(most / empty).toFixed(1)} null frames), worst ${worst.toFixed(1)} ms`);
+  }
 }
 /** How long 90 frames take while something is done in each, in milliseconds a frame. @param {(i: number) => Promise<void>} act */
 async function frames(act) {
@@ -80,12 +85,12 @@ async function frames(act) {
 }
 const stage = /** @type {any} */ (await page.locator(".stage canvas").boundingBox());
 const to = (/** @type {number} */ i) => page.mouse.move(stage.x + 0.4 * stage.width + 2 * i, stage.y + 0.5 * stage.height + 20 * Math.sin(i / 9));
-const nothing = await frames(to);
+const still = await frames(to);
 await page.mouse.move(stage.x + 0.4 * stage.width, stage.y + 0.5 * stage.height);
 await page.mouse.down();
 const turning = await frames(to);
 await page.mouse.up();
-const [idle, busy] = [nothing, turning].map((list) => quantile(list, 0.5));
+const [idle, busy] = [still, turning].map((list) => quantile(list, 0.5));
 console.log(`frames at 1440: ${idle.toFixed(1)} ms with nothing to draw, ${busy.toFixed(1)} ms while the muscle turns (${(busy / idle).toFixed(2)} null frames), 95 % ${quantile(turning, 0.95).toFixed(1)} ms`);
 await browser.close();
 site.end();
