@@ -57,7 +57,7 @@ NAMES = {
     "Summary": "CampaignSummary", "Outcome": "CampaignOutcome",
 }
 BASES = {
-    "Curve": "Curves", "Plan": "Planned", "Fit": "Fitting", "Identification": "Identified", "RubberFit": "FittedLaws", "Design": "Designed", "Build": "Files", "Export": "Files", "JointExport": "Files", "Shape": "Shaped",
+    "Curve": "Curves", "Fit": "Fitting", "Identification": "Identified", "RubberFit": "FittedLaws", "Design": "Designed", "Build": "Files", "Export": "Files", "JointExport": "Files", "Shape": "Shaped",
 }
 # The list of an answer that is its table, by command.
 ROWS = {
@@ -68,7 +68,7 @@ ROWS = {
 # Types of what may be given, by the names of fields.
 GIVEN = {
     "muscle": "MuscleLike", "cases": "FileLike | Sequence[FileLike]", "rubber": "RubberLike", "model": "FormulaLike", "models": "FormulaLike | Sequence[FormulaLike]",
-    "formulas": "Sequence[FormulaLike]", "file": "FormulaLike", "terminal": "Mapping[str, Plain]", "log": "TableLike", "table": "TableLike",
+    "formulas": "Sequence[FormulaLike]", "file": "FormulaLike", "terminal": "Mapping[str, Plain]", "log": "TableLike", "table": "TableLike", "campaign": "FileLike",
     **dict.fromkeys(("data", "tables", "load_tables"), "TableLike | Sequence[TableLike]"), "stiffness": "Number",
 }
 # Numbers that a muscle answers: what it is, of which two, what the derivatives are, and an example.

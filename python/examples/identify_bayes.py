@@ -30,7 +30,7 @@ def by_emcee(found: Any, p: Array, e: Array, f: Array, steps: int = 300) -> Arra
     """Samples of θ: flat prior, errors of the size that identify found."""
     import emcee
 
-    muscle, names = found.identified, found.names
+    muscle, names = found.identified, found["name"]
 
     def log_probability(theta: Array) -> float:
         if not (theta > 0).all():
@@ -40,7 +40,7 @@ def by_emcee(found: Any, p: Array, e: Array, f: Array, steps: int = 300) -> Arra
         return -0.5 * chi if np.isfinite(chi) else -np.inf
 
     rng = np.random.default_rng(1)
-    start = found.x + 0.5 * found.stderr * rng.standard_normal((16, len(names)))
+    start = found["value"] + 0.5 * found["standard_error"] * rng.standard_normal((16, len(names)))
     sampler = emcee.EnsembleSampler(16, len(names), log_probability)
     sampler.random_state = np.random.RandomState(1).get_state()
     sampler.run_mcmc(start, steps)
@@ -59,24 +59,24 @@ def by_nuts(found: Any, p: Array, e: Array, f: Array, samples: int = 400) -> Arr
 
     config: Any = jax.config
     config.update("jax_enable_x64", True)
-    pull = force(found.identified, found.names, errors="nan", model="universal")
+    pull = force(found.identified, found["name"], errors="nan", model="universal")
 
     def model() -> None:
-        z = numpyro.sample("z", numpyro.distributions.Normal(jnp.zeros(len(found.x)), 30.0).to_event(1))
+        z = numpyro.sample("z", numpyro.distributions.Normal(jnp.zeros(len(found["value"])), 30.0).to_event(1))
         # In standard errors about what identify found: then the sampler needs little tuning.
-        theta = jnp.asarray(found.x) + jnp.asarray(found.stderr) * z
+        theta = jnp.asarray(found["value"]) + jnp.asarray(found["standard_error"]) * z
         numpyro.sample("force", numpyro.distributions.Normal(pull(p, e, theta), found.deviation), obs=f)
 
     mcmc = MCMC(NUTS(model), num_warmup=100, num_samples=samples, progress_bar=False)
     mcmc.run(jax.random.PRNGKey(0))
     z: Array = np.asarray(mcmc.get_samples()["z"])
-    return np.asarray(found.x + found.stderr * z)
+    return np.asarray(found["value"] + found["standard_error"] * z)
 
 
 def main() -> dict[str, tuple[Array, Array]]:
     """Mean and standard deviation of each, by its name."""
     found, p, e, f = bench()
-    out = {"identify": (found.x, found.stderr)}
+    out = {"identify": (found["value"], found["standard_error"])}
     for name, ask in (("emcee", by_emcee), ("nuts", by_nuts)):
         try:
             samples = ask(found, p, e, f)

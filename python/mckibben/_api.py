@@ -4005,7 +4005,7 @@ class PartsListAnswer(Record):
     models: list[ModelEntry]
 
 
-class Plan(_record.Planned):
+class Plan(Record):
     """Its table.
 
     Attributes
@@ -7421,7 +7421,7 @@ def fit_rubber(data: TableLike | Sequence[TableLike], *, columns: Mapping[str, s
     return answered(RubberFit, "rubber", locals(), True)
 
 
-def fit(table: TableLike | None = None, *, campaign: str | None = None, method: Literal["paper", "global", "universal", "universal-small"] | None = None, hold_out_mm: Numbers | None = None, thin_rule: Literal["leave-out", "line", "whole"] | None = None, slack_rule: Literal["two-sided", "pull-only", "zero"] | None = None, name: str | None = None, rubber: RubberLike | None = None, stiffness: Number | None = None, muscle: MuscleLike | None = None, tables: bool = False, figures: bool = False, progress: Progress = None) -> Fit:
+def fit(table: TableLike | None = None, *, campaign: FileLike | None = None, method: Literal["paper", "global", "universal", "universal-small"] | None = None, hold_out_mm: Numbers | None = None, thin_rule: Literal["leave-out", "line", "whole"] | None = None, slack_rule: Literal["two-sided", "pull-only", "zero"] | None = None, name: str | None = None, rubber: RubberLike | None = None, stiffness: Number | None = None, muscle: MuscleLike | None = None, tables: bool = False, figures: bool = False, progress: Progress = None) -> Fit:
     """A table of points, and how the formula is made.
 
     Parameters

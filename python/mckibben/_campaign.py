@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import os
 import time
+from collections.abc import Mapping
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from . import _api, _errors, _native
-from ._request import file, heard
+from ._request import heard
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor, Future
@@ -15,11 +17,11 @@ if TYPE_CHECKING:
 
     import pandas
 
-    from ._request import FileLike, Plain, Progress
+    from ._request import FileLike, Progress
 
 
 class Campaign(_api.CampaignCommands):
-    """Many finite-element tests from a plan: a table (Parquet) that grows, and that a run resumes where it was ended.
+    """Many finite-element tests from a plan: a table (Parquet) that grows, and that a run resumes where it was ended. Its formula: ``mk.fit(campaign=…)``.
 
     Parameters
     ----------
@@ -37,7 +39,7 @@ class Campaign(_api.CampaignCommands):
 
     def __init__(self, output: str | PathLike[str], plan: FileLike | None = None) -> None:
         self.output: str = os.fspath(output)
-        self.plan: dict[str, str] | None = None if plan is None else file(plan)
+        self.plan: dict[str, str] | None = dict(plan) if isinstance(plan, Mapping) else None if plan is None else _native.read(plan, "text")
 
     @property
     def _parts(self) -> str:
@@ -60,10 +62,8 @@ class Campaign(_api.CampaignCommands):
         _native.ask("campaign-merge", {"folders": [os.fspath(f) for f in folders], "output": os.fspath(output), "overwrite": overwrite})
         return Campaign(output)
 
-    def fit(self, method: str | None = None, *, progress: Progress = None, **options: Plain) -> _api.Fit:
-        """The formula that a method makes of the table; the other arguments are those of :func:`fit`."""
-        given: dict[str, Any] = {**options, "method": method}
-        return _api.fit(campaign=self._table, progress=progress, **given)
+    def __fspath__(self) -> str:
+        return self._table
 
     def to_pandas(self) -> pandas.DataFrame:
         """The table as a ``pandas.DataFrame`` (by pyarrow or fastparquet)."""
@@ -83,15 +83,10 @@ def _on(made: Campaign, executor: Executor, threads: int, shards: int, progress:
     request = {"plan": made.plan, "threads": threads, "output": folder}
     futures: list[Future[None]] = [executor.submit(_shard, {**request, "shard": f"{i}/{shards}"}, stop) for i in range(1, shards + 1)]
 
-    # Futures of some executors (Dask) are not those of the standard library, whose functions do not wait for them.
-    def ended() -> int:
-        return sum(future.done() for future in futures)
-
+    hear = heard(progress, "campaign")
     try:
-        done, hear = -1, heard(progress, "campaign")
-        while done < shards:
-            time.sleep(0.05)
-            done = ended()
+        for done, future in enumerate(futures, 1):
+            future.result()
             if hear is not None:
                 hear(done, shards)
     except BaseException:
@@ -99,13 +94,11 @@ def _on(made: Campaign, executor: Executor, threads: int, shards: int, progress:
         open(stop, "w").close()
         for future in futures:
             future.cancel()
-        while ended() < shards:
-            time.sleep(0.05)
+        for future in futures:
+            with suppress(Exception):
+                future.exception()
         os.remove(stop)
         raise
-    for future in futures:
-        if (error := future.exception()) is not None:
-            raise error
 
 
 def _shard(request: dict[str, Any], stop: str) -> None:

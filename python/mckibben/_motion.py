@@ -10,7 +10,7 @@ from . import _api, _native
 from ._api import State
 from ._errors import InputError
 from ._muscle import Muscle
-from ._request import Fixed, fields, file, heard, is_nan, known, number, plain, put, table
+from ._request import Fixed, fields, heard, is_nan, known, number, plain, put, table
 
 if TYPE_CHECKING:
     import numpy as np
@@ -52,45 +52,63 @@ def _tables(kind: Any, given: Mapping[str, Any]) -> dict[str, Any]:
 
 
 class _File(Fixed):
-    """A file of tables, and the files that it names."""
+    """A file and those that it names, each as name and text, as a request has them."""
 
-    __slots__ = ("_beside", "_tables")
-    _tables: dict[str, Any]
-    _beside: dict[str, Any]
-
-    def _hold(self, tables: Mapping[str, Any], beside: Mapping[str, Any]) -> Self:
-        object.__setattr__(self, "_tables", {name: value for name, value in tables.items() if value not in (None, {})})
-        object.__setattr__(self, "_beside", dict(beside))
-        return self
+    __slots__ = ("_held",)
+    _held: dict[str, Any]
 
     @classmethod
-    def _of(cls, tables: Mapping[str, Any], beside: Mapping[str, Any]) -> Self:
-        return object.__new__(cls)._hold(tables, beside)
+    def _of(cls, held: dict[str, Any]) -> Self:
+        return object.__new__(cls)._hold(_held=held)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Self:
+        """The one of a file, with the files that it names from beside it."""
+        return cls._of(_native.read(path, cls._kind()))
+
+    @classmethod
+    def _kind(cls) -> str:
+        return cls.__name__.lower()
+
+    @classmethod
+    def _written(cls, given: Mapping[str, Any], **others: Any) -> dict[str, Any]:
+        """Tables as the text of a file, which names its schema for editors, and other files."""
+        text = _native.toml_text({name: value for name, value in given.items() if value not in (None, {})})
+        return {cls._kind(): {"name": cls._kind(), "text": f"#:schema {cls._kind()}.schema.json\n\n{text}"}, **others}
+
+    def _files(self, command: str) -> dict[str, Any]:
+        return self._held
+
+    def _tables(self) -> dict[str, Any]:
+        return _native.toml(self._kind(), self.to_toml())
+
+    def _beside(self) -> dict[str, str]:
+        """The texts of the other files by their names."""
+        held = [of for name, of in self._held.items() if of and name != self._kind()]
+        return {of["name"]: of["text"] for some in held for of in (some if isinstance(some, list) else [some])}
 
     def to_toml(self) -> str:
-        """The text of its file, which names its schema for editors."""
-        return f"#:schema {type(self).__name__.lower()}.schema.json\n\n{_native.toml_text(self._tables)}"
+        """The text of its file."""
+        return str(self._held[self._kind()]["text"])
 
     def to_dict(self) -> dict[str, Any]:
         """Its tables as plain dicts; under ``files`` the texts of the files that it names, and of those that these name."""
-        files = {name: of["text"] if isinstance(of, Mapping) else of.to_toml() for name, of in self._beside.items()}
-        for of in self._beside.values():
-            files |= of.to_dict().get("files", {}) if isinstance(of, _File) else {}
-        return {**self._tables, **({"files": files} if files else {})}
+        return {**self._tables(), "files": self._beside()}
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
         """Writes its file, and beside it the files that it names. Other files that are there are replaced only with ``overwrite``."""
         folder = os.path.dirname(path)
-        put({**{os.path.join(folder, name): text for name, text in self.to_dict().get("files", {}).items()}, path: self.to_toml()}, overwrite)
+        # A muscle of the library has no text.
+        put({**{os.path.join(folder, name): text for name, text in self._beside().items() if text}, path: self.to_toml()}, overwrite)
 
     def _key(self) -> Any:
-        return self.to_toml(), tuple((name, tuple(of.items()) if isinstance(of, Mapping) else of) for name, of in self._beside.items())
+        return self.to_toml(), tuple(sorted(self._beside().items()))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self)._of, (self._tables, self._beside)
+        return type(self)._of, (self._held,)
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__}: {', '.join(f'{name}={value!r}' for name, value in self._tables.items())}>"
+        return f"<{type(self).__name__}: {', '.join(f'{name}={value!r}' for name, value in self._tables().items())}>"
 
 
 class Joint(_api.JointCommands, _File):
@@ -130,42 +148,30 @@ class Joint(_api.JointCommands, _File):
         self, muscle_1: Muscle, muscle_2: Muscle | None = None, *, joint: Keys, contraction_at_neutral: Number | None = None,
         geometry_1: Keys | None = None, geometry_2: Keys | None = None, **tables: Unpack[_api.JointTables],
     ) -> None:
-        files: dict[str, Muscle] = {"muscle_1.toml": muscle_1}
-        made = {"joint": _table(joint), **_tables(_api.JointTables, tables)}
+        if without := [key for key in ("radius", "range") if isinstance(joint.get(key), (int, float, tuple, list))]:
+            raise InputError(f"{without[0]} has no unit", kind="quantity", field=without[0], hint='radius_mm=25, or "radius": "25 mm"')
+        made, muscles = {"joint": _table(joint), **_tables(_api.JointTables, tables)}, {}
         for side, muscle, geometry in ((1, muscle_1, geometry_1), (2, muscle_2, geometry_2)):
             if muscle is not None:
                 place = f"muscle_{side}.toml" if muscle != muscle_1 else "muscle_1.toml"
-                files[place] = muscle
+                muscles[place] = {"name": place, "text": muscle.to_toml()}
                 made[f"muscle_{side}"] = {"file": place, **_table({"contraction_at_neutral": contraction_at_neutral, **(geometry or {})})}
-        if without := [key for key in ("radius", "range") if isinstance(joint.get(key), (int, float, tuple, list))]:
-            raise InputError(f"{without[0]} has no unit", kind="quantity", field=without[0], hint='radius_mm=25, or "radius": "25 mm"')
-        self._hold(made, files)
-        # It says what is wrong with it.
-        _native.joint_files("the joint", self.to_toml())
+        self._hold(_held=self._written(made, muscles=list(muscles.values())))
+        _native.check_joint(self.to_toml())
 
     @property
     def muscles(self) -> dict[str, Muscle]:
         """Its muscles by the names of their files."""
-        return dict(self._beside)
+        return {held["name"]: muscle_of(held) for held in self._held["muscles"]}
 
     def replace(self, *, muscle_1: Muscle | None = None, muscle_2: Muscle | None = None) -> Joint:
         """The same with other muscles."""
-        if muscle_2 is not None and "muscle_2" not in self._tables:
+        tables, texts = self._tables(), self._beside()
+        if muscle_2 is not None and "muscle_2" not in tables:
             raise TypeError("the joint has no muscle_2")
-        given = {"muscle_1": muscle_1, "muscle_2": muscle_2}
-        muscles = {name: muscle or self._beside[self._tables[name]["file"]] for name, muscle in given.items() if name in self._tables}
-        tables = {**self._tables, **{name: {**self._tables[name], "file": f"{name}.toml"} for name in muscles}}
-        return Joint._of(tables, {f"{name}.toml": muscle for name, muscle in muscles.items()})
-
-    def _files(self, command: str) -> dict[str, Any]:
-        return {"joint": self, "muscles": [{**file(muscle), "name": name} for name, muscle in self._beside.items()]}
-
-    @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> Joint:
-        """The joint of a joint file, with the muscles from beside it."""
-        held = file(path)
-        names = dict.fromkeys(_native.joint_files(held["name"], held["text"]))
-        return cls._of(_native.toml(held["name"], held["text"]), {name: muscle_at(_beside(path, name)) for name in names})
+        muscles = {name: of.to_toml() if of else texts[tables[name]["file"]] for name, of in (("muscle_1", muscle_1), ("muscle_2", muscle_2)) if name in tables}
+        tables |= {name: {**tables[name], "file": f"{name}.toml"} for name in muscles}
+        return Joint._of(Joint._written(tables, muscles=[{"name": f"{name}.toml", "text": text} for name, text in muscles.items()]))
 
 
 class Drive(_api.DriveCommands, _File):
@@ -197,48 +203,35 @@ class Drive(_api.DriveCommands, _File):
     __slots__ = ()
 
     def __init__(self, of: Muscle | Joint, *, command: Keys, tables: Mapping[str, TableLike] | None = None, **others: Unpack[_api.DriveTables]) -> None:
-        subject = "joint" if isinstance(of, Joint) else "muscle"
-        made = {**_tables(_api.DriveTables, others), "command": _table(command)}
-        self._hold({subject: f"{subject}.toml", **made}, {f"{subject}.toml": of, **{name: {**table(data), "name": name} for name, data in (tables or {}).items()}})
+        place, named = f"{_subject(of)}.toml", [{**table(data), "name": name} for name, data in (tables or {}).items()]
+        made = {_subject(of): place, **_tables(_api.DriveTables, others), "command": _table(command)}
+        self._hold(_held=self._written(made, tables=named, **_moved(of, place)))
 
     @property
     def of(self) -> Muscle | Joint:
         """The muscle or joint that it moves."""
-        held: Muscle | Joint = self._beside[self._subject()]
-        return held
-
-    def _subject(self) -> str:
-        return str(self._tables.get("joint") or self._tables["muscle"])
+        held = self._held
+        return Joint._of({name: held[name] for name in ("joint", "muscles")}) if held.get("joint") else muscle_of(held["muscle"])
 
     def replace(self, of: Muscle | Joint) -> Drive:
         """The same drive of another muscle or joint."""
         if type(of) is not type(self.of):
             raise TypeError(f"the drive is that of a {type(self.of).__name__}")
-        return Drive._of(self._tables, {**self._beside, self._subject(): of})
-
-    def _files(self, command: str) -> dict[str, Any]:
-        own = [of for of in self._beside.values() if isinstance(of, Mapping)]
-        subject = self.of._files(command) if isinstance(self.of, Joint) else {"muscle": {**file(self.of), "name": self._subject()}}
-        return {"drive": self, **subject, **({"tables": own} if own else {})}
-
-    @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> Drive:
-        """The drive of a drive file, with the files that it names from beside it."""
-        held = file(path)
-        subject, name, names = _native.drive_files(held["name"], held["text"])
-        of = (Joint.load if subject == "joint" else muscle_at)(_beside(path, name))
-        tables = {name: {**table(_beside(path, name)), "name": name} for name in names}
-        return cls._of(_native.toml(held["name"], held["text"]), {name: of, **tables})
+        return Drive._of({**self._held, **_moved(of, self._held[_subject(of)]["name"])})
 
 
-def muscle_at(path: str | os.PathLike[str]) -> Muscle:
+def _subject(of: Muscle | Joint) -> str:
+    return "joint" if isinstance(of, Joint) else "muscle"
+
+
+def _moved(of: Muscle | Joint, name: str) -> dict[str, Any]:
+    """What a drive moves, under a name."""
+    return {**of._files(""), _subject(of): {"name": name, "text": of.to_toml()}}
+
+
+def muscle_of(held: Mapping[str, str]) -> Muscle:
     """The muscle of a file, or of the library."""
-    return object.__new__(Muscle)._hold(_native.Muscle({"muscle": file(path)}))
-
-
-def _beside(path: str | os.PathLike[str], name: str) -> str:
-    """The place of a file that another file names."""
-    return name if name.startswith("lib:") else os.path.join(os.path.dirname(path), name)
+    return object.__new__(Muscle)._of(_native.Muscle({"muscle": held}))
 
 
 class Simulation:
@@ -314,14 +307,16 @@ class Simulation:
         kind, count = self._commands
         several = isinstance(command, (list, tuple)) or getattr(command, "ndim", 0) == 1
         given: Any = command if several else [command] * count
-        name, force, torque = _COMMANDS[kind], number("force_n", force_n), number("torque_nm", torque_nm)
-        if torque and not self._joint or force and self._joint:
+        if torque_nm and not self._joint or force_n and self._joint:
             raise TypeError("torque_nm is for a joint, force_n for a muscle")
-        values = [value if type(value) is float and value <= 1.0 else number(name, value) for value in given]
-        return self._state(self._native.step(values, torque if self._joint else force))
+        outside = number("torque_nm", torque_nm) if torque_nm else number("force_n", force_n) if force_n else 0.0
+        values = [value if type(value) is float and value <= 1.0 else number(_COMMANDS[kind], value) for value in given]
+        return self._state(self._native.step(values, outside))
 
     def _state(self, values: Sequence[float]) -> State:
-        return State._read(dict(zip(self._names, values)))
+        made = object.__new__(State)
+        made.__dict__.update(zip(self._names, values), _asked=None)
+        return made
 
     @property
     def state(self) -> State:

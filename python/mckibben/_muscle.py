@@ -7,7 +7,7 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _api, _native
-from ._errors import InputError, MckibbenError, MuscleWarning, warned
+from ._errors import InputError, MuscleWarning, warned
 from ._request import Saved, array, fields, heard, is_nan, known, put
 
 if TYPE_CHECKING:
@@ -28,52 +28,27 @@ _LIKELY_MPA, _QUIET_MPA = 1.0, 0.6
 
 
 class Bound:
-    """A model that is bound to a muscle, and what was looked at of its warnings."""
+    """A model that is bound to a muscle, and what was said of its highest pressure."""
 
-    __slots__ = ("muscle", "native", "quiet", "said", "seen")
+    __slots__ = ("muscle", "native", "quiet", "said")
 
     def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
         self.muscle, self.native = muscle, muscle._held.model(fields(known(given, _api.Options)))
-        # Up to this pressure in MPa a single number needs no look; it is known after the first one.
-        self.quiet = float("-inf")
-        self.seen: tuple[float, float, float] | None = None
-        self.said: tuple[float, list[str]] | None = None
+        allowed = self.native.allowed_mpa()
+        # Up to this pressure in MPa a single number needs no look.
+        self.quiet = min(_LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed)
+        # A pressure, the contractions between which it was looked at, and its warnings.
+        self.said: tuple[float, float, float, str] = float("-inf"), 0.0, 0.0, ""
 
-    def one(self, pressure_mpa: float, contraction: float, is_text: bool = False) -> None:
-        """Looks at the warnings of a single number."""
-        if self.quiet == float("-inf"):
-            allowed = self.native.allowed_mpa()
-            self.quiet = min(_LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed)
-        if pressure_mpa > self.quiet:
-            if not is_text and (said := _native.unlikely("pressure_mpa", pressure_mpa)):
-                warned(said)
-            if self.said is None or self.said[0] < pressure_mpa:
-                self.said = pressure_mpa, self._warnings(pressure_mpa, contraction)
-            for text in self.said[1]:
-                warned(text, MuscleWarning)
-
-    def _warnings(self, pressure_mpa: float, contraction: float) -> list[str]:
-        texts: list[str] = self.native.solve([pressure_mpa], [contraction], True)[0].get("warnings", [])
-        return texts
-
-    def look(self, pressures: Array, contractions: Array, is_text: bool) -> None:
-        """Looks at the warnings of a list, at both ends of its highest pressure."""
-        import numpy as np
-
-        if not pressures.size or not np.isfinite(highest := float(np.max(pressures))):
-            return
-        at = contractions[pressures == highest]
-        box = highest, float(at.min()), float(at.max())
-        seen = self.seen
-        if seen is not None and box[0] <= seen[0] and box[1] >= seen[1] and box[2] <= seen[2]:
-            return
-        if not is_text and (said := _native.unlikely("pressure_mpa", highest)):
-            warned(said)
-        texts = dict.fromkeys(text for e in {box[1], box[2]} for text in self._warnings(highest, e))
-        if texts:
-            warned("; ".join(texts), MuscleWarning)
-        else:
-            self.seen = box
+    def look(self, highest: float, low: float, high: float, is_text: bool, is_one: bool = False) -> None:
+        """Warns of a pressure at contractions from one to another; of a single number again what was said of a higher pressure."""
+        if not is_text and (unlikely := _native.unlikely("pressure_mpa", highest)):
+            warned(unlikely)
+        if highest > self.said[0] or not is_one and (self.said[3] or low < self.said[1] or high > self.said[2]):
+            rows = (self.native.solve([highest], [contraction], True)[0] for contraction in {low, high})
+            self.said = highest, low, high, "; ".join(dict.fromkeys(text for row in rows for text in row.get("warnings", ())))
+        if self.said[3]:
+            warned(self.said[3], MuscleWarning)
 
 
 class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
@@ -94,10 +69,8 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     _models: dict[Any, Bound]
     _own: dict[str, Any] | None
 
-    def _hold(self, native: _native.Muscle) -> Muscle:
-        for name, value in (("_held", native), ("_models", {}), ("_own", None)):
-            object.__setattr__(self, name, value)
-        return self
+    def _of(self, native: _native.Muscle) -> Muscle:
+        return self._hold(_held=native, _models={}, _own=None)
 
     def _make(self, given: dict[str, Any], base: Muscle | None = None) -> Muscle:
         rubber: Any = given.get("rubber")
@@ -106,7 +79,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             raise TypeError(f"rubber: a Rubber or a name, not {type(rubber).__name__}")
         if own is not None and given.get("rubber_file") is not None:
             raise InputError("`rubber_file` is given, and so is a whole `rubber`", kind="usage", field="rubber_file", hint="give one of them")
-        return self._hold(_native.Muscle(fields({**given, "rubber": rubber if own is None else None, "muscle": base}), own))
+        return self._of(_native.Muscle(fields({**given, "rubber": rubber if own is None else None, "muscle": base}), own))
 
     def _changed(self, given: dict[str, Any]) -> Muscle:
         return object.__new__(Muscle)._make(given, self)
@@ -116,7 +89,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
 
     def _field(self, name: str) -> Any:
         if self._own is None:
-            object.__setattr__(self, "_own", self._held.fields())
+            self._hold(_own=self._held.fields())
         return (self._own or {}).get(name)
 
     @classmethod
@@ -127,7 +100,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     @classmethod
     def from_toml(cls, text: str) -> Muscle:
         """The muscle of a muscle file's text."""
-        return object.__new__(cls)._hold(_native.Muscle({"muscle": {"name": "muscle", "text": text}}))
+        return object.__new__(cls)._of(_native.Muscle({"muscle": {"name": "muscle", "text": text}}))
 
     def to_toml(self) -> str:
         """The text of its muscle file; reading it gives the same muscle to the last bit."""
@@ -166,7 +139,8 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             found = bound.native.one(wanted, a, b, nan)
             pressure = a if wanted == "force" else b if wanted == "contraction" else found
             if pressure > bound.quiet:
-                bound.one(pressure, found if wanted == "contraction" else b, wanted == "pressure")
+                at = found if wanted == "contraction" else b
+                bound.look(pressure, at, at, wanted == "pressure", True)
             return found
         return _arrays(bound, wanted, a, b, jac, nan, progress)
 
@@ -203,7 +177,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         """The same with other constants and measures, named as in :attr:`parameters`; all others are held, k of the strands in N/mm
         among them, also where the braid's k follows the diameter.
         """
-        return object.__new__(Muscle)._hold(self._held.changed({str(n): float(v) for n, v in values.items()}))
+        return object.__new__(Muscle)._of(self._held.changed({str(n): float(v) for n, v in values.items()}))
 
     @property
     def rubber(self) -> str | Rubber:
@@ -270,51 +244,29 @@ def _arrays(bound: Bound, wanted: str, a: Any, b: Any, jac: bool | Sequence[str]
 
     texts = isinstance(a, str), isinstance(b, str)
     a, b = (array(name, value) for name, value in zip(PAIRS[wanted], (a, b)))
-    if isinstance(a, np.ma.MaskedArray) or isinstance(b, np.ma.MaskedArray):
-        return _masked(bound, wanted, a, b, jac, nan, progress)
+    mask: Any = np.ma.getmaskarray(a) | np.ma.getmaskarray(b) if isinstance(a, np.ma.MaskedArray) or isinstance(b, np.ma.MaskedArray) else None
     shape = np.broadcast_shapes(a.shape, b.shape)
+    # What is masked is asked as the muscle at rest, which every model answers, and its answer is masked.
+    first, second = ((values if mask is None else np.where(mask, 0.0, np.ma.getdata(values))) for values in (a, b))
+    first, second = (np.broadcast_to(values, shape).ravel() for values in (first, second))
     names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
-    if any(name in MEASURES for name in names):
-        return _by_measures(bound, wanted, a, b, names, nan, progress)
+    # All parameters that follow a measure change with it.
+    own, by = bound.muscle._chain(names) if any(name in MEASURES for name in names) else (names, None)
     slopes = bool(names) or bool(jac)
-    first, second = (np.broadcast_to(values, shape).ravel() for values in (a, b))
-    out = np.empty((*shape, 3 + len(names)) if slopes else shape)
-    bound.native.fill(wanted, first, second, out.reshape(-1), slopes, names, nan, heard(progress, wanted))
-    value = out[..., 0] if slopes else out
-    bound.look({"force": first, "pressure": value.ravel(), "contraction": second}[wanted], value.ravel() if wanted == "contraction" else second, texts[wanted == "contraction"])
-    if not slopes:
-        return out if shape else float(out)
-    return value if shape else float(value), out[..., 1:]
-
-
-def _by_measures(bound: Bound, wanted: str, a: Any, b: Any, names: list[str], nan: bool, progress: Progress) -> Any:
-    """With derivatives by measures of the muscle: all parameters that follow a measure change with it."""
-    import numpy as np
-
-    own, by = bound.muscle._chain(names)
-    found, slopes = _arrays(bound, wanted, a, b, own, nan, progress)
-    return found, np.concatenate([slopes[..., :2], slopes[..., 2:] @ by], axis=-1)
-
-
-def _masked(bound: Bound, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], nan: bool, progress: Progress) -> Any:
-    """What is masked is not asked for, and its answer is masked."""
-    import numpy as np
-
-    mask = np.logical_or(np.ma.getmaskarray(a), np.ma.getmaskarray(b))
-    first, second = (np.broadcast_to(np.ma.getdata(values), mask.shape)[~mask] for values in (a, b))
-    try:
-        found = _arrays(bound, wanted, first, second, jac, nan, progress)
-    except MckibbenError as error:
-        # Its place among all.
-        error.index = None if error.index is None else int(np.flatnonzero(~mask)[error.index])
-        raise
-
-    def whole(values: Array) -> Any:
-        out = np.ma.array(np.empty(mask.shape + values.shape[1:]), mask=True)
-        out[~mask] = values
-        return out
-
-    return tuple(map(whole, found)) if isinstance(found, tuple) else whole(found)
+    out = np.empty((*shape, 3 + len(own)) if slopes else shape)
+    bound.native.fill(wanted, first, second, out.reshape(-1), slopes, own, nan, heard(progress, wanted))
+    value, rates = (out[..., 0], out[..., 1:]) if slopes else (out, None)
+    p, e = {"force": (first, second), "pressure": (value.ravel(), second), "contraction": (second, value.ravel())}[wanted]
+    if p.size and np.isfinite(highest := float(np.max(p))):
+        at = e[p == highest]
+        bound.look(highest, float(at.min()), float(at.max()), texts[wanted == "contraction"])
+    if by is not None:
+        rates = np.concatenate([out[..., 1:3], out[..., 3:] @ by], axis=-1)
+    if mask is not None:
+        value = np.ma.array(value, mask=mask)
+        rates = rates if rates is None else np.ma.array(rates, mask=np.broadcast_to(mask[..., None], rates.shape))
+    found = value if shape else float(value)
+    return found if rates is None else (found, rates)
 
 
 def _points(bound: Bound, pressure_mpa: Any, contraction: Any, nan: bool, progress: Progress) -> _api.Solution:

@@ -11,7 +11,7 @@ from _typeshed import SupportsGetItem
 from os import PathLike
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Formula", "Model", "Muscle", "Simulation", "ask", "body_html", "drive_files", "joint_files", "quantities", "quantity", "read_file", "report_html", "rollout", "toml", "toml_text", "unit_of", "unlikely", "write_file"]
+__all__ = ["VERSION", "Formula", "Model", "Muscle", "Simulation", "ask", "body_html", "check_joint", "given", "quantities", "quantity", "read", "report_html", "rollout", "toml", "toml_text", "unit_of", "unlikely", "write_file"]
 
 VERSION: Final[str]
 """
@@ -151,7 +151,7 @@ class Simulation:
 
 def ask(command: "str", request: "object", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "dict[str, typing.Any]":
     """
-    The answer to a request; texts with a unit are read, and numbers that were likely meant in another one are warned of.
+    The answer to a request with numbers and the contents of files.
 
     `progress(done, total)` is called now and then.
     """
@@ -161,14 +161,14 @@ def body_html(request: "dict[str, typing.Any]") -> str:
     A page with the deformed muscle, which turns under the mouse.
     """
 
-def drive_files(name: str, text: str) -> tuple[str, str, list[str]]:
+def check_joint(text: str) -> None:
     """
-    What a drive file names: `muscle` or `joint`, the name of its file, and its tables.
+    Refuses the text of a joint file that is none.
     """
 
-def joint_files(name: str, text: str) -> list[str]:
+def given(command: str, request: "object") -> "dict[str, typing.Any]":
     """
-    The muscle files that a joint file names.
+    A request of a command with numbers for its texts and with the files that it names; the caller is warned of numbers that were likely meant in another unit.
     """
 
 def quantities(name: str, text: str) -> list[float]:
@@ -181,9 +181,10 @@ def quantity(name: str, text: str) -> float:
     A text such as `2.5 bar` in the unit that a name carries.
     """
 
-def read_file(path: str | PathLike[str], kind: str) -> tuple[str, str]:
+def read(path: str | PathLike[str], kind: str) -> "dict[str, typing.Any]":
     """
-    A file that a person wrote (a muscle, a plan, a joint), of a `table` (whatever program wrote it) or of a `formula`: its name and its text.
+    A file that users name, as requests hold it: of a person (`text`), a `muscle`, a `table`, a `formula`; or of several, with those that it names: a
+    `joint`, a `drive`, a `case`.
     """
 
 def report_html(request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> str:

@@ -9,10 +9,10 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import _api, _native
-from ._motion import Drive, Joint, muscle_at
+from ._motion import Drive, Joint, muscle_of
 from ._errors import InputError
 from ._record import Record
-from ._request import Saved, array, bare, file, is_nan
+from ._request import Saved, array, bare, is_nan
 
 if TYPE_CHECKING:
     import numpy as np
@@ -63,8 +63,7 @@ class Rubber(Saved):
         material = {"law": law, **{n: v for n, v in given.items() if n != "bulk_modulus_mpa"}, **({"bulk_modulus": f"{bulk!r} MPa"} if bulk is not None else {})}
         text = _native.toml_text({"tube": {"material": material}})
         # A muscle of nothing else says what is wrong with it.
-        for name, value in {"_held": _native.Muscle({}, text), "_text": text, "law": law, "constants": given}.items():
-            object.__setattr__(self, name, value)
+        self._hold(_held=_native.Muscle({}, text), _text=text, law=law, constants=given)
 
     @classmethod
     def from_toml(cls, text: str) -> Rubber:
@@ -139,8 +138,7 @@ class Formula(Saved):
 
     def __init__(self, text: str, name: str | None = None) -> None:
         shown = _native.ask("check-formula", {"file": {"name": name or "the formula", "text": text}})
-        object.__setattr__(self, "_text", text)
-        object.__setattr__(self, "name", name or str(shown["name"]))
+        self._hold(_text=text, name=name or str(shown["name"]))
 
     @overload
     def __call__(  # type: ignore[overload-overlap]
@@ -217,14 +215,14 @@ def load(path: str | os.PathLike[str]) -> Any:
     >>> mk.load("lib:dmsp-20-300").length_mm
     300.0
     """
-    held = file(path, "table")
+    held = _native.read(path, "muscle")
     text = held["text"]
     if not text.lstrip().startswith("{"):
         tables = _native.toml(held["name"], text)
         if "command" in tables or "joint" in tables:
             return (Drive if "command" in tables else Joint).load(path)
         # A rubber that was saved begins with its table, a muscle with a comment.
-        return Rubber.from_toml(text) if text.startswith("[tube.material]") else muscle_at(os.fspath(path))
+        return Rubber.from_toml(text) if text.startswith("[tube.material]") else muscle_of(held)
     answer = json.loads(text)
     kind: type[Record] = getattr(_api, answer.get("mckibben", ""), Record)
     return Formula(text) if kind is Record else kind._read(answer["data"], tuple(answer["asked"]) if answer["asked"] else None)

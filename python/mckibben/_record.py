@@ -77,7 +77,12 @@ class Record(Fixed):
         """The columns of its table: NumPy arrays of numbers, lists of texts. ``polars.DataFrame`` and ``pyarrow.table`` take them."""
         if self._rows is None:
             raise TypeError(f"{type(self).__name__} holds no table")
-        held = self.__dict__.get(self._rows) or []
+        held: Any = self.__dict__.get(self._rows) or []
+        if isinstance(held, Record) and hasattr(held, "text"):
+            import csv
+
+            rows = csv.DictReader(held.text.splitlines())
+            return of_rows([{n: v if n in ("status", "cause") else float(v or "nan") for n, v in row.items()} for row in rows])
         if isinstance(held, Record):
             return {name: column(values) for name, values in held._fields().items() if isinstance(values, list)}
         return of_rows([_unwrapped(row) for row in held])
@@ -317,17 +322,6 @@ class Curves(Record):
         return np.asarray(self.to_columns()[column], dtype=np.float64).reshape(len(self.__dict__["fixed"]), -1)
 
 
-class Planned(Record):
-    """A plan that was computed."""
-
-    def to_columns(self) -> dict[str, Any]:
-        """The points."""
-        import csv
-
-        rows = csv.DictReader(self.__dict__["table"].text.splitlines())
-        return of_rows([{n: v if n in ("status", "cause") else float(v or "nan") for n, v in row.items()} for row in rows])
-
-
 class Fitting(Record):
     """A fitted formula with all that is known of it."""
 
@@ -340,44 +334,23 @@ class Fitting(Record):
         return Formula(json.dumps(held, ensure_ascii=False, indent=2) + "\n", held["name"])
 
 
-class Found(Record):
-    """Values found by least squares, as other packages name them."""
-
-    def _of(self, name: str, rows: str = "parameters") -> NDArray[np.float64]:
-        import numpy as np
-
-        return np.array([getattr(row, name) for row in self.__dict__[rows]], dtype=np.float64)
-
-    @property
-    def names(self) -> list[str]:
-        """The names of the values."""
-        return [str(p.name) for p in self.__dict__["parameters"]]
-
-    @property
-    def x(self) -> NDArray[np.float64]:
-        """The values found."""
-        return self._of("value")
-
-    @property
-    def stderr(self) -> NDArray[np.float64]:
-        """Their standard errors; NaN where the data does not determine one."""
-        return self._of("standard_error")
-
-
-class Identified(Found):
-    """Constants found in measured points, with their errors."""
+class Identified(Record):
+    """Constants found in measured points, with their errors: ``found["name"]``, ``found["value"]``, ``found["standard_error"]`` are arrays of them."""
 
     @property
     def cov(self) -> NDArray[np.float64]:
         """Their covariance, in the units of the values."""
         import numpy as np
 
-        return np.array(self.__dict__["correlation"], dtype=np.float64).reshape(len(self.x), len(self.x)) * np.outer(self.stderr, self.stderr)
+        errors = self["standard_error"]
+        return np.array(self.__dict__["correlation"], dtype=np.float64).reshape(len(errors), len(errors)) * np.outer(errors, errors)
 
     @property
     def residuals(self) -> NDArray[np.float64]:
         """Model less measurement of each point, in N."""
-        return self._of("residual_n", "points")
+        import numpy as np
+
+        return np.array([point.residual_n for point in self.__dict__["points"]], dtype=np.float64)
 
     @property
     def identified(self) -> Muscle:
@@ -395,8 +368,8 @@ class Identified(Found):
         return "\n".join([head, *words, errors, *(f"note: {text}" for text in me.warnings)])
 
 
-class FittedLaws(Found):
-    """Laws fitted to tests of a rubber; ``x``, ``names`` and ``stderr`` are those of the recommended one."""
+class FittedLaws(Record):
+    """Laws fitted to tests of a rubber; ``parameters`` are those of the recommended one."""
 
     def rubber(self, law: str | None = None) -> Rubber:
         """A law with its constants; the recommended one where none is named."""

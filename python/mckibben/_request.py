@@ -13,6 +13,7 @@ from ._errors import ExistingFileError, InputError, warned
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
+    from typing_extensions import Self
 
     from ._muscle import Muscle
     from ._parts import Formula, Rubber
@@ -46,11 +47,8 @@ if TYPE_CHECKING:
     # True for a line on standard error, or a function that is called with (done, total).
     Progress = Union[bool, Callable[[int, int], object], None]
 
-# Fields that are files, tables and formulas, those of them that are lists, and those that a design searches through.
-FILES = ("muscle", "rubber_file", "parts", "plan", "drive", "joint", "muscles")
+# Fields that are tables, and those that a design searches through.
 TABLES = ("data", "log", "table", "tables", "load_tables")
-FORMULAS = ("formulas", "file")
-LISTS = ("data", "tables", "load_tables", "cases", "formulas", "muscles")
 CHOICES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "radius_mm")
 
 
@@ -58,6 +56,11 @@ class Fixed:
     """An object that does not change; two are equal where they are of one class and have one key."""
 
     __slots__ = ()
+
+    def _hold(self, **values: Any) -> Self:
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+        return self
 
     def _key(self) -> Any:
         raise NotImplementedError
@@ -106,7 +109,11 @@ def bare(name: str, value: Any) -> Any:
 
 
 def plain(name: str, value: Any) -> Any:
-    """An argument as JSON has it: quantities of pint in the unit of their name, arrays as lists; texts with a unit stay, the program reads them."""
+    """An argument as JSON has it: quantities of pint in the unit of their name, arrays as lists, objects as their files; texts with a unit and paths stay,
+    the program reads them.
+    """
+    if isinstance(value, Saved):
+        return {"name": getattr(value, "name", name), "text": value._key()}
     value = bare(name, value)
     if hasattr(value, "tolist"):
         value = value.tolist()
@@ -170,39 +177,37 @@ def ask(command: str, request: Mapping[str, Any] | None = None, *, progress: Pro
     >>> round(mk.ask("force", {"pressure_mpa": "2 bar", "contraction": 0.1, "model": "ideal"})["force_n"], 1)
     573.7
     """
-    return _native.ask(command, {} if request is None else request, heard(progress, command))
+    return _native.ask(command, _native.given(command, request or {}), heard(progress, command))
 
 
 def answered(kind: type[Answer], command: str, given: dict[str, Any], figure: str | bool | None = None) -> Answer:
     """The answer to a command with these arguments; with its figure, as to draw it takes less than to ask again."""
-    progress = given.pop("progress", None)
+    progress = heard(given.pop("progress", None), command)
     me = given.pop("self", None)
-    request = fields({**me._files(command), **{name: value for name, value in given.items() if value is not None}} if me else given)
-    return kind._read(ask(command, request if figure is None else {**request, "figure": figure}, progress=progress), (command, request))
+    own = me._files(command) if me else {}
+    request = _native.given(command, fields({**own, **{name: value for name, value in given.items() if value is not None}}))
+    return kind._read(_native.ask(command, request if figure is None else {**request, "figure": figure}, progress), (command, request))
 
 
 def fields(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Arguments as the fields of a request: files are read where they are named, what is not given is left to the program."""
+    """Arguments as the fields of a request; what is not given is left to the program."""
     out: dict[str, Any] = {}
     for name, value in given.items():
         name = name.rstrip("_")
-        read = file if name in FILES else table if name in TABLES else formula if name in FORMULAS else measured if name == "cases" else None
-        if value is None:
-            continue
-        if name in ("model", "models"):
+        if name in ("model", "models") and value is not None:
             models = [value] if name == "model" or isinstance(value, str) else value
-            files = [formula(model) for model in models if hasattr(model, "to_json") or str(model).strip().lower().endswith(".json")]
-            words = [model.name if hasattr(model, "to_json") else plain(name, model) for model in models]
-            out[name] = words[0] if name == "model" else words
-            out |= {"formulas": [*out.get("formulas", []), *files]} if files else {}
-        elif read is not None and not isinstance(value, (bool, int)):
-            several = isinstance(value, (list, tuple))
-            out[name] = [*out.get(name, []), *map(read, value if several else [value])] if several or name in LISTS else read(value)
+            words = [getattr(model, "name") if isinstance(model, Saved) else plain(name, model) for model in models]
+            files = [plain(name, model) for model in models if isinstance(model, Saved) or str(model).strip().lower().endswith(".json")]
+            out |= {name: words[0] if name == "model" else words, **({"formulas": files} if files else {})}
+        elif name in TABLES and not isinstance(value, (bool, int)):
+            out[name] = [table(item) for item in value] if isinstance(value, (list, tuple)) else table(value)
         elif name in CHOICES and isinstance(value, tuple) and len(value) == 2:
             out[name] = dict(zip(("low", "high"), plain(name, value)))
+        elif name == "formulas" and "formulas" in out:
+            out[name] += plain(name, value)
         else:
             out[name] = plain(name, value)
-    return out
+    return {name: value for name, value in out.items() if value is not None}
 
 
 def known(given: Mapping[str, Any], kind: Any) -> Mapping[str, Any]:
@@ -239,39 +244,11 @@ def put(files: Mapping[str | os.PathLike[str], str | bytes], overwrite: bool = F
         _native.write_file(path, content)
 
 
-def file(value: Any, kind: str = "text") -> dict[str, str]:
-    """A file: an object that is one, its content, its path, or a muscle of the library by its name (``lib:NAME``)."""
-    if hasattr(value, "to_toml"):
-        return {"name": type(value).__name__.lower(), "text": value.to_toml()}
-    if isinstance(value, Mapping):
-        return {"name": str(value["name"]), "text": str(value["text"])}
-    path = os.fspath(value)
-    if path.strip().lower().startswith("lib:") and not os.path.exists(path):
-        return {"name": path, "text": ""}
-    return dict(zip(("name", "text"), _native.read_file(path, kind)))
-
-
-def formula(value: Any) -> dict[str, str]:
-    """The file of a formula."""
-    return {"name": value.name, "text": value.to_json()} if hasattr(value, "to_json") else file(value, "formula")
-
-
 def table(value: Any) -> dict[str, str]:
     """A table: a path, its text, a data frame, an answer, or columns by name."""
-    if isinstance(value, (str, os.PathLike)) or isinstance(value, Mapping) and set(value) == {"name", "text"}:
-        return file(value, "table")
-    return {"name": "data", "text": to_csv(columns_of(value))}
-
-
-def measured(value: Any) -> dict[str, str]:
-    """A measured muscle or rubber: the path of its folder, or its files as texts. A rubber has no ``muscle.toml``, and a folder of no library no
-    ``identified.toml``.
-    """
-    if isinstance(value, Mapping):
-        return {str(name): str(text) for name, text in value.items()}
-    places = {name: os.path.join(value, f"{name}.toml") for name in ("case", "muscle", "identified")}
-    texts = {name: file(place)["text"] for name, place in places.items() if name == "case" or os.path.exists(place)}
-    return {"name": os.path.basename(os.path.abspath(value)), "muscle": "", **texts, "points": table(os.path.join(value, "points.csv"))["text"]}
+    if isinstance(value, Mapping) and set(value) == {"name", "text"}:
+        return dict(value)
+    return _native.read(value, "table") if isinstance(value, (str, os.PathLike)) else {"name": "data", "text": to_csv(value)}
 
 
 def column(values: Any) -> Any:
@@ -286,42 +263,34 @@ def column(values: Any) -> Any:
     return np.array(values, dtype=kinds.pop()) if kinds in ({int}, {bool}) else [None if v is None else str(v) for v in values]
 
 
-def columns_of(data: Any) -> dict[str, Any]:
-    """The columns of a data frame, of records, of an answer, or of a map in which a single value applies to all rows."""
+def to_csv(data: Any) -> str:
+    """A data frame, records, an answer, or columns of which a single value applies to all rows, as CSV with as many digits as it takes to read back the same."""
+    import csv
+    import io
+
     if hasattr(data, "to_columns"):
-        return dict(data.to_columns())
-    if hasattr(data, "columns") and hasattr(data, "reset_index"):
-        if not data.columns.is_unique:
-            raise ValueError("two columns of one name")
+        data = data.to_columns()
+    if hasattr(data, "write_csv"):
+        return str(data.write_csv())
+    if hasattr(data, "to_csv"):
         # An index with a name is a column.
-        data = data.reset_index() if any(name is not None for name in data.index.names) else data
-        data = {name: v.astype(object).where(v.notna(), None).tolist() for name, v in data.items()}
-    elif names := getattr(getattr(data, "dtype", None), "names", None):
+        return str(data.to_csv(index=any(name is not None for name in data.index.names)))
+    if names := getattr(getattr(data, "dtype", None), "names", None):
         data = {name: data[name] for name in names}
-    elif hasattr(data, "get_columns"):
-        data = {part.name: part.to_list() for part in data.get_columns()}
     elif hasattr(data, "__arrow_c_stream__"):
         import pyarrow as pa
 
         data = pa.table(data).to_pydict()
     if not isinstance(data, Mapping):
         raise TypeError(f"a table is a path, a data frame or columns by name, not {type(data).__name__}")
-    given = {str(name): bare(str(name), values) for name, values in data.items()}
-    several = {n: len(v) for n, v in given.items() if hasattr(v, "__len__") and not isinstance(v, str) and getattr(v, "shape", None) != ()}
+    given = {str(name): plain(str(name), values) for name, values in data.items()}
+    several = {name: len(values) for name, values in given.items() if isinstance(values, list)}
     if len(set(several.values())) > 1:
         raise ValueError(f"columns of different length: {several}")
     rows = max(several.values(), default=1)
-    return {n: column([bare(n, x) for x in v] if isinstance(v, (list, tuple)) else v if n in several else [v] * rows) for n, v in given.items()}
-
-
-def to_csv(columns: Mapping[str, Any]) -> str:
-    """Columns as CSV, numbers with as many digits as it takes to read back the same."""
-    import csv
-    import io
-
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(columns)
-    for row in zip(*(values.tolist() if hasattr(values, "tolist") else values for values in columns.values())):
-        writer.writerow(["" if v is None or v != v else repr(v) if isinstance(v, float) else str(v).lower() if isinstance(v, bool) else v for v in row])
+    writer.writerow(given)
+    for row in zip(*(values if name in several else [values] * rows for name, values in given.items())):
+        writer.writerow(["" if v is None or v != v else str(v).lower() if isinstance(v, bool) else v for v in row])
     return out.getvalue()

@@ -95,9 +95,9 @@ def test_an_answer_has_the_words_of_json(results: dict[str, Any]) -> None:
 def test_a_fit_is_that_of_least_squares(root: Path) -> None:
     """Identities: rms² = Σr²/n, the deviation squared is Σr²/(n − p), and the covariance is deviation² (JᵀJ)⁻¹."""
     found = mk.identify(root / "examples/bench.toml", root / "examples/bench.csv", model="universal")
-    r, n, p = found.residuals, len(found.points), len(found.x)
-    assert np.sqrt((r**2).mean()) == pytest.approx(found.rms_n) and np.sqrt((r**2).sum() / (n - p)) == pytest.approx(found.deviation) and np.allclose(np.sqrt(np.diag(found.cov)), found.stderr)
-    pulls, jac = found.identified.force([q.pressure_mpa for q in found.points], [q.contraction for q in found.points], jac=found.names, model="universal")
+    r, n, p = found.residuals, len(found.points), len(found["value"])
+    assert np.sqrt((r**2).mean()) == pytest.approx(found.rms_n) and np.sqrt((r**2).sum() / (n - p)) == pytest.approx(found.deviation) and np.allclose(np.sqrt(np.diag(found.cov)), found["standard_error"])
+    pulls, jac = found.identified.force([q.pressure_mpa for q in found.points], [q.contraction for q in found.points], jac=found["name"], model="universal")
     assert np.allclose(pulls - [q.force_n for q in found.points], r, atol=1e-6) and np.allclose(found.cov, found.deviation**2 * np.linalg.inv(jac[:, 2:].T @ jac[:, 2:]), rtol=1e-3)
     assert "tube.material.mu 0.41043 ±" in found.summary()
 
@@ -232,10 +232,10 @@ def test_tables_of_people_come_through(root: Path) -> None:
         gaps, pd.DataFrame(gaps), {**gaps, "force_n": np.ma.masked_invalid(gaps["force_n"])},
     ]
     for data in same:
-        assert np.array_equal(identified(data).x, found.x)
+        assert np.array_equal(identified(data)["value"], found["value"])
     assert identified(gaps).understood[0].not_filled == 1
     other = pd.DataFrame({"P1": [2.0] * 4, "x": [100 * e for e in rows["contraction"]], "F": rows["force_n"]})
-    assert np.allclose(identified(other, columns={"pressure": "P1:bar", "contraction": "x:%", "force": "F:N"}).x, found.x, rtol=1e-12) and len(identified([rows, rows]).understood) == 2
+    assert np.allclose(identified(other, columns={"pressure": "P1:bar", "contraction": "x:%", "force": "F:N"})["value"], found["value"], rtol=1e-12) and len(identified([rows, rows]).understood) == 2
     bads: list[Any] = [3, object(), [1, 2], {"a": [1.0], "b": [1.0, 2.0]}, pd.DataFrame([[1, 2]], columns=["a", "a"]), b"a,b"]
     for bad in bads:
         with pytest.raises((TypeError, ValueError)):

@@ -153,12 +153,12 @@ def posterior(made: Any, found: Any, points: list[Any]) -> tuple[Any, Any]:
     """Mean and standard deviation of the posterior with a flat prior, in standard errors about what identify found: by quadrature on a grid of
     half a standard error, which for a density as smooth as this has converged."""
     p, e, f = points
-    names = found.names
+    names = found["name"]
     nodes = np.linspace(-5, 5, 21)
     grid = np.array([[a, b] for a in nodes for b in nodes])
     log = np.empty(len(grid))
     for i, z in enumerate(grid):
-        theta = dict(zip(names, found.x + found.stderr * z))
+        theta = dict(zip(names, found["value"] + found["standard_error"] * z))
         pulls = found.identified.with_parameters(theta).force(p, e, errors="nan", model="universal")
         log[i] = -0.5 * (((pulls - f) / found.deviation) ** 2).sum()
     weight = np.where(np.isfinite(log), np.exp(log - np.nanmax(log)), 0)
@@ -188,7 +188,7 @@ def test_a_posterior_is_that_of_quadrature(sampler: str, needs: str, root: Path,
     found, *points = made.bench()
     mean, width = posterior(made, found, points)
     assert np.allclose(mean, [0.042, 0.219], atol=0.005) and np.allclose(width, [0.999, 1.045], atol=0.005)
-    z = (getattr(made, sampler)(found, *points) - found.x) / found.stderr
+    z = (getattr(made, sampler)(found, *points) - found["value"]) / found["standard_error"]
     n = independent(sampler, z)
     assert (n > 50).all(), f"too few samples: {n}"
     assert (abs(z.mean(axis=0) - mean) < 4 * width / np.sqrt(n)).all(), (z.mean(axis=0), mean, n)

@@ -39,6 +39,8 @@ mod fields;
 mod figure;
 #[cfg(all(feature = "schema", feature = "whole"))]
 mod file_schema;
+#[cfg(feature = "files")]
+mod files;
 mod fill;
 mod fit;
 mod identify;
@@ -64,8 +66,6 @@ mod rubber_fit;
 mod schemas;
 mod shape;
 mod simulate;
-#[cfg(feature = "files")]
-mod table_file;
 mod uncertainty;
 pub mod units;
 mod validate;
@@ -87,6 +87,8 @@ pub use fields::*;
 pub use figure::model_colour;
 #[cfg(all(feature = "schema", feature = "whole"))]
 pub use file_schema::file_schema;
+#[cfg(feature = "files")]
+pub use files::measured_folder;
 pub use fill::*;
 pub use fit::*;
 pub use identify::*;

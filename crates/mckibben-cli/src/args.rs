@@ -125,7 +125,7 @@ impl Args {
             .filter(|_| has("rubber_file"))
         {
             out.remove("rubber");
-            out.insert("rubber_file".into(), json!(files::text(Path::new(&path))?));
+            out.insert("rubber_file".into(), json!(TextFile::at(Path::new(&path))?));
         }
         let text = |field: &str| out.get(field).and_then(Value::as_str).map(str::to_owned);
         let models = out.get("models").and_then(Value::as_array).into_iter().flatten();
@@ -240,21 +240,13 @@ impl Flag {
             Kind::Choice(dimension) => json!(Choice::from(values(&flag, text, dimension)?)),
             Kind::Whole => json!(text.trim().parse::<u64>().ok()),
             Kind::Texts(_) => json!(texts),
-            Kind::File => json!(self.file(text)?),
-            Kind::Files => {
-                texts.iter().map(|text| Ok(json!(self.file(text)?))).collect::<Result<_, Problem>>()?
-            }
+            Kind::File => json!(TextFile::of_field(&self.field, Path::new(text))?),
+            Kind::Files => texts
+                .iter()
+                .map(|text| Ok(json!(TextFile::of_field(&self.field, Path::new(text))?)))
+                .collect::<Result<_, Problem>>()?,
             Kind::Truth | Kind::Words(_) | Kind::Text => text.into(),
         })
-    }
-
-    fn file(&self, name: &str) -> Result<TextFile, Problem> {
-        let path = Path::new(name);
-        match &*self.field {
-            "muscle" => files::muscle(path),
-            "data" | "table" | "log" => TextFile::table(path),
-            _ => files::text(path),
-        }
     }
 }
 

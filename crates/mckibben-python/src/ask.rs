@@ -5,7 +5,7 @@ use mckibben::units::NamedUnit;
 use mckibben_app::ask_value;
 use pyo3::prelude::*;
 
-/// The answer to a request; texts with a unit are read, and numbers that were likely meant in another one are warned of.
+/// The answer to a request with numbers and the contents of files.
 ///
 /// `progress(done, total)` is called now and then.
 #[pyfunction]
@@ -16,7 +16,7 @@ pub fn ask<'py>(
     request: &Bound<'py, PyAny>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let request = request::given(py, command, request)?;
+    let request = value::request(request)?;
     let work = |progress: &dyn mckibben::progress::Progress| Ok(ask_value(command, request, progress)?);
     value::answer(py, &run::long(py, progress, work)?)
 }

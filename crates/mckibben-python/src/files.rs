@@ -1,24 +1,29 @@
 //! Files that users name, through the workspace's doors in and out, and TOML as maps and lists.
 
 use crate::{error::Wrong, value};
-use mckibben::{formula, muscle};
-use mckibben_app::{JointFields, MotionRequest, Problem, ProblemKind, Subject, TextFile};
+use mckibben_app::{JointFields, MotionRequest, Problem, ProblemKind, TextFile, measured_folder};
 use pyo3::prelude::*;
-use std::path::{Path, PathBuf};
+use serde_json::json;
+use std::path::PathBuf;
 
-/// A file that a person wrote (a muscle, a plan, a joint), of a `table` (whatever program wrote it) or of a `formula`: its name and its text.
+/// A file that users name, as requests hold it: of a person (`text`), a `muscle`, a `table`, a `formula`; or of several, with those that it names: a
+/// `joint`, a `drive`, a `case`.
 #[pyfunction]
-pub fn read_file(path: PathBuf, kind: &str) -> PyResult<(String, String)> {
-    let file = match kind {
-        "table" => TextFile::table(&path),
-        "formula" => read(&path, |path| Ok(formula::read_text(path).map_err(|e| e.in_file(path))?)),
-        _ => read(&path, |path| Ok(muscle::file::read_text(path).map_err(|e| e.in_file(path))?)),
+#[pyo3(signature = (path, kind) -> "dict[str, typing.Any]")]
+pub fn read<'py>(py: Python<'py>, path: PathBuf, kind: &str) -> PyResult<Bound<'py, PyAny>> {
+    let file = |file: Result<TextFile, Problem>| file.map(|file| json!(file));
+    let read = match kind {
+        "table" => file(TextFile::table(&path)),
+        "formula" => file(TextFile::formula(&path)),
+        "muscle" => file(TextFile::muscle(&path)),
+        "joint" => JointFields::at(&path).map(|fields| json!(fields)),
+        "drive" => MotionRequest::default().with_drive(&path).map(|r| {
+            json!({ "drive": r.drive, "muscle": r.muscle, "joint": r.joint.joint, "muscles": r.joint.muscles, "tables": r.tables })
+        }),
+        "case" => measured_folder(&path).map(|case| json!(case)),
+        _ => file(TextFile::at(&path)),
     };
-    Ok(file.map(|file| (file.name, file.text)).map_err(Wrong::from)?)
-}
-
-fn read(path: &Path, text: impl FnOnce(&Path) -> Result<String, Problem>) -> Result<TextFile, Problem> {
-    Ok(TextFile { name: path.display().to_string(), text: text(path)? })
+    value::answer(py, &read.map_err(Wrong::from)?)
 }
 
 /// Puts a file at its place, whole or not at all.
@@ -30,21 +35,11 @@ pub fn write_file(path: PathBuf, content: &[u8]) -> PyResult<()> {
     Ok(mckibben_io::files::put(&path, content, true).map_err(|e| Wrong::from(wrong(e)))?)
 }
 
-/// The muscle files that a joint file names.
+/// Refuses the text of a joint file that is none.
 #[pyfunction]
-pub fn joint_files(name: String, text: String) -> PyResult<Vec<String>> {
-    Ok(JointFields::files_of(&TextFile { name, text }).map_err(Wrong::from)?)
-}
-
-/// What a drive file names: `muscle` or `joint`, the name of its file, and its tables.
-#[pyfunction]
-pub fn drive_files(name: String, text: String) -> PyResult<(&'static str, String, Vec<String>)> {
-    let names = MotionRequest::names_of(&TextFile { name, text }).map_err(Wrong::from)?;
-    let (subject, file) = match names.subject {
-        Subject::Muscle(file) => ("muscle", file),
-        Subject::Joint(file) => ("joint", file),
-    };
-    Ok((subject, file, names.tables))
+pub fn check_joint(text: String) -> PyResult<()> {
+    let file = TextFile { name: "the joint".into(), text };
+    Ok(JointFields::files_of(&file).map(drop).map_err(Wrong::from)?)
 }
 
 /// A text in TOML as maps and lists.

@@ -1,7 +1,7 @@
 //! A fitted formula as a function of arrays, over muscles of any diameter and wall.
 
 use crate::{error::Wrong, run};
-use mckibben::formula::{Body, Document, Formula as Fitted, GlobalSection, Section};
+use mckibben::formula::{Document, Formula as Fitted};
 use mckibben_app::{Problem, ProblemKind};
 use numpy::{PyReadonlyArray2, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
@@ -16,12 +16,6 @@ const ROUNDING: f64 = 1e-9;
 #[pyclass(frozen, module = "mckibben._native")]
 pub struct Formula {
     formula: Fitted,
-}
-
-/// The formula with a diameter and a wall put in.
-enum OfMuscle {
-    Paper(Section),
-    Global(GlobalSection),
 }
 
 #[pymethods]
@@ -63,7 +57,6 @@ impl Formula {
         };
         Ok(run::quick(py, |_| {
             let range = &self.formula.range;
-            let mut last = None;
             let points = p.iter().zip(e).zip(s).zip(d).zip(places);
             for (index, ((((&p, &e), &s), &d), place)) in points.enumerate() {
                 let bounds = [
@@ -85,29 +78,11 @@ impl Formula {
                     let problem = Problem::new(ProblemKind::OutOfRange, message, hint).in_field(field);
                     return Err(Wrong::Problem(problem, Some(index)));
                 }
-                // Points of one muscle mostly follow one another.
-                let section = match last.take() {
-                    Some((at, section)) if at == (s, d) => section,
-                    _ => self.section(s, d),
-                };
-                let force = match &section {
-                    OfMuscle::Paper(section) => section.force_n(p, e),
-                    OfMuscle::Global(section) => section.at(p, e)[0],
-                };
-                last = Some(((s, d), section));
+                let force = self.formula.force_n(d, s, p, e);
                 let nothing = force.abs() <= ROUNDING * p * PI * 0.25 * d * d;
                 *place = if nothing || (force < 0.0 && !two_sided) { 0.0 } else { force };
             }
             Ok(())
         })?)
-    }
-}
-
-impl Formula {
-    fn section(&self, wall_mm: f64, outer_diameter_mm: f64) -> OfMuscle {
-        match &self.formula.body {
-            Body::Paper(body) => OfMuscle::Paper(body.section(outer_diameter_mm, wall_mm)),
-            Body::Global(body) => OfMuscle::Global(body.section(outer_diameter_mm, wall_mm)),
-        }
     }
 }

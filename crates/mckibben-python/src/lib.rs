@@ -25,11 +25,11 @@ mod _native {
     #[pymodule_export]
     use crate::{
         ask::{ask, quantities, quantity, unit_of},
-        files::{drive_files, joint_files, read_file, toml, toml_text, write_file},
+        files::{check_joint, read, toml, toml_text, write_file},
         formula::Formula,
         model::Model,
         muscle::Muscle,
-        request::unlikely,
+        request::{stated_request, unlikely},
         simulation::{Simulation, rollout},
         view::{body_html, report_html},
     };

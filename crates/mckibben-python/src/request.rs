@@ -2,10 +2,11 @@
 
 use crate::{error::Wrong, value};
 use mckibben::units::{Dimension, NamedUnit, parse_quantity, parse_values};
-use mckibben_app::{Choice, CommandEntry, Problem, ProblemKind, find};
+use mckibben_app::{Choice, CommandEntry, Problem, ProblemKind, TextFile, find, measured_folder};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Parts of an interval without a step.
@@ -23,7 +24,18 @@ const LIKELY: [(&str, f64, f64); 7] = [
     ("max_pressure_mpa", 0.0, 1.0),
 ];
 
-/// A request of a command as Python gives it, with numbers for its texts; the caller is warned of numbers that were likely meant in another unit.
+/// A request of a command with numbers for its texts and with the files that it names; the caller is warned of numbers that were likely meant in another unit.
+#[pyfunction]
+#[pyo3(name = "given", signature = (command, request: "object") -> "dict[str, typing.Any]")]
+pub fn stated_request<'py>(
+    py: Python<'py>,
+    command: &str,
+    request: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyAny>> {
+    value::answer(py, &given(py, command, request)?)
+}
+
+/// The same as the crates have it.
 pub fn given(py: Python<'_>, command: &str, object: &Bound<'_, PyAny>) -> PyResult<Value> {
     let mut request = value::request(object)?;
     let said = find(command).and_then(|entry| read(entry, &mut request)).map_err(Wrong::from)?;
@@ -116,6 +128,21 @@ impl<'a> Reading<'a> {
         let kind: Option<Dimension> = serde_json::from_value(node["x-quantity"].clone()).ok();
         let (target, of) = self.resolved(node);
         let is_list = node["type"] == "array" || node["type"][0] == "array";
+        let file = if is_list { self.resolved(&node["items"]).1 } else { of };
+        if ["TextFile", "MeasuredFolder"].contains(&file) {
+            if is_list && !value.is_array() {
+                *value = json!([value.take()]);
+            }
+            let files = if let Value::Array(list) = value { list } else { std::slice::from_mut(value) };
+            return files.iter_mut().try_for_each(|value| {
+                match value.as_str().map(Path::new) {
+                    Some(path) if file == "TextFile" => *value = json!(TextFile::of_field(name, path)?),
+                    Some(path) => *value = json!(measured_folder(path)?),
+                    None => {}
+                }
+                Ok(())
+            });
+        }
         match (value, kind) {
             (value @ Value::String(_), Some(kind)) => {
                 let text = value.as_str().unwrap_or_default();
@@ -132,20 +159,10 @@ impl<'a> Reading<'a> {
                     *value = json!([value.take()]);
                 }
             }
-            (Value::Array(list), Some(kind)) => {
-                for item in list {
-                    match item {
-                        Value::Array(inner) => inner.iter_mut().try_for_each(|i| self.item(name, kind, i))?,
-                        item => self.item(name, kind, item)?,
-                    }
-                }
-            }
+            (value @ (Value::Array(_) | Value::Object(_)), Some(kind)) => self.item(name, kind, value)?,
             (Value::Array(list), None) => {
                 let items = self.resolved(&target["items"]).0;
                 list.iter_mut().try_for_each(|item| self.fields(items, item))?;
-            }
-            (Value::Object(map), Some(kind)) => {
-                map.values_mut().try_for_each(|end| self.item(name, kind, end))?;
             }
             (value @ Value::Object(_), None) => self.fields(target, value)?,
             _ => {}
@@ -165,6 +182,8 @@ impl<'a> Reading<'a> {
             Value::Number(number) => {
                 self.said.extend(number.as_f64().and_then(|number| unlikely(name, number)));
             }
+            Value::Array(list) => list.iter_mut().try_for_each(|item| self.item(name, kind, item))?,
+            Value::Object(map) => map.values_mut().try_for_each(|end| self.item(name, kind, end))?,
             _ => {}
         }
         Ok(())

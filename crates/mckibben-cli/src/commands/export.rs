@@ -1,8 +1,9 @@
 //! `export`: a folder with a muscle for a controller or a simulator.
 
-use super::joint;
-use crate::{Args, FLAT, Problem, Units, files, listed, pairs, place, save_all, tabled, value};
-use mckibben_app::{BuiltFile, ExportListRequest, export, export_joint, export_list, find, understood};
+use crate::{Args, FLAT, Problem, Units, listed, pairs, place, save_all, tabled, value};
+use mckibben_app::{
+    BuiltFile, ExportListRequest, JointFields, export, export_joint, export_list, find, understood,
+};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -13,10 +14,11 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
     }
     let folder = args.path("output");
     let save = |files: &[BuiltFile]| folder.as_deref().map_or(Ok(()), |folder| save_all(files, folder));
-    let file = args.path("file").map(|path| files::muscle(&path).map(|file| (path, file))).transpose()?;
-    if let Some((path, _)) = file.filter(|(_, file)| file.text.lines().any(|line| line.trim() == "[joint]")) {
+    let path = args.path("file").unwrap_or_default();
+    let is_joint = |text: String| text.lines().any(|line| line.trim() == "[joint]");
+    if std::fs::read_to_string(&path).is_ok_and(is_joint) {
         let mut fields = args.fields_without(&["muscle"])?;
-        let joint = joint::fields(&path)?;
+        let joint = JointFields::at(&path)?;
         fields.extend([("joint".into(), json!(joint.joint)), ("muscles".into(), json!(joint.muscles))]);
         // What only a muscle has is refused.
         find("export-joint")?.read(fields.clone().into())?;

@@ -24,9 +24,9 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
 
 /// Constants of a drive from a log of its motion.
 fn of_motion(args: &Args, log: &Path, target: Option<&Path>) -> Result<u8, Problem> {
-    let mut request: MotionRequest = mckibben_app::understood(&args.fields_without(&["muscle"])?.into())?;
-    super::motion::add_files(&mut request, &args.path("file").unwrap_or_default())?;
-    request.log = Some(TextFile::table(log)?);
+    let request: MotionRequest = mckibben_app::understood(&args.fields_without(&["muscle"])?.into())?;
+    let log = Some(TextFile::table(log)?);
+    let request = MotionRequest { log, ..request.with_drive(&args.path("file").unwrap_or_default())? };
     let mut answer = mckibben_app::motion(&request, &Bar::new("motion"))?;
     args.draw(&mut answer.figure)?;
     let Some(identified) = &answer.identified else { return Ok(0) };

@@ -1,28 +1,11 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a joint.
 
-use crate::{Args, Bar, Format, Problem, Units, burst_first, files, number, output::form, tabled, value};
-use mckibben_app::{
-    JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, joint, rows::limit_rows,
-};
-use std::path::Path;
-
-/// A joint file with its muscle files, which lie relative to it.
-pub fn fields(path: &Path) -> Result<JointFields, Problem> {
-    let joint = files::text(path)?;
-    let beside = path.parent().unwrap_or(Path::new(""));
-    let mut muscles: Vec<TextFile> = vec![];
-    for name in JointFields::files_of(&joint)? {
-        let file = files::muscle_beside(beside, &name)?;
-        if !muscles.iter().any(|m| m.name == name) {
-            muscles.push(TextFile { name, ..file });
-        }
-    }
-    Ok(JointFields { joint: Some(joint), muscles })
-}
+use crate::{Args, Bar, Format, Problem, Units, burst_first, number, output::form, tabled, value};
+use mckibben_app::{JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, joint, rows::limit_rows};
 
 pub fn run(args: &Args) -> Result<u8, Problem> {
     let mut request: JointRequest = args.request()?;
-    request.joint = fields(&args.path("file").unwrap_or_default())?;
+    request.joint = JointFields::at(&args.path("file").unwrap_or_default())?;
     // Text does not show them.
     request.without_start_pressures = form(args.path("output").as_deref(), args.format)? == Format::Text;
     let mut answer = joint(&request, &Bar::new("joint"))?;

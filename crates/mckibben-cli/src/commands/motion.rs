@@ -1,38 +1,16 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
-use super::joint;
 use crate::{
-    Args, Bar, Problem, Units, args::load_tables, burst_first, exit_code, files, headed, listed, number,
-    pairs, shown, value,
+    Args, Bar, Problem, Units, args::load_tables, burst_first, exit_code, headed, listed, number, pairs,
+    shown, value,
 };
-use mckibben_app::{
-    MotionAnswer, MotionRequest, MotionRun, ProblemKind, Subject, TextFile, motion, rows::limit_rows,
-};
+use mckibben_app::{MotionAnswer, MotionRequest, MotionRun, ProblemKind, TextFile, motion, rows::limit_rows};
 use serde_json::json;
-use std::path::Path;
-
-/// The files that a drive file names, in its request.
-pub(super) fn add_files(request: &mut MotionRequest, path: &Path) -> Result<(), Problem> {
-    let drive = files::text(path)?;
-    let beside = path.parent().unwrap_or(Path::new(""));
-    let names = MotionRequest::names_of(&drive)?;
-    let table = |name: String| files::text(&beside.join(&name)).map(|file| TextFile { name, ..file });
-    request.tables = names.tables.into_iter().map(table).collect::<Result<_, _>>()?;
-    match names.subject {
-        Subject::Muscle(name) => {
-            let file = files::muscle_beside(beside, &name)?;
-            request.muscle = Some(TextFile { name, ..file });
-        }
-        Subject::Joint(name) => request.joint = joint::fields(&beside.join(name))?,
-    }
-    request.drive = Some(drive);
-    Ok(())
-}
 
 pub fn run(args: &Args) -> Result<u8, Problem> {
     let file = args.path("file");
     if let Some(path) = &file {
-        shown::take_file(&files::text(path)?.text);
+        shown::take_file(&TextFile::at(path)?.text);
     }
     let mut fields = args.fields()?;
     fields.insert("tables".into(), load_tables(&args.text("step.load").unwrap_or_default())?);
@@ -45,8 +23,11 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
         let values: Vec<&str> = values.split(',').map(str::trim).collect();
         fields.insert("sweep".into(), json!({ "key": key.trim(), "values": values }));
     }
-    let mut request: MotionRequest = mckibben_app::understood(&fields.into())?;
-    file.map_or(Ok(()), |path| add_files(&mut request, &path))?;
+    let request: MotionRequest = mckibben_app::understood(&fields.into())?;
+    let request = match &file {
+        Some(path) => request.with_drive(path)?,
+        None => request,
+    };
     let mut answer = motion(&request, &Bar::new("motion"))?;
     args.draw(&mut answer.figure)?;
     args.show(&answer, "series", as_text)?;

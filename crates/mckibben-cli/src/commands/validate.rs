@@ -1,13 +1,14 @@
 //! `validate`: verification and validation, each with its table.
 
 use crate::{
-    Args, Bar, NO_ANSWER, Problem, Units, files, headed, listed, number, output::width, pairs, plot, shown,
-    tabled, value,
+    Args, Bar, NO_ANSWER, Problem, Units, headed, listed, number, output::width, pairs, plot, shown, tabled,
+    value,
 };
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 use mckibben_app::{
     MeasuredAnswer, MeasuredBranch, MeasuredCase, MeasuredFolder, MeasuredRequest, MeasuredResult,
-    MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, TextFile, ValidateAnswer, in_one_line,
+    MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, ValidateAnswer, in_one_line,
+    measured_folder,
 };
 use mckibben_fit::validation::case::built_in;
 use std::path::Path;
@@ -88,11 +89,11 @@ fn folders(folder: &Path) -> Result<Vec<MeasuredFolder>, Problem> {
     let unread =
         |e: std::io::Error| Problem::new(ProblemKind::File, format!("{}: {e}", folder.display()), "");
     if folder.join("case.toml").is_file() {
-        return Ok(vec![one(folder)?]);
+        return Ok(vec![measured_folder(folder)?]);
     }
     let entries = std::fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
     let paths = entries.map_err(unread)?.into_iter().map(|entry| entry.path());
-    let list = paths.filter(|path| path.join("case.toml").is_file()).map(|path| one(&path));
+    let list = paths.filter(|path| path.join("case.toml").is_file()).map(|path| measured_folder(&path));
     let mut list = list.collect::<Result<Vec<_>, _>>()?;
     list.sort_by(|a, b| a.name.cmp(&b.name));
     if list.is_empty() {
@@ -101,23 +102,6 @@ fn folders(folder: &Path) -> Result<Vec<MeasuredFolder>, Problem> {
         return Err(Problem::new(ProblemKind::MissingInput, message, hint));
     }
     Ok(list)
-}
-
-/// The files of a folder. A measured rubber has no muscle, and a folder of no library no identified one.
-fn one(folder: &Path) -> Result<MeasuredFolder, Problem> {
-    let if_there = |name: &str| match folder.join(name) {
-        path if path.is_file() => files::text(&path).map(|file| file.text),
-        _ => Ok(String::new()),
-    };
-    let name = std::fs::canonicalize(folder).ok();
-    let name = name.as_deref().unwrap_or(folder).file_name();
-    Ok(MeasuredFolder {
-        name: name.map(|n| n.to_string_lossy().into_owned()).unwrap_or_default(),
-        case: files::text(&folder.join("case.toml"))?.text,
-        muscle: if_there("muscle.toml")?,
-        points: TextFile::table(&folder.join("points.csv"))?.text,
-        identified: if_there("identified.toml")?,
-    })
 }
 
 fn chosen(all: Vec<MeasuredFolder>, only: &[String]) -> Result<Vec<MeasuredFolder>, Problem> {
