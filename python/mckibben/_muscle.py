@@ -145,10 +145,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         return _arrays(bound, wanted, a, b, jac, nan, progress)
 
     def _solved(self, pressure_mpa: Any, contraction: Any, errors: str, progress: Progress, options: Mapping[str, Any]) -> _api.Solution:
-        found = _points(self._bound(options), pressure_mpa, contraction, is_nan(errors), progress)
-        if found.warnings:
-            warned("; ".join(found.warnings), MuscleWarning)
-        return found
+        return _points(self._bound(options), pressure_mpa, contraction, is_nan(errors), progress)
 
     @property
     def parameters(self) -> dict[str, float]:
@@ -275,7 +272,8 @@ def _points(bound: Bound, pressure_mpa: Any, contraction: Any, nan: bool, progre
 
     p, e = np.broadcast_arrays(array("pressure_mpa", pressure_mpa), array("contraction", contraction))
     rows = bound.native.solve(p.ravel().tolist(), e.ravel().tolist(), nan, heard(progress, "solve"))
-    texts = list(dict.fromkeys(text for row in rows for text in row.get("warnings", ())))
+    if texts := list(dict.fromkeys(text for row in rows for text in row.get("warnings", ()))):
+        warned("; ".join(texts), MuscleWarning)
     names = dict.fromkeys(name for row in rows for name, value in row.items() if isinstance(value, (int, float)) and name != "slack")
     columns: dict[str, list[Any]] = {name: [row.get(name) for row in rows] for name in names}
     for name, without in (("slack", False), ("status", "ok"), ("cause", "")):

@@ -381,11 +381,10 @@ class FittedLaws(Record):
         found = next((of for of in self.__dict__["laws"] if name in (of.name, of.law)), None)
         if found is None:
             raise KeyError(name)
-        constants: dict[str, Any] = {}
-        for p in found.parameters:
-            # The terms of Ogden's law are in lists: mu1, mu2 are mu = […].
-            constant = p.name.rstrip("0123456789") if found.law == "ogden" else p.name
-            constants[constant] = [*constants.get(constant, []), p.value] if found.law == "ogden" else p.value
+        constants: dict[str, Any] = {p.name: p.value for p in found.parameters}
+        if found.law == "ogden":
+            # Its terms are in lists: mu1, mu2 are mu = […].
+            constants = {name: [p.value for p in found.parameters if p.name.startswith(name)] for name in ("mu", "alpha")}
         return Rubber(found.law, **constants)
 
 

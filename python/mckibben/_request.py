@@ -200,9 +200,10 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
             files = [plain(name, model) for model in models if isinstance(model, Saved) or str(model).strip().lower().endswith(".json")]
             out |= {name: words[0] if name == "model" else words, **({"formulas": files} if files else {})}
         elif name in TABLES and not isinstance(value, (bool, int)):
-            several = isinstance(value, (list, tuple))
-            held = [plain(name, item) if isinstance(item, (str, os.PathLike)) else table(item) for item in (value if several else [value])]
-            out[name] = held if several else held[0]
+            items = value if isinstance(value, (list, tuple)) else [value]
+            # The program takes one for a list of one.
+            held = [plain(name, item) if isinstance(item, (str, os.PathLike)) else table(item) for item in items]
+            out[name] = held[0] if len(held) == 1 else held
         elif name in CHOICES and isinstance(value, tuple) and len(value) == 2:
             out[name] = dict(zip(("low", "high"), plain(name, value)))
         elif name == "formulas" and "formulas" in out:
