@@ -215,7 +215,7 @@ def load(path: str | os.PathLike[str]) -> Any:
     >>> mk.load("lib:dmsp-20-300").length_mm
     300.0
     """
-    held = _native.read(path, "muscle")
+    held = _native.read(path, "muscle" if str(path).lower().startswith("lib:") else "table")
     text = held["text"]
     if not text.lstrip().startswith("{"):
         tables = _native.toml(held["name"], text)

@@ -166,6 +166,10 @@ def test_a_solution_is_saved_compared_and_given_to_others(thin: mk.Muscle, tmp_p
     p, e = np.linspace(0.05, 0.25, 3), np.linspace(0, 0.2, 5)
     points = thin.solve(p[:, None], e, model="universal")
     points.save(tmp_path / "s.json")
+    # Longer than a file that a person writes may be.
+    many = thin.solve(np.linspace(0.05, 0.25, 100)[:, None], np.linspace(0, 0.2, 60), model="ideal")
+    many.save(tmp_path / "many.json")
+    assert (tmp_path / "many.json").stat().st_size > 1 << 20 and mk.load(tmp_path / "many.json") == many
     assert mk.load(tmp_path / "s.json") == points and points.shape == (3, 5) and (points.uncertainty_n > 0).all() and points.status[0, 0] == "ok"
     data = points.to_xarray()
     assert dict(data.sizes) == {"pressure_mpa": 3, "contraction": 5} and data.force_n.attrs["units"] == "N" and len(points.to_pandas()) == 15
