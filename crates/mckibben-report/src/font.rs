@@ -14,9 +14,9 @@ pub(crate) struct Metrics {
 }
 
 impl Metrics {
-    /// Reads the embedded font.
+    /// Reads DejaVu Sans 2.37, of which `pyftsubset` left Latin, Greek, Cyrillic and signs, without hints and features: a fifth of the bytes.
     pub fn new() -> Result<Self> {
-        let font = Face::parse(dejavu::sans::regular(), 0)
+        let font = Face::parse(include_bytes!("../data/DejaVuSans.ttf"), 0)
             .map_err(|error| FigureError::Drawing(format!("the embedded font cannot be read: {error}")))?;
         Ok(Self { font })
     }
