@@ -181,6 +181,8 @@ class Quantity {
 
   #paint(fieldToo = true) {
     const { slider, unit, spec: { kind, unit: own } } = this, now = this.#now;
+    // Without a value there is nothing to change a little.
+    slider.hidden = now === undefined;
     slider.value = now === undefined ? "0" : String(1000 * this.#share(now));
     if (fieldToo) this.#write(now === undefined ? "" : this.#asText(now));
     unit.textContent = kind === "ratio" ? "" : own ?? unitName(kind);
