@@ -8,8 +8,8 @@ import { el } from "./dom.js";
 import { atEnd } from "./life.js";
 import { FRAGMENT, SURFACE } from "./shaders.js";
 
-/** Columns of a mesh about the axis, and of that of a moving muscle where there is no graphics processor. */
-const AROUND = 48, COARSE = 24;
+/** Columns of a mesh about the axis; columns and rows of that of a moving muscle where there is no graphics processor. */
+const AROUND = 48, COARSE = [24, 40];
 /** Strands drawn of a family whose number is not known, and most that are drawn. */
 const DRAWN = 18, MOST = 60;
 /** How the muscle is first seen, and how far it may be zoomed. */
@@ -27,11 +27,8 @@ const FITTING = [
 /** A row of the mesh about the axis: angles and rows. @param {number} row @param {number} around */
 const round = (row, around) => Array.from({ length: around + 1 }, (_, k) => [(2 * Math.PI * k) / around, row]);
 
-/** Stations from end to end; the ends and the middle are among those that are drawn. @param {number} count @param {number} every */
-function stationsOf(count, every) {
-  const half = Array.from({ length: Math.floor((count - 1) / every) }, (_, i) => count - 1 - i * every);
-  return [...half.map((j) => -j), 0, ...half.reverse()];
-}
+/** Rows of a mesh from one end to the other: so many in each half, as shares. @param {number} half */
+const shares = (half) => Array.from({ length: 2 * half + 1 }, (_, i) => i / half - 1);
 
 /** @param {WebGL2RenderingContext} gl @param {string} vertex */
 function program(gl, vertex) {
@@ -110,10 +107,7 @@ export class View {
     /** @type {Show} */
     this.show = { field: "", low: 0, high: 1, restLength: 1, restRadius: 1 };
     /** @type {WebGLTexture | null} */ this.plugTexture = null;
-    /**
-     * Parts of the mesh: with the measures of the muscle the number of stations changes to and fro.
-     * @type {Map<string, Piece>}
-     */
+    /** Parts of the mesh. @type {Map<string, Piece>} */
     this.pieces = new Map();
     this.canvas = el("canvas", { role: "img", "aria-label": "The deformed muscle" });
     const gl = this.canvas.getContext("webgl2", { antialias: !software(), alpha: true });
@@ -155,7 +149,8 @@ export class View {
   }
 
   /**
-   * Points and triangles of columns of angle and row over stations, whose neighbours are joined; made once.
+   * Points and triangles of columns of angle and row over shares of the half muscle, whose neighbours are joined; made
+   * once.
    * @param {string} name @param {number[]} along @param {() => number[][]} columns @returns {Piece}
    */
   piece(name, along, columns) {
@@ -169,7 +164,7 @@ export class View {
   /** @param {number[]} along @param {number[][]} columns */
   grid(along, columns) {
     const gl = /** @type {WebGL2RenderingContext} */ (this.gl), program = /** @type {WebGLProgram} */ (this.surface);
-    const data = columns.flatMap(([angle, row]) => along.flatMap((j) => [j, angle, row])), count = along.length;
+    const data = columns.flatMap(([angle, row]) => along.flatMap((t) => [t, angle, row])), count = along.length;
     const index = columns.slice(1).flatMap((_, k) => along.slice(1).flatMap((__, i) => {
       const a = k * count + i, b = a + count;
       return [a, b, a + 1, b, b + 1, a + 1];
@@ -255,7 +250,10 @@ export class View {
     gl.uniform1f(at("outer"), shape.across - 1);
     gl.uniform1f(at("cut"), this.cut ? 1 : 0);
     gl.uniform2f(at("reach"), this.show.low, this.show.high);
-    const { across } = shape, around = coarse ? COARSE : AROUND, along = stationsOf(shape.stations, coarse ? 2 : 1);
+    // A power of two: with the measures of the muscle the number of its stations changes to and fro.
+    const { stations, across } = shape, sharpest = [AROUND, 2 ** Math.ceil(Math.log2(stations))];
+    const [around, half] = coarse ? COARSE : sharpest, along = shares(half);
+    gl.uniform1f(at("last"), stations - 1);
     const draw = (/** @type {Piece} */ part) => {
       gl.bindVertexArray(part.array);
       gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0);
@@ -309,8 +307,10 @@ export class View {
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, all.length, 1, 0, gl.RGBA, gl.FLOAT, texels);
     gl.uniform1f(at("flat_normal"), 0);
     gl.uniform1f(at("cut"), 0);
+    gl.uniform1f(at("last"), profile.length);
     for (const sign of [1, -1])
-      draw(this.piece(`plug ${sign} around ${around}`, profile.map((_, j) => sign * (j + 1)), () => round(0, around)));
+      draw(this.piece(`plug ${sign} around ${around}`, profile.map((_, j) => (sign * (j + 1)) / profile.length),
+        () => round(0, around)));
     gl.bindTexture(gl.TEXTURE_2D, this.texture ?? null);
   }
 
