@@ -8,7 +8,7 @@ import { el } from "./dom.js";
 import { atEnd } from "./life.js";
 import { FRAGMENT, SURFACE } from "./shaders.js";
 
-/** Columns of a mesh about the axis; columns and rows of that of a moving muscle where there is no graphics processor. */
+/** Columns of a mesh about the axis; columns and rows while it moves, where there is no graphics processor. */
 const AROUND = 48, COARSE = [24, 40];
 /** Strands drawn of a family whose number is not known, and most that are drawn. */
 const DRAWN = 18, MOST = 60;
@@ -150,19 +150,12 @@ export class View {
 
   /**
    * Points and triangles of columns of angle and row over shares of the half muscle, whose neighbours are joined; made
-   * once.
-   * @param {string} name @param {number[]} along @param {() => number[][]} columns @returns {Piece}
+   * once for a name.
+   * @param {string} name @param {number[]} along @param {number[][]} columns @returns {Piece}
    */
   piece(name, along, columns) {
     const key = `${name} ${along.length}`, known = this.pieces.get(key);
     if (known) return known;
-    const made = this.grid(along, columns());
-    this.pieces.set(key, made);
-    return made;
-  }
-
-  /** @param {number[]} along @param {number[][]} columns */
-  grid(along, columns) {
     const gl = /** @type {WebGL2RenderingContext} */ (this.gl), program = /** @type {WebGLProgram} */ (this.surface);
     const data = columns.flatMap(([angle, row]) => along.flatMap((t) => [t, angle, row])), count = along.length;
     const index = columns.slice(1).flatMap((_, k) => along.slice(1).flatMap((__, i) => {
@@ -181,7 +174,9 @@ export class View {
       gl.enableVertexAttribArray(at);
       gl.vertexAttribPointer(at, 1, gl.FLOAT, false, 12, 4 * i);
     });
-    return { array, count: index.length };
+    const made = { array, count: index.length };
+    this.pieces.set(key, made);
+    return made;
   }
 
   /**
@@ -258,8 +253,7 @@ export class View {
       gl.bindVertexArray(part.array);
       gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0);
     };
-    const surface = (/** @type {number} */ row) =>
-      draw(this.piece(`${row} around ${around}`, along, () => round(row, around)));
+    const surface = (/** @type {number} */ row) => draw(this.piece(`${row} of ${around}`, along, round(row, around)));
     const known = shape.strands ? Math.min(shape.strands / 2, MOST) : DRAWN;
     /** What colours a part: the field (1), that of the strands (2), or nothing. */
     const paint = (/** @type {number} */ mapped, /** @type {number[]} */ plain, strands = 0) => {
@@ -279,7 +273,7 @@ export class View {
       gl.uniform1f(at("flat_normal"), 1);
       gl.uniform1f(at("cut"), 0);
       for (const angle of [0, Math.PI / 2])
-        draw(this.piece(`${across} wall ${angle}`, along, () => Array.from({ length: across }, (_, i) => [angle, i])));
+        draw(this.piece(`${across} wall ${angle}`, along, Array.from({ length: across }, (_, i) => [angle, i])));
     }
     paint(0, [0.56, 0.58, 0.61]);
     gl.uniform1f(at("shine"), 0.35);
@@ -309,8 +303,8 @@ export class View {
     gl.uniform1f(at("cut"), 0);
     gl.uniform1f(at("last"), profile.length);
     for (const sign of [1, -1])
-      draw(this.piece(`plug ${sign} around ${around}`, profile.map((_, j) => (sign * (j + 1)) / profile.length),
-        () => round(0, around)));
+      draw(this.piece(`plug ${sign} of ${around}`, profile.map((_, j) => (sign * (j + 1)) / profile.length),
+        round(0, around)));
     gl.bindTexture(gl.TEXTURE_2D, this.texture ?? null);
   }
 
