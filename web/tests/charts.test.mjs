@@ -294,6 +294,38 @@ inBrowser(({ name, open, blank, url }) => {
     await context.close();
   });
 
+  test("wall and strand are dragged on the drawing: the wall by what the scale says, the strand along with the pointer", async () => {
+    const { page, errors, context } = await open("#muscle");
+    await alive(page);
+    const value = async (/** @type {string} */ name) => Number.parseFloat(await page.getByRole("textbox", { name }).inputValue());
+    /** @param {number} which @param {number} by @param {number} down */
+    const drag = async (which, by, down) => {
+      const box = /** @type {any} */ (await page.locator(".dimensions circle").nth(which).boundingBox());
+      const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x + by, y + down, { steps: 4 });
+      await page.mouse.up();
+      return [x + by, y + down];
+    };
+    const perPixel = await page.evaluate(() => { const bar = /** @type {any} */ (document.querySelector(".stage .bar")); return parseFloat(bar.textContent) / bar.querySelector("span").getBoundingClientRect().width; });
+    const outline = await page.locator(".dimensions .ghost").getAttribute("d");
+    const [[, , bx, by, cx, cy]] = [(outline ?? "").match(/-?\d+\.\d/g)?.map(Number) ?? []];
+    const share = (by - cy) / Math.hypot(bx - cx, by - cy);
+    assert.equal(await value("Wall"), 3);
+    await drag(2, 0, -3);
+    await soon(async () => assert.ok(Math.abs(await value("Wall") - (3 + 3 * perPixel * Math.abs(share))) < 0.006, `${await value("Wall")}, ${perPixel}, ${share}`));
+    const before = await value("Braid angle");
+    const [x] = await drag(3, -8, 0);
+    await soon(async () => {
+      assert.ok(await value("Braid angle") > before + 1, `${before} ${await value("Braid angle")}`);
+      const box = /** @type {any} */ (await page.locator(".dimensions circle").nth(3).boundingBox());
+      assert.ok(Math.abs(box.x + box.width / 2 - x) < 2, `${box.x + box.width / 2} ${x}`);
+    });
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
   test("two fingers zoom the muscle", async () => {
     const { page, context } = await open("#muscle", { hasTouch: true });
     await alive(page);

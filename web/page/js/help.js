@@ -48,8 +48,7 @@ export function helpLink() {
         + "gestures. Every view has a link."),
     el("p", {}, el("a", { href: address("about", muscle.params()), onclick: close }, "About"),
       ": accuracy, verification, models, sources."),
-    DOCUMENTATION ?
-      el("iframe", { class: "book", title: "The book", src: book(pageOf(page).help) })
+    DOCUMENTATION ? el("iframe", { class: "book", title: "The book", src: book(pageOf(page).help) })
       : el("p", { class: "small soft" }, "The book comes with the program: ",
         el("code", {}, `docs/${pageOf(page).help.split("#")[0]}.md`), ". On the command line: ",
         el("code", {}, "mckibben help"), "."),

@@ -56,18 +56,16 @@ export function dimensions(stage, store, view) {
       }
       const seen = view(), { shape } = store, { restLength, restRadius } = seen.show;
       if (!shape) return;
-      const { across, ahead, long, foot, bulge } = layout(seen, shape);
+      const { across, ahead, long, foot } = layout(seen, shape), box = stage.getBoundingClientRect();
       const to = /** @type {Place} */ ([event.clientX - from.x, event.clientY - from.y]);
       const by = across(to) * seen.millimetresPerPixel;
-      const box = stage.getBoundingClientRect();
       const held = /** @type {Place} */ ([event.clientX - box.left - foot[0], event.clientY - box.top - foot[1]]);
       /** @type {Record<string, () => number>} */ const next = {
         D: () => Math.max(1, from.value + 2 * by),
         s: () => Math.min(0.9 * restRadius, Math.max(0.05, from.value + by)),
         // Along the axis lengths are foreshortened.
         L: () => Math.max(1, from.value + (ahead(to) * restLength) / Math.max(20, long)),
-        angle: () => angleAtRest(shape, Math.asin(Math.min(0.95, Math.max(0.05, across(held) / bulge)))
-          / Math.max(0.1, (ahead(held) * restLength) / (long * bulge * seen.millimetresPerPixel))),
+        angle: () => angleAtRest(shape, seen.largest(), (ahead(held) * restLength) / long),
       };
       store.changed(key, Math.round(parts * next[key]()) / parts, settled);
     });
@@ -81,13 +79,20 @@ export function dimensions(stage, store, view) {
 }
 
 /**
- * The strand angle at rest that leads to one of this slope in the middle: of strands that keep their length, the
- * cosines keep their ratio at a contraction.
- * @param {NonNullable<Store["shape"]>} shape @param {number} slope
+ * The strand angle at rest with which a strand is held so far along the axis from its foot, in mm. Strands keep their
+ * length: at a contraction the ratio of the cosines is fixed, and the radius grows like that of the sines.
+ * @param {NonNullable<Store["shape"]>} shape @param {number} radius of the shape @param {number} ahead
  */
-function angleAtRest({ arrays, muscle: { angle_deg: rest } }, slope) {
-  const degree = Math.PI / 180, ratio = Math.cos(arrays.strand_angle_deg[0] * degree) / Math.cos(rest * degree);
-  return Math.min(54, Math.max(5, Math.acos(Math.min(1, Math.cos(Math.atan(slope)) / ratio)) / degree));
+function angleAtRest({ arrays, muscle: { angle_deg: rest } }, radius, ahead) {
+  const degree = Math.PI / 180, now = arrays.strand_angle_deg[0] * degree;
+  const ratio = Math.cos(now) / Math.cos(rest * degree), share = (radius * Math.sin(rest * degree)) / Math.sin(now);
+  let [low, high] = [12, 54];
+  for (let i = 0; i < 20; i++) {
+    const middle = 0.5 * (low + high);
+    if (HOLD * share * Math.min(1, ratio * Math.cos(middle * degree)) > ahead * Math.sin(middle * degree)) low = middle;
+    else high = middle;
+  }
+  return low;
 }
 
 /**
