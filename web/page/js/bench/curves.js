@@ -52,7 +52,7 @@ export class Curves {
     if (test === "isometric" || test === "isotonic") this.store.changed("p", Math.max(0, pressure), settled);
   }
 
-  /** Curves at rest; while the hand moves they take at most a fifth of the time: the muscle comes first. */
+  /** Curves at rest; while the hand moves they take at most an eighth of the time: the muscle comes first. */
   soon() {
     clearTimeout(this.timer);
     this.timer = window.setTimeout(() => this.ask(), performance.now() > this.due ? 0 : 100);
@@ -68,7 +68,7 @@ export class Curves {
       this.draw();
       if (turn !== this.turn) return;
       const now = performance.now();
-      this.due = now + 4 * (now - began);
+      this.due = now + 7 * (now - began);
       this.askOver(fields);
       this.points.ask();
     };
