@@ -113,18 +113,18 @@ impl Model {
 
     pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
         match self {
+            Self::Elements(Elements::Axisymmetric(mesh)) => Ok(section(muscle, mesh)?),
+            // The others are as large as all the rest.
+            _ if !cfg!(feature = "whole") => {
+                let missing = "the full engine; this is a reduced one";
+                Err(ModelError::Missing { model: "this model", missing, key: "" })
+            }
             Self::ClosedForm(kind) => kind.build(muscle),
             Self::Formula(formula) => with_ends(muscle, |m| Ok(Box::new(FormulaModel::new(formula, m)))),
             Self::Universal(formula) => {
                 with_ends(muscle, |m| Ok(Box::new(Universal::new(Arc::clone(formula), m))))
             }
-            Self::Elements(Elements::Axisymmetric(mesh)) => Ok(section(muscle, mesh)?),
-            // Bricks and their solver are as large as all the rest.
-            Self::Elements(elements) if cfg!(feature = "whole") => Ok(elements.build(muscle)?),
-            Self::Elements(elements) => {
-                let missing = "the full engine; this is a reduced one";
-                Err(ModelError::Missing { model: elements.name(), missing, key: "" })
-            }
+            Self::Elements(elements) => Ok(elements.build(muscle)?),
         }
     }
 }

@@ -45,12 +45,11 @@ export function columnChoice(changed) {
       element: el("div", { style: "border-top:1px solid var(--faint);padding-top:6px" }, column.element,
         unit.element) };
   });
-  const paint = () =>
-    rows.forEach(({ quantity, column, unit }) => {
-      const [heading, of] = chosen.get(quantity) ?? ["", ""];
-      column.set(heading);
-      unit.set(of);
-    });
+  const paint = () => rows.forEach(({ quantity, column, unit }) => {
+    const [heading, of] = chosen.get(quantity) ?? ["", ""];
+    column.set(heading);
+    unit.set(of);
+  });
   const element = el("details", {}, el("summary", {}, "Columns"), ...rows.map((r) => r.element));
   return {
     element,
@@ -59,10 +58,9 @@ export function columnChoice(changed) {
     /** Where the engine has to ask. */
     open() { element.open = true; },
     /** As requests have it. */
-    value: () =>
-      Object.fromEntries(
-        [...chosen].map(([quantity, [heading, unit]]) => [quantity, unit ? `${heading}:${unit}` : heading]),
-      ),
+    value: () => Object.fromEntries(
+      [...chosen].map(([quantity, [heading, unit]]) => [quantity, unit ? `${heading}:${unit}` : heading]),
+    ),
     /** As it stands in an address. */
     text: () =>
       [...chosen].map(([quantity, [heading, unit]]) => `${quantity}=${heading}${unit ? `:${unit}` : ""}`).join(","),

@@ -12,8 +12,7 @@ const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp:
 
 /**
  * `change` is called at every step, with `settled` at the end of a gesture. Without a value the field is empty; one
- * that
- * `clears` may be emptied, and then has the usual value.
+ * that `clears` may be emptied, and then has the usual value.
  * @typedef {{ key?: string, field?: string, label: string, symbol?: string, about?: string,
  *   kind: Kind, unit?: string, value?: number, above?: number, minimum?: number, maximum?: number,
  *   usual?: number, low?: number, high?: number, around?: boolean, clears?: boolean,
@@ -117,7 +116,9 @@ class Quantity {
   #fromSlider() {
     const { kind, around } = this.spec, share = Number(this.slider.value) / 1000, [low, high] = [this.#low, this.#high];
     const v = outside(kind, around ? low * (high / low) ** share : low + share * (high - low));
-    if (around) return inside(kind, Number(v.toPrecision(v < 3 * 10 ** Math.floor(Math.log10(v)) ? 3 : 2)));
+    // A round value may lie beyond its ends.
+    const within = (/** @type {number} */ round) => Math.min(high, Math.max(low, inside(kind, round)));
+    if (around) return within(Number(v.toPrecision(v < 3 * 10 ** Math.floor(Math.log10(v)) ? 3 : 2)));
     const step = this.#step();
     return inside(kind, Number((Math.round(v / step) * step).toPrecision(12)));
   }
@@ -181,6 +182,8 @@ class Quantity {
 
   #paint(fieldToo = true) {
     const { slider, unit, spec: { kind, unit: own } } = this, now = this.#now;
+    // Without a value there is nothing to change a little.
+    slider.hidden = now === undefined;
     slider.value = now === undefined ? "0" : String(1000 * this.#share(now));
     if (fieldToo) this.#write(now === undefined ? "" : this.#asText(now));
     unit.textContent = kind === "ratio" ? "" : own ?? unitName(kind);

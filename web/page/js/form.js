@@ -79,10 +79,9 @@ class Reading {
   /** @param {Field} f @param {string[]} parts */
   #pair(f, parts) {
     const item = /** @type {Record<string, number>} */ ({});
-    f.pair?.forEach(([kind, field], i) =>
-      this.#ask(f, kind, (parts[i] ?? "").trim(), (v) => {
-        item[field] = Number(v);
-      })
+    f.pair?.forEach(([kind, field], i) => this.#ask(f, kind, (parts[i] ?? "").trim(), (v) => {
+      item[field] = Number(v);
+    })
     );
     return item;
   }

@@ -37,16 +37,15 @@ export function errorsView(file) {
 }
 
 /** Figures that are drawn when they are opened. @param {Fitted["figures"]} drawn */
-export const figuresView = (drawn) =>
-  (drawn ?? []).map((f) => {
-    const box = el("details", {}, el("summary", {}, f.figure.title || f.name));
-    box.addEventListener("toggle", () => {
-      const one = new Figures(f.name);
-      box.append(one.element);
-      one.show(f.figure);
-    }, { once: true });
-    return box;
-  });
+export const figuresView = (drawn) => (drawn ?? []).map((f) => {
+  const box = el("details", {}, el("summary", {}, f.figure.title || f.name));
+  box.addEventListener("toggle", () => {
+    const one = new Figures(f.name);
+    box.append(one.element);
+    one.show(f.figure);
+  }, { once: true });
+  return box;
+});
 
 /** So many values between two ends. @param {[number, number]} ends */
 const steps = ([low, high], n = 11) => Array.from({ length: n }, (_, i) => low + ((high - low) * i) / (n - 1));

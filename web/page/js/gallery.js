@@ -56,8 +56,8 @@ async function openEntry({ file = "", part, page = "muscle", words = {}, joint, 
   location.hash = address(page, { ...words, u: unitsInAddress(), file: text, joint: jointText });
 }
 
-/** Cards of all muscles. @param {(problem: unknown) => void} fail @param {() => void} [opened] */
-export const gallery = (fail, opened) => el("div", { class: "gallery" }, ...GALLERY.map((entry) => {
+/** Cards of muscles. @param {(problem: unknown) => void} fail @param {() => void} [opened] @param {Entry[]} [list] */
+export const gallery = (fail, opened, list = GALLERY) => el("div", { class: "gallery" }, ...list.map((entry) => {
   const { title, about, page, size: [outer_diameter_mm, wall_mm, length_mm, angle_deg] } = entry;
   const picture = thumbnail({ outer_diameter_mm, wall_mm, length_mm, angle_deg }, undefined, page);
   return card(() => openEntry(entry).then(() => opened?.(), fail), el("span", {}, picture), title, about);

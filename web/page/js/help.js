@@ -40,21 +40,19 @@ function book(place) {
 /** The button of the frame; it shows the help of the page that is shown. */
 export function helpLink() {
   let page = "muscle";
-  const open = () =>
-    dialog(`Help: ${pageOf(page).text}`, (close) => [
-      el("p", {}, pageOf(page).about),
-      el("ul", {}, ...(HOW[page] ?? []).map((text) => el("li", {}, text))),
-      el("p", {},
-        "Point at a name of a quantity, or focus its field, to see it in a drawing. Undo and Redo go through your "
-          + "gestures. Every view has a link."),
-      el("p", {}, el("a", { href: address("about", muscle.params()), onclick: close }, "About"),
-        ": accuracy, verification, models, sources."),
-      DOCUMENTATION ?
-        el("iframe", { class: "book", title: "The book", src: book(pageOf(page).help) })
-        : el("p", { class: "small soft" }, "The book comes with the program: ",
-          el("code", {}, `docs/${pageOf(page).help.split("#")[0]}.md`), ". On the command line: ",
-          el("code", {}, "mckibben help"), "."),
-    ]);
+  const open = () => dialog(`Help: ${pageOf(page).text}`, (close) => [
+    el("p", {}, pageOf(page).about),
+    el("ul", {}, ...(HOW[page] ?? []).map((text) => el("li", {}, text))),
+    el("p", {},
+      "Point at a name of a quantity, or focus its field, to see it in a drawing. Undo and Redo go through your "
+        + "gestures. Every view has a link."),
+    el("p", {}, el("a", { href: address("about", muscle.params()), onclick: close }, "About"),
+      ": accuracy, verification, models, sources."),
+    DOCUMENTATION ? el("iframe", { class: "book", title: "The book", src: book(pageOf(page).help) })
+      : el("p", { class: "small soft" }, "The book comes with the program: ",
+        el("code", {}, `docs/${pageOf(page).help.split("#")[0]}.md`), ". On the command line: ",
+        el("code", {}, "mckibben help"), "."),
+  ]);
   const element = button("Help", open);
   return { element, show(/** @type {string} */ name) {
     page = name;

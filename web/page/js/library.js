@@ -31,8 +31,7 @@ export const muscleButtons = (file, put, keep, name) => el("p", { class: "row" }
 function entryCard(entry, opened, fail) {
   const { name, blocked_force_n: force, uncertainty_n: half } = entry;
   const pull = force && half
-    ? `, ${withUncertainty("force", force, half)} blocked at ${show("pressure", entry.pressure_mpa, 3)}`
-    : "";
+    ? `, ${withUncertainty("force", force, half)} blocked at ${show("pressure", entry.pressure_mpa, 3)}` : "";
   const size = `D0 ${show("length", entry.outer_diameter_mm, 3)}, L0 ${show("length", entry.length_mm)}`;
   const box = card(() => openPart(name).then(opened, fail), el("span", {}, thumbnail(entry)),
     capital(entry.product ?? entry.title), `${name}: ${size}${pull}`);

@@ -26,8 +26,6 @@ export class Lines {
     /** What the keyboard reads: curve and point. @type {[number, number] | undefined} */ this.read = undefined;
     this.resting = 0;
     /** Where the pointer rests on the plot. @type {[number, number] | undefined} */ this.pointer = undefined;
-    /** What drawing took the last time, in milliseconds. */
-    this.cost = 0;
     /** Where the ring is, in values of the axes. @type {[number, number] | undefined} */ this.marked = undefined;
     this.drawn = el("div", {});
     this.ring = el("i", { class: "ring", hidden: true });
@@ -47,7 +45,6 @@ export class Lines {
   draw() {
     const { spec, host: { clientWidth: width, clientHeight: height } } = this;
     if (!spec || !width || !height) return;
-    const began = performance.now();
     this.at = frame(spec, width, height, this.zoomed ?? reachOf(spec));
     this.drawn.innerHTML = drawing(spec, this.at, colours());
     this.all.hidden = !this.zoomed;
@@ -55,7 +52,6 @@ export class Lines {
     // What is below the pointer is read off anew.
     if (this.pointer) this.hover(this.pointer[0], this.pointer[1]);
     else if (!this.tip.hidden) this.clear();
-    this.cost = performance.now() - began;
   }
 
   /**

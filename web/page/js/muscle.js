@@ -57,12 +57,11 @@ export class MuscleState {
 
   /** Is called some time after it changed. */
   onChange = this.#changed.stay;
-  /** Tells it soon. */
-  touch() { this.#telling ||= window.setTimeout(() => this.tell(), 120); }
+  /** Tells it once it rests: what stands above every place does not hold up a drag. */
+  touch() { clearTimeout(this.#telling); this.#telling = window.setTimeout(() => this.tell(), 120); }
   /** Tells at once that it changed. */
   tell() {
     clearTimeout(this.#telling);
-    this.#telling = 0;
     this.#changed.tell();
   }
 

@@ -18,8 +18,7 @@ export function openDialog() {
       takeFiles(files);
     });
     return [
-      el("p", { class: "row" },
-        button("Choose files", () => input.click(), { class: "main" }), input,
+      el("p", { class: "row" }, button("Choose files", () => input.click(), { class: "main" }), input,
         el("span", { class: "small soft" },
           "A muscle, a joint or a drive (TOML), measured points (CSV), or a project (JSON). You can also drop files "
             + "anywhere on the page.")),

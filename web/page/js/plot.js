@@ -117,7 +117,8 @@ const onPaper = ({ ink, paper }, fill = ink) =>
  */
 export function drawing(spec, at, colours, file = false) {
   const { width, height, left, top, w, h, px, py } = at, box = [left - 4, top - 4, w + 8, h + 8];
-  const inner = [image(spec.picture, at), ...spec.series.map((s, i) => band(s, i, at)),
+  const strong = spec.series.some((s) => s.strong);
+  const inner = [image(spec.picture, at), ...spec.series.map((s, i) => band(s, i, at, strong)),
     ...spec.series.map((s, i) => curve(s, i, at))].join("");
   const marks = (spec.marks ?? []).map((m) => `<circle cx="${short(px(m.x))}" cy="${short(py(m.y))}" r="6" fill="none" `
     + `stroke="${colours.ink}" stroke-width="2"><title>${escaped(m.text)}</title></circle>`).join("");
@@ -164,16 +165,16 @@ function runs(s, has = () => true) {
 const placed = (s, { px, py }) => (/** @type {number} */ i, by = 0) =>
   `${short(px(s.x[i]))} ${short(py(Number(s.y[i]) + by))}`;
 
-/** @param {Series} s @param {number} which @param {Frame} at */
-function band(s, which, at) {
+/** @param {Series} s @param {number} which @param {Frame} at @param {boolean} strong whether one is, which alone has its ± */
+function band(s, which, at, strong) {
   const place = placed(s, at), half = (/** @type {number} */ i) => Number(s.half?.[i]);
-  if (!s.band && !s.half) return "";
+  if (!s.band && (!s.half || (strong && !s.strong))) return "";
   const all = s.band ? runs(s) : runs(s, (i) => finite(s.half?.[i])).filter((run) => run.length > 1);
   return all.map((run) => {
     const points = s.band ? run.map((i) => place(i))
       : [...run.map((i) => place(i, half(i))), ...run.reverse().map((i) => place(i, -half(i)))];
-    const opacity = s.strong ? 0.2 : s.band ? 0.14 : 0.09;
-    return `<path d="M${points.join("L")}Z" fill="${colourOf(s, which)}" opacity="${opacity}"/>`;
+    const edge = s.strong ? ` stroke="${colourOf(s, which)}" stroke-opacity=".6" stroke-dasharray="2 3"` : "";
+    return `<path d="M${points.join("L")}Z" fill="${colourOf(s, which)}" fill-opacity="${s.band ? 0.14 : 0.09}"${edge}/>`;
   }).join("");
 }
 

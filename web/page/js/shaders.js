@@ -9,11 +9,11 @@ vec4 node(int j, float row) { return texelFetch(shape, ivec2(abs(j), int(row + 0
 float side(int j) { return j < 0 ? -1.0 : 1.0; }
 `;
 export const SURFACE = SHARED + `
-in float station; in float angle; in float row;
-uniform float flat_normal;
+in float station; in float angle; in float row;   // station: −1 to 1, from end to end
+uniform float flat_normal; uniform float last;
 out vec3 place; out vec3 normal; out float value; out vec3 strand;
 void main() {
-  int j = int(round(station));
+  int j = int(round(station * last));
   vec4 n = node(j, row);
   vec4 a = node(j - 1, row), b = node(j + 1, row), t = node(j, outer + 1.0);
   float z = n.y * side(j), dz = b.y * side(j + 1) - a.y * side(j - 1), dr = b.x - a.x;

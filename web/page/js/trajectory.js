@@ -10,11 +10,10 @@ const HELD = 1;
  * a share τ of the time [flash1985].
  * @param {number} from @param {number} to in degrees
  */
-export const angles = (from, to) =>
-  Array.from({ length: POINTS + 1 }, (_, i) => {
-    const t = i / POINTS;
-    return Number((from + (to - from) * t ** 3 * (10 - 15 * t + 6 * t * t)).toFixed(6));
-  });
+export const angles = (from, to) => Array.from({ length: POINTS + 1 }, (_, i) => {
+  const t = i / POINTS;
+  return Number((from + (to - from) * t ** 3 * (10 - 15 * t + 6 * t * t)).toFixed(6));
+});
 
 /**
  * A drive file whose pressures follow the points of `joint`, each held until the next.

@@ -8,7 +8,8 @@ import { el } from "./dom.js";
 import { atEnd } from "./life.js";
 import { FRAGMENT, SURFACE } from "./shaders.js";
 
-const AROUND = 48;
+/** Columns of a mesh about the axis; columns and rows while it moves, where there is no graphics processor. */
+const AROUND = 48, COARSE = [24, 40];
 /** Strands drawn of a family whose number is not known, and most that are drawn. */
 const DRAWN = 18, MOST = 60;
 /** How the muscle is first seen, and how far it may be zoomed. */
@@ -23,8 +24,11 @@ const FITTING = [
   [1.14, 0.72], [0.62, 0.72], [0.62, 0.72], [0.62, 0.98], [0.62, 0.98], [0.36, 0.98], [0.36, 0.98], [0.36, 1.1],
   [0.42, 1.14], [0.36, 1.22], [0.42, 1.26], [0.36, 1.34], [0.36, 1.42], [0.36, 1.42], [0.18, 1.42]];
 
-/** A row of the mesh about the axis: angles and rows. @param {number} row */
-const round = (row) => Array.from({ length: AROUND + 1 }, (_, k) => [(2 * Math.PI * k) / AROUND, row]);
+/** A row of the mesh about the axis: angles and rows. @param {number} row @param {number} around */
+const round = (row, around) => Array.from({ length: around + 1 }, (_, k) => [(2 * Math.PI * k) / around, row]);
+
+/** Rows of a mesh from one end to the other: so many in each half, as shares. @param {number} half */
+const shares = (half) => Array.from({ length: 2 * half + 1 }, (_, i) => i / half - 1);
 
 /** @param {WebGL2RenderingContext} gl @param {string} vertex */
 function program(gl, vertex) {
@@ -78,7 +82,6 @@ export function reach(list) {
  * @typedef {{ stations: number, across: number, arrays: Record<string, number[] | Float32Array>, length_mm: number,
  *   strands?: number | null }} Shape
  * @typedef {{ array: WebGLVertexArrayObject, count: number }} Piece
- * @typedef {{ outer: Piece, inner: Piece, walls: Piece[] }} Mesh
  */
 
 /**
@@ -104,12 +107,8 @@ export class View {
     /** @type {Show} */
     this.show = { field: "", low: 0, high: 1, restLength: 1, restRadius: 1 };
     /** @type {WebGLTexture | null} */ this.plugTexture = null;
-    /** @type {{ array: WebGLVertexArrayObject, count: number }[] | undefined} */ this.plug = undefined;
-    /**
-     * Meshes by their stations and nodes: with the measures of the muscle their number changes to and fro.
-     * @type {Map<string, Mesh>}
-     */
-    this.meshes = new Map();
+    /** Parts of the mesh. @type {Map<string, Piece>} */
+    this.pieces = new Map();
     this.canvas = el("canvas", { role: "img", "aria-label": "The deformed muscle" });
     const gl = this.canvas.getContext("webgl2", { antialias: !software(), alpha: true });
     this.gl = gl;
@@ -146,35 +145,22 @@ export class View {
     this.texture = table(gl);
     this.plugTexture = table(gl);
     gl.enable(gl.DEPTH_TEST);
-    this.meshes = new Map();
-    this.plug = undefined;
+    this.pieces = new Map();
   }
 
   /**
-   * Points and triangles that depend on the number of stations and nodes alone.
-   * @param {number} stations @param {number} across
+   * Points and triangles of columns of angle and row over shares of the half muscle, whose neighbours are joined; made
+   * once for a name.
+   * @param {string} name @param {number[]} along @param {number[][]} columns @returns {Piece}
    */
-  mesh(stations, across) {
-    const key = `${stations}x${across}`;
-    this.parts = this.meshes.get(key);
-    if (this.parts) return;
-    const last = stations - 1, along = Array.from({ length: 2 * last + 1 }, (_, i) => i - last);
-    const wall = (/** @type {number} */ angle) => Array.from({ length: across }, (_, i) => [angle, i]);
-    this.parts = { outer: this.grid(along, round(across - 1)), inner: this.grid(along, round(0)),
-      walls: [this.grid(along, wall(0)), this.grid(along, wall(Math.PI / 2))] };
-    this.meshes.set(key, this.parts);
-  }
-
-  /**
-   * Columns of angle and row over stations; neighbours are joined.
-   * @param {number[]} along @param {number[][]} columns
-   */
-  grid(along, columns) {
+  piece(name, along, columns) {
+    const key = `${name} ${along.length}`, known = this.pieces.get(key);
+    if (known) return known;
     const gl = /** @type {WebGL2RenderingContext} */ (this.gl), program = /** @type {WebGLProgram} */ (this.surface);
-    const data = columns.flatMap(([angle, row]) => along.flatMap((j) => [j, angle, row])), count = along.length;
+    const data = columns.flatMap(([angle, row]) => along.flatMap((t) => [t, angle, row])), count = along.length;
     const index = columns.slice(1).flatMap((_, k) => along.slice(1).flatMap((__, i) => {
       const a = k * count + i, b = a + count;
-      return [a, a + 1, b, b, a + 1, b + 1];
+      return [a, b, a + 1, b, b + 1, a + 1];
     }));
     const array = gl.createVertexArray();
     gl.bindVertexArray(array);
@@ -188,7 +174,9 @@ export class View {
       gl.enableVertexAttribArray(at);
       gl.vertexAttribPointer(at, 1, gl.FLOAT, false, 12, 4 * i);
     });
-    return { array, count: index.length };
+    const made = { array, count: index.length };
+    this.pieces.set(key, made);
+    return made;
   }
 
   /**
@@ -215,7 +203,6 @@ export class View {
     const { gl, shape, show } = this;
     if (!gl || !shape) return;
     const { stations, across, arrays } = shape;
-    this.mesh(stations, across);
     const strand = show.field.startsWith("strand_");
     const field = arrays[show.field];
     const texels = new Float32Array(4 * stations * (across + 1));
@@ -258,11 +245,15 @@ export class View {
     gl.uniform1f(at("outer"), shape.across - 1);
     gl.uniform1f(at("cut"), this.cut ? 1 : 0);
     gl.uniform2f(at("reach"), this.show.low, this.show.high);
-    const parts = /** @type {Mesh} */ (this.parts);
+    // A power of two: with the measures of the muscle the number of its stations changes to and fro.
+    const { stations, across } = shape, sharpest = [AROUND, 2 ** Math.ceil(Math.log2(stations))];
+    const [around, half] = coarse ? COARSE : sharpest, along = shares(half);
+    gl.uniform1f(at("last"), stations - 1);
     const draw = (/** @type {Piece} */ part) => {
       gl.bindVertexArray(part.array);
       gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0);
     };
+    const surface = (/** @type {number} */ row) => draw(this.piece(`${row} of ${around}`, along, round(row, around)));
     const known = shape.strands ? Math.min(shape.strands / 2, MOST) : DRAWN;
     /** What colours a part: the field (1), that of the strands (2), or nothing. */
     const paint = (/** @type {number} */ mapped, /** @type {number[]} */ plain, strands = 0) => {
@@ -272,26 +263,33 @@ export class View {
     };
     gl.uniform1f(at("flat_normal"), 0);
     paint(strand ? 2 : 1, [0.5, 0.48, 0.46], Math.round(known));
-    draw(parts.outer);
+    // Of a muscle that is whole only the front is seen.
+    if (!this.cut) gl.enable(gl.CULL_FACE);
+    surface(across - 1);
+    gl.disable(gl.CULL_FACE);
     if (this.cut) {
       paint(strand ? 0 : 1, [0.55, 0.52, 0.5]);
-      draw(parts.inner);
+      surface(0);
       gl.uniform1f(at("flat_normal"), 1);
       gl.uniform1f(at("cut"), 0);
-      parts.walls.forEach(draw);
+      for (const angle of [0, Math.PI / 2])
+        draw(this.piece(`${across} wall ${angle}`, along, Array.from({ length: across }, (_, i) => [angle, i])));
     }
     paint(0, [0.56, 0.58, 0.61]);
     gl.uniform1f(at("shine"), 0.35);
-    this.plugs(at, draw);
+    this.plugs(at, draw, around);
     gl.uniform1f(at("shine"), 0);
+    // It is drawn while the page does the rest.
+    gl.flush();
     this.drawn?.();
   }
 
   /**
    * The fittings at both ends, each with its port.
    * @param {(name: string) => WebGLUniformLocation | null} at @param {(part: Piece) => void} draw
+   * @param {number} around
    */
-  plugs(at, draw) {
+  plugs(at, draw, around) {
     const { gl, shape } = this;
     if (!gl || !shape) return;
     const last = shape.arrays.z_mm.length - 1, end = shape.arrays.z_mm[last], r = shape.arrays.r_mm[last];
@@ -301,10 +299,12 @@ export class View {
     gl.bindTexture(gl.TEXTURE_2D, this.plugTexture);
     const texels = new Float32Array(all.flatMap(([a, z]) => [a, z, 0, 0]));
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, all.length, 1, 0, gl.RGBA, gl.FLOAT, texels);
-    this.plug ??= [1, -1].map((sign) => this.grid(profile.map((_, j) => sign * (j + 1)), round(0)));
     gl.uniform1f(at("flat_normal"), 0);
     gl.uniform1f(at("cut"), 0);
-    this.plug.forEach(draw);
+    gl.uniform1f(at("last"), profile.length);
+    for (const sign of [1, -1])
+      draw(this.piece(`plug ${sign} of ${around}`, profile.map((_, j) => (sign * (j + 1)) / profile.length),
+        round(0, around)));
     gl.bindTexture(gl.TEXTURE_2D, this.texture ?? null);
   }
 

@@ -17,12 +17,6 @@ pub fn unknown_model(name: &str, names: &[&'static str]) -> Refused {
     )
 }
 
-/// What is known of a kind, and how it is made of a muscle between its ends.
-struct KindRow {
-    entry: ModelEntry,
-    build: fn(&Muscle) -> Result<Box<dyn ForceModel>>,
-}
-
 macro_rules! models {
     ($($(#[$doc:meta])* $kind:ident = $entry:expr, $build:expr;)*) => {
         /// A model that answers without a solver of its own.
@@ -31,11 +25,13 @@ macro_rules! models {
             $($(#[$doc])* $kind,)*
         }
 
-        const ROWS: &[KindRow] = &[$(KindRow { entry: $entry, build: $build },)*];
+        const ENTRIES: &[ModelEntry] = &[$($entry,)*];
+        /// How they are made of a muscle between its ends: beside the entries, so that a program may know the names without the models.
+        const BUILDS: &[fn(&Muscle) -> Result<Box<dyn ForceModel>>] = &[$($build,)*];
 
         impl ModelKind {
             /// All kinds.
-            pub const ALL: [Self; ROWS.len()] = [$(Self::$kind,)*];
+            pub const ALL: [Self; ENTRIES.len()] = [$(Self::$kind,)*];
         }
     };
 }
@@ -82,26 +78,23 @@ fn universal(
 }
 
 impl ModelKind {
-    fn row(self) -> &'static KindRow {
-        &ROWS[self as usize]
-    }
-
     /// Name, description and source.
     pub fn entry(self) -> ModelEntry {
-        self.row().entry
+        ENTRIES[self as usize]
     }
 
     /// The word for `--model`.
     pub fn name(self) -> &'static str {
-        self.row().entry.name
+        self.entry().name
     }
 
     /// The model of a muscle.
     ///
     /// # Errors
     /// [`ModelError`] where the muscle does not state what the model needs.
+    #[inline(always)]
     pub fn build(self, muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
-        with_ends(muscle, self.row().build)
+        with_ends(muscle, BUILDS[self as usize])
     }
 }
 

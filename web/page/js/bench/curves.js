@@ -25,6 +25,8 @@ export class Curves {
     /** What was asked last. */
     this.keys = { family: "", own: "", over: "" };
     this.timer = 0;
+    /** Questions, and when the hand that moves gets curves again. */
+    this.turn = this.due = 0;
     this.over = overlayChoice(store, () => { this.ask(); store.settle(); });
     const choose = (/** @type {string} */ test) => { store.look({ test }); this.draw(); this.ask(); };
     this.tab = tabs("Curves", TESTS, store.wanted.test, choose);
@@ -50,46 +52,47 @@ export class Curves {
     if (test === "isometric" || test === "isotonic") this.store.changed("p", Math.max(0, pressure), settled);
   }
 
-  /**
-   * Curves, at most ten times a second, and where drawing them takes most of a frame once the hand rests: the muscle
-   * comes first.
-   */
+  /** Curves at rest; while the hand moves they take at most an eighth of the time: the muscle comes first. */
   soon() {
-    if (this.chart.cost > 8) clearTimeout(this.timer);
-    else if (this.timer) return;
-    this.timer = window.setTimeout(() => { this.timer = 0; this.ask(); }, 100);
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => this.ask(), performance.now() > this.due ? 0 : 100);
   }
 
   ask() {
-    const { store } = this, { test } = store.wanted;
+    const { store } = this, { test } = store.wanted, turn = ++this.turn, began = performance.now();
     if (test === "along") return this.draw();
     const { request, top } = familyOf(store, this.points.pressures()), fields = muscle.fields();
-    const key = (/** @type {object} */ of) => JSON.stringify([test, fields, of]);
-    // Along a family only the mark and the own curve move.
-    this.once("family", key(request), request, (answer) => { this.family = { test, answer, top }; });
     const mine = { ...ownOf(store, top), ...(friction() ? { both: true } : {}) };
-    this.once("own", key(mine), mine, (answer) => { this.own = { test, answer }; });
-    this.askOver(fields);
-    this.points.ask();
+    this.due = Infinity;
+    const done = () => {
+      this.draw();
+      if (turn !== this.turn) return;
+      const now = performance.now();
+      this.due = now + 7 * (now - began);
+      this.askOver(fields);
+      this.points.ask();
+    };
+    const own = () => this.once("own", mine, (answer) => { this.own = answer && { test, answer }; }, done);
+    // Along a family only the mark and the own curve move. Both are drawn at once.
+    this.once("family", request, (answer) => { if (answer) this.family = { test, answer, top }; },
+      () => (turn === this.turn ? own() : this.draw()));
   }
 
   /**
    * Asks what was not asked yet.
-   * @param {"family" | "own"} what @param {string} key @param {object} request
-   * @param {(answer: CurveAnswer) => void} take
+   * @param {"family" | "own"} what @param {object} request @param {(answer?: CurveAnswer) => void} take
+   * @param {() => void} next
    */
-  once(what, key, request, take) {
-    if (key === this.keys[what]) return;
-    this.keys[what] = key;
+  once(what, request, take, next) {
     const test = /** @type {"isobaric" | "isometric" | "isotonic"} */ (this.store.wanted.test);
-    const done = (/** @type {CurveAnswer} */ answer) => { take(answer); this.draw(); };
-    const fail = () => {
+    const asked = { test, ...muscle.fields(), ...request }, key = JSON.stringify(asked);
+    if (key === this.keys[what]) return next();
+    this.keys[what] = key;
+    this.slots[what].ask("curve", asked, (answer) => { take(answer); next(); }, () => {
       this.keys[what] = "";
-      if (what !== "own") return;
-      this.own = undefined;
-      this.draw();
-    };
-    this.slots[what].ask("curve", { test, ...muscle.fields(), ...request }, done, fail);
+      take();
+      next();
+    });
   }
 
   /** @param {Record<string, unknown>} fields */

@@ -1,13 +1,17 @@
-// Dimension lines over the muscle, and its shape at rest as a ghost. The handles change the diameter and the length at
-// rest.
+// Dimension lines over the muscle, and its shape at rest as a ghost. The handles change diameter, wall and length at
+// rest, and the angle of a strand.
 import { dragging } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { show } from "../units.js";
 
 /** @typedef {[number, number]} Place */
 const SVG = "http://www.w3.org/2000/svg";
-/** Pixels between the muscle and a dimension line. */
+/** Pixels between the muscle and a dimension line, and between two handles at least. */
 const GAP = 14;
+/** What the handles change, and to how many parts of a unit it is rounded. @type {Record<string, [string, number]>} */
+const HANDLES = { D: ["outer diameter", 10], L: ["length", 10], s: ["wall", 100], angle: ["braid angle", 10] };
+/** How far from the front a strand is taken hold of, about the axis. */
+const HOLD = 0.8;
 const at = (/** @type {Place} */ [x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`;
 
 /** @param {HTMLElement} stage @param {Store} store @param {() => View} view */
@@ -15,8 +19,7 @@ export function dimensions(stage, store, view) {
   const svg = document.createElementNS(SVG, "svg"), lines = document.createElementNS(SVG, "g");
   svg.setAttribute("class", "dimensions");
   svg.setAttribute("aria-hidden", "true");
-  const handles = [["D", "Drag to change the outer diameter"], ["L", "Drag to change the length"]
-  ].map(([key, title]) => handle(key, title));
+  const handles = Object.keys(HANDLES).map(handle);
   svg.append(lines, ...handles);
   stage.append(svg);
   let on = true;
@@ -25,36 +28,46 @@ export function dimensions(stage, store, view) {
     const { shape } = store, seen = view();
     svg.style.display = on && shape ? "" : "none";
     if (!on || !shape) return;
-    const places = layout(seen, shape, seen.show.restLength, seen.show.restRadius);
-    // On a narrow page they would lie on each other: there are sliders.
-    handles.forEach((one) => { one.style.display = seen.width > 560 ? "" : "none"; });
-    lines.innerHTML = drawing(places, shape, seen.show, seen.width, seen.height);
-    const { rest: [, b], up, radius } = places;
-    [[b[0] + up[0] * radius, b[1] + up[1] * radius], b].forEach(([x, y], i) =>
-      handles[i].setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)})`),
-    );
+    const places = layout(seen, shape), { said } = muscle.state, wide = seen.width > 560;
+    // A named sleeve has its angle.
+    const turns = wide && !seen.cut && (!(said.braid ?? muscle.shown?.sleeve) || said.angle !== undefined);
+    lines.innerHTML = drawing(places, shape, seen, turns);
+    const { rest: [, b], radius, bore, strand, off } = places;
+    const spots = [off(b, Math.max(radius, GAP)), b, off(b, -Math.max(bore, GAP)), strand[strand.length - 1]];
+    handles.forEach((one, i) => {
+      // On a narrow page they would lie on each other: there are sliders.
+      one.style.display = (i < 3 ? wide : turns) ? "" : "none";
+      one.setAttribute("transform", `translate(${at(spots[i])})`);
+    });
   }
 
-  /** @param {string} key @param {string} title */
-  function handle(key, title) {
+  /** @param {string} key */
+  function handle(key) {
     const circle = document.createElementNS(SVG, "circle"), words = document.createElementNS(SVG, "title");
+    const [name, parts] = HANDLES[key];
     circle.setAttribute("r", "5");
-    words.textContent = title;
+    words.textContent = `Drag to change the ${name}`;
     circle.append(words);
     let from = { x: 0, y: 0, value: 0 };
     dragging(circle, (event, settled, begins) => {
       if (begins) {
         from = { x: event.clientX, y: event.clientY, value: Number(muscle.value(key)) };
-        event.stopPropagation();
+        return event.stopPropagation();
       }
-      const seen = view(), { restLength, restRadius } = seen.show;
-      const { up, along, rest } = layout(seen, store.shape, restLength, restRadius);
-      const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
-      // Along the axis lengths are foreshortened.
-      const long = Math.hypot(rest[1][0] - rest[0][0], rest[1][1] - rest[0][1]);
-      const by = key === "D" ? 2 * (dx * up[0] + dy * up[1]) * seen.millimetresPerPixel
-        : ((dx * along[0] + dy * along[1]) * restLength) / Math.max(20, long);
-      if (!begins) store.changed(key, Math.max(1, Math.round(10 * (from.value + by)) / 10), settled);
+      const seen = view(), { shape } = store, { restLength, restRadius } = seen.show;
+      if (!shape) return;
+      const { across, ahead, long, foot } = layout(seen, shape), box = stage.getBoundingClientRect();
+      const to = /** @type {Place} */ ([event.clientX - from.x, event.clientY - from.y]);
+      const by = across(to) * seen.millimetresPerPixel;
+      const held = /** @type {Place} */ ([event.clientX - box.left - foot[0], event.clientY - box.top - foot[1]]);
+      /** @type {Record<string, () => number>} */ const next = {
+        D: () => Math.max(1, from.value + 2 * by),
+        s: () => Math.min(0.9 * restRadius, Math.max(0.05, from.value + by)),
+        // Along the axis lengths are foreshortened.
+        L: () => Math.max(1, from.value + (ahead(to) * restLength) / Math.max(20, long)),
+        angle: () => angleAtRest(shape, seen.largest(), (ahead(held) * restLength) / long),
+      };
+      store.changed(key, Math.round(parts * next[key]()) / parts, settled);
     });
     return circle;
   }
@@ -66,32 +79,57 @@ export function dimensions(stage, store, view) {
 }
 
 /**
- * Where things are seen: ends of the axis now and at rest, directions along it and across it, radii in pixels.
- * @param {View} view @param {Store["shape"]} shape @param {number} length at rest @param {number} radius at rest
+ * The strand angle at rest with which a strand is held so far along the axis from its foot, in mm. Strands keep their
+ * length: at a contraction the ratio of the cosines is fixed, and the radius grows like that of the sines.
+ * @param {NonNullable<Store["shape"]>} shape @param {number} radius of the shape @param {number} ahead
  */
-function layout(view, shape, length, radius) {
-  const now = shape?.length_mm ?? length;
+function angleAtRest({ arrays, muscle: { angle_deg: rest } }, radius, ahead) {
+  const degree = Math.PI / 180, now = arrays.strand_angle_deg[0] * degree;
+  const ratio = Math.cos(now) / Math.cos(rest * degree), share = (radius * Math.sin(rest * degree)) / Math.sin(now);
+  let [low, high] = [12, 54];
+  for (let i = 0; i < 20; i++) {
+    const middle = 0.5 * (low + high);
+    if (HOLD * share * Math.min(1, ratio * Math.cos(middle * degree)) > ahead * Math.sin(middle * degree)) low = middle;
+    else high = middle;
+  }
+  return low;
+}
+
+/**
+ * Where things are seen: ends of the axis now and at rest, directions along it and across it, radii in pixels, and a
+ * strand from its foot on the axis to where it is held.
+ * @param {View} view @param {NonNullable<Store["shape"]>} shape
+ */
+function layout(view, { length_mm: now, muscle: { wall_mm: wall }, arrays }) {
+  const { restLength: length, restRadius: radius } = view.show, perPixel = view.millimetresPerPixel;
   const place = (/** @type {number} */ x) => /** @type {Place} */ (view.project(x, 0, 0));
   const ends = [place(-now / 2), place(now / 2)], rest = [ends[0], place(length - now / 2)];
   const [dx, dy] = [rest[1][0] - rest[0][0], rest[1][1] - rest[0][1]], long = Math.hypot(dx, dy) || 1;
-  const along = /** @type {Place} */ ([dx / long, dy / long]), up = /** @type {Place} */ ([along[1], -along[0]]);
-  const perPixel = view.millimetresPerPixel;
-  return { ends, rest, along, up: up[1] > 0 ? /** @type {Place} */ ([-up[0], -up[1]]) : up, radius: radius / perPixel,
-    bulge: view.largest() / perPixel };
+  const along = /** @type {Place} */ ([dx / long, dy / long]), sign = along[0] > 0 ? 1 : -1;
+  const up = /** @type {Place} */ ([sign * along[1], -sign * along[0]]), bulge = view.largest() / perPixel;
+  const dot = (/** @type {Place} */ [a, b]) => (/** @type {Place} */ [x, y]) => a * x + b * y;
+  const off = (/** @type {Place} */ [x, y], /** @type {number} */ by, ahead = 0) =>
+    /** @type {Place} */ ([x + up[0] * by + along[0] * ahead, y + up[1] * by + along[1] * ahead]);
+  const foot = place(-0.2 * now), rise = Math.tan((arrays.strand_angle_deg[0] * Math.PI) / 180);
+  const strand = Array.from({ length: 9 }, (_, i) => (i * HOLD) / 8).map((turn) =>
+    off(foot, bulge * Math.sin(turn), ((bulge * turn) / rise) * ((long * perPixel) / length)));
+  return { ends, rest, off, across: dot(up), ahead: dot(along), long, radius: radius / perPixel,
+    bore: (radius - wall) / perPixel, bulge, foot, strand };
 }
 
 /**
  * @param {ReturnType<typeof layout>} places @param {NonNullable<Store["shape"]>} shape
- * @param {{ restRadius: number, restLength: number }} show @param {number} wide @param {number} tall
+ * @param {View} view @param {boolean} turns whether a strand can be taken hold of
  */
-function drawing({ ends, rest, up, radius, bulge }, shape, { restRadius, restLength }, wide, tall) {
-  const off = (/** @type {Place} */ [x, y], /** @type {number} */ by) =>
-    /** @type {Place} */ ([x + up[0] * by, y + up[1] * by]);
+function drawing({ ends, rest, off, radius, bore, bulge, strand }, shape, view, turns) {
+  const { show: { restRadius, restLength }, width: wide, height: tall } = view;
   const middle = (/** @type {Place[]} */ [a, b], share = 0.5) =>
     /** @type {Place} */ ([a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]);
   const [a, b] = rest;
   const outline = [off(a, radius), off(b, radius), off(b, -radius), off(a, -radius)];
-  const ghost = `<path class="ghost" d="M${outline.map(at).join("L")}Z"/>`;
+  const inside = [bore, -bore].map((r) => `M${at(off(b, r))}L${at(off(b, r, -24))}`).join("");
+  const ghost = `<path class="ghost" d="M${outline.map(at).join("L")}Z${inside}"/>`
+    + (turns ? `<path class="over" d="M${strand.map(at).join("L")}"/>` : "");
   const low = -Math.max(bulge, radius) - GAP, line = ends.map((end) => off(end, low));
   const feet = ends.map((end) => `M${at(off(end, low - 5))}L${at(off(end, -radius))}`);
   const long = `<path d="M${at(line[0])}L${at(line[1])}${feet.join("")}"/>`;

@@ -37,8 +37,7 @@ export function numbersView(store) {
         tornado.element, el("p", { class: "small soft" }, basis));
     }
     const [value, uncertainty] = point.slack
-      ? ["slack", ""]
-      : withUncertainty("force", point.force_n, point.uncertainty_n).split(/ (?=±)/);
+      ? ["slack", ""] : withUncertainty("force", point.force_n, point.uncertainty_n).split(/ (?=±)/);
     put(pull, value);
     put(half, uncertainty ?? "");
     half.hidden = !uncertainty;

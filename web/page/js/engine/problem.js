@@ -18,6 +18,5 @@ export const problemOf = (thrown) => (thrown instanceof Problem ? thrown
 export const isAbort = (thrown) => thrown instanceof DOMException && thrown.name === "AbortError";
 
 /** The engine is not there. @param {string} why */
-export const gone = (why) =>
-  new Problem({ kind: "engine", message: `The computation engine stopped: ${why}.`,
-    hint: "Your muscle is kept; try again." });
+export const gone = (why) => new Problem({ kind: "engine", message: `The computation engine stopped: ${why}.`,
+  hint: "Your muscle is kept; try again." });

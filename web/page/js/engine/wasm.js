@@ -1,9 +1,8 @@
 // The engine as WebAssembly: in workers, so that the page never waits for it. A small module answers what is asked
-// while somebody
-// drags; the whole one is loaded when it is first needed.
+// while somebody drags; the whole one is loaded when it is first needed.
 import { Problem, gone } from "./problem.js";
 
-/** Commands of the small module; it has no `fe3d`, and reads no files of formulas and loads. */
+/** Commands of the small module; its one model is `fe`, and it reads no files of loads. */
 const LIVE = ["force", "pressure", "contraction", "curve", "shape", "check", "measures", "quantities", "units"];
 /** What it lists. */
 const LISTED = ["sleeves", "rubbers", "models"];
@@ -82,9 +81,7 @@ class Lane {
     this.open.splice(0).forEach((asked) => this.close(asked, () => asked.reject(gone(why))));
   }
 
-  /**
-   * @param {string} command @param {object} request @param {How} how
-   */
+  /** @param {string} command @param {object} request @param {How} how */
   ask(command, request, { signal, progress } = {}) {
     signal?.throwIfAborted();
     return new Promise((resolve, reject) => {
@@ -147,11 +144,9 @@ export class Engine {
    * @param {How} [how] @returns {Promise<Commands[K]["answer"]>}
    */
   async ask(command, request, { lane = "side", ...how } = {}) {
-    const of =
-      /** @type {{ model?: string, formulas?: object[], load_tables?: object[], kind?: string }} */ (request);
-    const files = of.formulas?.length || of.load_tables?.length;
+    const of = /** @type {{ model?: string, load_tables?: object[], kind?: string }} */ (request);
     const known = LIVE.includes(command) || (command === "parts-list" && LISTED.includes(of.kind ?? ""));
-    const small = known && of.model !== "fe3d" && !files;
+    const small = known && (of.model ?? "fe") === "fe" && !of.load_tables?.length;
     return this.lanes[small || lane === "job" ? lane : "whole"].ask(command, request, how);
   }
 }

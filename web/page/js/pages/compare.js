@@ -12,9 +12,8 @@ import { number, onUnits, show, unitName, withUncertainty } from "../units.js";
 import { View } from "../view3d.js";
 import { braidName, partName } from "../words.js";
 
-const MODELS =
-  /** @type {[string, string][]} */ (["fe", "universal", "thick-wall", "ideal", "paper", "chou-hannaford",
-    "force-balance", "tondu-lopez"].map((m) => [m, m]));
+const MODELS = /** @type {[string, string][]} */ (["fe", "universal", "thick-wall", "ideal", "paper", "chou-hannaford",
+  "force-balance", "tondu-lopez"].map((m) => [m, m]));
 
 /** Fields of a side: its model, and of B what it changes. @param {string} name @param {() => void} ask */
 function sideForm(name, ask) {

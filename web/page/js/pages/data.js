@@ -1,31 +1,18 @@
 // Measured points: seen over the models, and constants identified from them.
-import { Slot, engine } from "../ask.js";
+import { Slot } from "../ask.js";
 import { columnChoice, columnLine, headings } from "../columns.js";
 import { fileField } from "../controls.js";
 import { button, dim, el, problemBox } from "../dom.js";
 import { Figures } from "../figure.js";
 import { bench, form, job, table, warnings } from "../form.js";
-import { example } from "../gallery.js";
+import { GALLERY, gallery } from "../gallery.js";
 import { fileOf, keepFile } from "../kept.js";
-import { muscleButtons } from "../library.js";
+import { library, muscleButtons } from "../library.js";
 import { measured } from "../measured.js";
 import { muscle } from "../muscle.js";
 import { number, onUnits, show, unitName } from "../units.js";
 
-const HEADING = "pressure_bar,contraction,force_n\n", CONSTANTS = "constants";
-
-/** Points of this muscle with errors of 3 %, always the same. */
-async function madeUp() {
-  const p = [0.1, 0.2, 0.3], e = [0, 0.05, 0.1, 0.15, 0.2];
-  const answer = await engine().ask("curve", { ...muscle.fields(), test: "isobaric", pressures_mpa: p,
-    contractions: e });
-  const rows = answer.points.flatMap((q, i) => {
-    if (q.status !== "ok" || !("force_n" in q) || q.force_n <= 0) return [];
-    const force = q.force_n * (1 + 0.03 * Math.sin(12.9898 * (i + 1)));
-    return [`${10 * q.pressure_mpa},${q.contraction},${force.toFixed(1)}`];
-  });
-  return HEADING + rows.join("\n") + "\n";
-}
+const CONSTANTS = "constants";
 
 /** Constants with their ±, and what to do with them. @param {Commands["identify"]["answer"]} answer */
 function identifiedView(answer) {
@@ -69,7 +56,7 @@ class DataPage {
     this.data = measured.file;
     this.what = form(FIELDS, () => this.#look());
     this.columns = columnChoice(() => this.#look());
-    this.understood = el("div", {}, el("p", { class: "soft" }, BEGIN));
+    this.understood = el("div", {}, el("p", { class: "soft" }, BEGIN), this.#begins());
     this.errors = el("div", {});
     this.found = el("div", {});
     this.figures = new Figures("data");
@@ -87,20 +74,16 @@ class DataPage {
   }
 
   #controls() {
-    const fail = (/** @type {unknown} */ why) => this.#fail(why);
-    const samples = el("p", { class: "row small" }, "Examples:",
-      button("points of this muscle", () => madeUp().then((text) => this.#take("example.csv", text)).catch(fail)),
-      button("a bench with its muscle", () => this.#bench().catch(fail)));
     return [el("h2", {}, "Measured points"),
       fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) => this.#take(name, text)),
-      el("p", { class: "small soft" }, HINT), samples, this.columns.element, this.what.element,
+      el("p", { class: "small soft" }, HINT), this.columns.element, this.what.element,
       el("div", { class: "row" }, button("Compare", () => this.#look())), this.identify.element];
   }
 
-  async #bench() {
-    const [text, file] = await Promise.all([example("bench.csv"), example("bench.toml")]);
-    await muscle.take(file);
-    await this.#take("bench.csv", text);
+  /** What there is to begin with: an example, and muscles that were measured. */
+  #begins() {
+    const fail = (/** @type {unknown} */ why) => this.#fail(why);
+    return el("div", {}, gallery(fail, undefined, GALLERY.filter(({ data }) => data)), library(fail, () => {}));
   }
 
   async #request() {

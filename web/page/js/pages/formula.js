@@ -77,10 +77,9 @@ export const mount = (main) => {
     el("p", { class: "small soft" },
       "A plan lists the muscles to compute by finite elements. This is the plan of Antonelli (2018)."), plan,
     campaign.element, table1, how.element, fit.element], [errors, shown.element, figures]));
-  errors.append(el("h2", {}, PUBLISHED.name),
-    el("p", { class: "soft" },
-      "Below is the published formula. Compute a campaign and fit your own formula to it: a hundred simulations run "
-        + "while you watch."));
+  errors.append(el("h2", {}, PUBLISHED.name), el("p", { class: "soft" },
+    "Below is the published formula. Compute a campaign and fit your own formula to it: a hundred simulations run "
+      + "while you watch."));
 
   const place = () => muscle.place("formula", how.texts());
   async function paint() {

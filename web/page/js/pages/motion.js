@@ -69,8 +69,7 @@ function player() {
     }, again: () => at(Number(slider.value) / 1000) };
 }
 
-const CLOSED =
-  "A drive file states supply, valve, load and commands over time. One with a joint moves that of Joint.";
+const CLOSED = "A drive file states supply, valve, load and commands over time. One with a joint moves that of Joint.";
 const EXAMPLES = [["lift 10 kg and lower it", "drive.toml"], ["turn the joint", "elbow-drive.toml"]];
 
 /** Drive files: one that is opened, and examples. @param {(text: string) => void} take */

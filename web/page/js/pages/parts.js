@@ -32,47 +32,44 @@ const LISTS = {
   tubes: {
     head: ["tube", "", "inside", "outside", "wall", "rubber", "made", "price", "rated", "source"],
     text: [0, 5, 6, 7, 9],
-    rows: ({ tubes }) =>
-      tubes.map((t) => ({
-        name: t.name,
-        low: t.outer_diameter_mm,
-        high: t.outer_diameter_mm,
-        words: [t.name, t.rubber, t.source, t.note, t.is_cast ? "cast" : "sold"].join(" "),
-        said: { D: t.outer_diameter_mm, s: Number(t.wall_mm.toPrecision(12)), rubber: t.rubber },
-        cells: [t.name, show("length", t.inner_diameter_mm), show("length", t.outer_diameter_mm),
-          show("length", t.wall_mm, 3), t.rubber, t.is_cast ? "cast" : "sold", t.price ?? "–",
-          t.pressure_mpa ? show("pressure", t.pressure_mpa, 3) : "–", source(t.source, t.note)],
-      })),
+    rows: ({ tubes }) => tubes.map((t) => ({
+      name: t.name,
+      low: t.outer_diameter_mm,
+      high: t.outer_diameter_mm,
+      words: [t.name, t.rubber, t.source, t.note, t.is_cast ? "cast" : "sold"].join(" "),
+      said: { D: t.outer_diameter_mm, s: Number(t.wall_mm.toPrecision(12)), rubber: t.rubber },
+      cells: [t.name, show("length", t.inner_diameter_mm), show("length", t.outer_diameter_mm),
+        show("length", t.wall_mm, 3), t.rubber, t.is_cast ? "cast" : "sold", t.price ?? "–",
+        t.pressure_mpa ? show("pressure", t.pressure_mpa, 3) : "–", source(t.source, t.note)],
+    })),
   },
   sleeves: {
     head: ["sleeve", "", "what it is", "material", "for diameters", "angle from", "strands", "estimated", "source"],
     text: [0, 2, 3, 7, 8],
-    rows: ({ sleeves }) =>
-      sleeves.map((s) => ({
-        name: s.name,
-        low: s.least_diameter_mm,
-        high: s.largest_diameter_mm,
-        words: [s.name, s.title, s.material, s.source].join(" "),
-        said: { braid: s.name },
-        cells: [s.name, s.title, s.material,
-          `${show("length", s.least_diameter_mm, 3)} to ${show("length", s.largest_diameter_mm, 3)}`,
-          show("angle", s.least_angle_deg, 3), s.strands ? String(s.strands) : estimate("estimated"),
-          s.missing || s.stiffness_factor ? estimate(estimated(s)) : "nothing", source(s.source)],
-      })),
+    rows: ({ sleeves }) => sleeves.map((s) => ({
+      name: s.name,
+      low: s.least_diameter_mm,
+      high: s.largest_diameter_mm,
+      words: [s.name, s.title, s.material, s.source].join(" "),
+      said: { braid: s.name },
+      cells: [s.name, s.title, s.material,
+        `${show("length", s.least_diameter_mm, 3)} to ${show("length", s.largest_diameter_mm, 3)}`,
+        show("angle", s.least_angle_deg, 3), s.strands ? String(s.strands) : estimate("estimated"),
+        s.missing || s.stiffness_factor ? estimate(estimated(s)) : "nothing", source(s.source)],
+    })),
   },
   rubbers: {
     head: ["rubber", "", "what it is", "law", "shear modulus", "breaks at", "source"],
     text: [0, 2, 3, 6],
-    rows: ({ rubbers }) =>
-      rubbers.map((r) => ({
-        name: r.name,
-        low: 0,
-        high: Infinity,
-        words: [r.name, r.title, r.law, r.source].join(" "),
-        said: { rubber: r.name },
-        cells: [r.name, r.title, r.law, show("modulus", r.shear_modulus_mpa, 3),
-          r.max_strain ? show("ratio", r.max_strain, 3) : estimate("not measured"), source(r.source)],
-      })),
+    rows: ({ rubbers }) => rubbers.map((r) => ({
+      name: r.name,
+      low: 0,
+      high: Infinity,
+      words: [r.name, r.title, r.law, r.source].join(" "),
+      said: { rubber: r.name },
+      cells: [r.name, r.title, r.law, show("modulus", r.shear_modulus_mpa, 3),
+        r.max_strain ? show("ratio", r.max_strain, 3) : estimate("not measured"), source(r.source)],
+    })),
   },
 };
 
