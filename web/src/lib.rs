@@ -37,12 +37,15 @@ pub fn paths() -> impl Iterator<Item = Cow<'static, str>> {
 
 /// The script that turns the muscle in a report: the page's own view, in one piece.
 pub fn viewer() -> String {
-    let modules = ["body", "dom", "life", "shaders", "view3d", "report-viewer"];
-    let modules = modules.into_iter().filter_map(|name| file(&format!("js/{name}.js")));
-    let mut out = String::new();
-    for module in modules {
-        let text = String::from_utf8_lossy(&module).replace("\nexport ", "\n");
-        out.extend(text.lines().filter(|line| !line.starts_with("import ")).flat_map(|line| [line, "\n"]));
-    }
-    out
+    // By themselves: the Python package has no other file of the page.
+    let modules = concat!(
+        include_str!("../page/js/body.js"),
+        include_str!("../page/js/dom.js"),
+        include_str!("../page/js/life.js"),
+        include_str!("../page/js/shaders.js"),
+        include_str!("../page/js/view3d.js"),
+        include_str!("../page/js/report-viewer.js"),
+    );
+    let lines = modules.lines().filter(|line| !line.starts_with("import "));
+    lines.flat_map(|line| [line.strip_prefix("export ").unwrap_or(line), "\n"]).collect()
 }

@@ -46,8 +46,7 @@ impl TextFile {
         Ok(Self { name: name.into(), ..Self::muscle(&place)? })
     }
 
-    /// A table, whatever program wrote it, or the sheet of a workbook: `bench.xlsx#Sheet 2`. Its name also says what it was read from, where that is
-    /// not UTF-8. Such files may be long.
+    /// A table, whatever program wrote it, or the sheet of a workbook: `bench.xlsx#Sheet 2`. Its name also says its encoding where that is not UTF-8.
     pub fn table(path: &Path) -> Result<Self> {
         let name = path.display().to_string();
         let (file, sheet) = match name.rsplit_once('#') {

@@ -119,13 +119,11 @@ impl Args {
     /// The files that texts of a request name.
     fn add_files(&self, out: &mut Map<String, Value>) -> Result<(), Problem> {
         let has = |field: &str| self.request["properties"].get(field).is_some();
-        let text = |field: &str| out.get(field).and_then(Value::as_str).map(str::to_owned);
-        if let Some(path) = text("rubber")
-            .filter(|name| name.to_lowercase().ends_with(".toml"))
-            .filter(|_| has("rubber_file"))
-        {
+        let is_file = |name: &str| has("rubber_file") && name.to_lowercase().ends_with(".toml");
+        if let Some(path) = out.get("rubber").and_then(Value::as_str).filter(|name| is_file(name)) {
+            let file = TextFile::at(Path::new(path))?;
             out.remove("rubber");
-            out.insert("rubber_file".into(), json!(TextFile::at(Path::new(&path))?));
+            out.insert("rubber_file".into(), json!(file));
         }
         let text = |field: &str| out.get(field).and_then(Value::as_str).map(str::to_owned);
         let models = out.get("models").and_then(Value::as_array).into_iter().flatten();
