@@ -56,7 +56,7 @@ class DataPage {
     this.data = measured.file;
     this.what = form(FIELDS, () => this.#look());
     this.columns = columnChoice(() => this.#look());
-    this.understood = el("div", {}, el("p", { class: "soft" }, BEGIN), this.#begins());
+    this.understood = el("div", {}, ...(this.data ? [] : [el("p", { class: "soft" }, BEGIN), this.#begins()]));
     this.errors = el("div", {});
     this.found = el("div", {});
     this.figures = new Figures("data");
