@@ -27,7 +27,7 @@ export function picture(c, wide, tall) {
 export function candidatesView(open) {
   const element = el("div", { class: "candidates", "aria-live": "polite" });
   const said = el("ul", { class: "decision small" });
-  const slots = WISHES.map(() => new Slot());
+  const slots = WISHES.map(() => new Slot({ stays: true }));
   /** @type {(Candidate | string | undefined)[]} */ let found = [];
   /** @type {Design["request"]} */ let of = {};
   function paint() {
