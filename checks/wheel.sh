@@ -34,7 +34,7 @@ mypy python/mckibben python/tests python/examples/*.py python/*.py
 step "types of the installed package are complete, and a misspelt name is an error"
 python -m pip install --quiet pyright
 python -m pip install --quiet --no-index --no-deps --target "$work/typed" "$work"/dist/*.whl
-complete=$(cd "$work/typed" && pyright --verifytypes mckibben --ignoreexternal 2>/dev/null | sed -n 's/^Type completeness score: \(.*\)%/\1/p')
+complete=$(cd "$work/typed" && PYTHONPATH=$PWD pyright --verifytypes mckibben --ignoreexternal 2>/dev/null | sed -n 's/^Type completeness score: \(.*\)%/\1/p')
 echo "pyright: $complete %"
 test "${complete%.*}" -ge 99
 printf 'import mckibben as mk\nmk.Muscle(outer_diameter_mm=1, wall_mm=1, lenght_mm=1)\nmk.desing(force_n=1)\n' >"$work/typed/wrong.py"

@@ -28,8 +28,12 @@ class MckibbenError(Exception):
         self, message: str = "", *, kind: str = "internal", hint: str = "", field: str | None = None, nearest: dict[str, float | None] | None = None, index: int | None = None
     ) -> None:
         super().__init__(message)
-        self.message, self.kind, self.hint, self.field = message, kind, hint, field
-        self.nearest, self.index = nearest, index
+        self.message: str = message
+        self.kind: str = kind
+        self.hint: str = hint
+        self.field: str | None = field
+        self.nearest: dict[str, float | None] | None = nearest
+        self.index: int | None = index
 
     def __str__(self) -> str:
         at = f"point {self.index}: " if self.index is not None else ""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from . import _api, _native
 from ._api import State
@@ -55,6 +55,7 @@ class _File(Fixed):
     """A file and those that it names, each as name and text, as a request has them."""
 
     __slots__ = ("_held",)
+    _kind: ClassVar[str]
     _held: dict[str, Any]
 
     @classmethod
@@ -64,32 +65,28 @@ class _File(Fixed):
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Self:
         """The one of a file, with the files that it names from beside it."""
-        return cls._of(_native.read(path, cls._kind()))
-
-    @classmethod
-    def _kind(cls) -> str:
-        return cls.__name__.lower()
+        return cls._of(_native.read(path, cls._kind))
 
     @classmethod
     def _written(cls, given: Mapping[str, Any], **others: Any) -> dict[str, Any]:
         """Tables as the text of a file, which names its schema for editors, and other files."""
         text = _native.toml_text({name: value for name, value in given.items() if value not in (None, {})})
-        return {cls._kind(): {"name": cls._kind(), "text": f"#:schema {cls._kind()}.schema.json\n\n{text}"}, **others}
+        return {cls._kind: {"name": cls._kind, "text": f"#:schema {cls._kind}.schema.json\n\n{text}"}, **others}
 
     def _files(self, command: str) -> dict[str, Any]:
         return self._held
 
     def _tables(self) -> dict[str, Any]:
-        return _native.toml(self._kind(), self.to_toml())
+        return _native.toml(self._kind, self.to_toml())
 
     def _beside(self) -> dict[str, str]:
         """The texts of the other files by their names."""
-        held = [of for name, of in self._held.items() if of and name != self._kind()]
+        held = [of for name, of in self._held.items() if of and name != self._kind]
         return {of["name"]: of["text"] for some in held for of in (some if isinstance(some, list) else [some])}
 
     def to_toml(self) -> str:
         """The text of its file."""
-        return str(self._held[self._kind()]["text"])
+        return str(self._held[self._kind]["text"])
 
     def to_dict(self) -> dict[str, Any]:
         """Its tables as plain dicts; under ``files`` the texts of the files that it names, and of those that these name."""
@@ -143,6 +140,7 @@ class Joint(_api.JointCommands, _File):
     """
 
     __slots__ = ()
+    _kind = "joint"
 
     def __init__(
         self, muscle_1: Muscle, muscle_2: Muscle | None = None, *, joint: Keys, contraction_at_neutral: Number | None = None,
@@ -201,10 +199,11 @@ class Drive(_api.DriveCommands, _File):
     """
 
     __slots__ = ()
+    _kind = "drive"
 
     def __init__(self, of: Muscle | Joint, *, command: Keys, tables: Mapping[str, TableLike] | None = None, **others: Unpack[_api.DriveTables]) -> None:
-        place, named = f"{_subject(of)}.toml", [{**table(data), "name": name} for name, data in (tables or {}).items()]
-        made = {_subject(of): place, **_tables(_api.DriveTables, others), "command": _table(command)}
+        place, named = f"{of._kind}.toml", [{**table(data), "name": name} for name, data in (tables or {}).items()]
+        made = {of._kind: place, **_tables(_api.DriveTables, others), "command": _table(command)}
         self._hold(_held=self._written(made, tables=named, **_moved(of, place)))
 
     @property
@@ -217,16 +216,12 @@ class Drive(_api.DriveCommands, _File):
         """The same drive of another muscle or joint."""
         if type(of) is not type(self.of):
             raise TypeError(f"the drive is that of a {type(self.of).__name__}")
-        return Drive._of({**self._held, **_moved(of, self._held[_subject(of)]["name"])})
-
-
-def _subject(of: Muscle | Joint) -> str:
-    return "joint" if isinstance(of, Joint) else "muscle"
+        return Drive._of({**self._held, **_moved(of, self._held[of._kind]["name"])})
 
 
 def _moved(of: Muscle | Joint, name: str) -> dict[str, Any]:
     """What a drive moves, under a name."""
-    return {**of._files(""), _subject(of): {"name": name, "text": of.to_toml()}}
+    return {**of._files(""), of._kind: {"name": name, "text": of.to_toml()}}
 
 
 def muscle_of(held: Mapping[str, str]) -> Muscle:

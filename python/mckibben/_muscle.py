@@ -65,6 +65,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     """
 
     __slots__ = ("_held", "_models", "_own")
+    _kind = "muscle"
     _held: _native.Muscle
     _models: dict[Any, Bound]
     _own: dict[str, Any] | None
