@@ -192,13 +192,14 @@ def answered(kind: type[Answer], command: str, given: dict[str, Any], figure: st
 def fields(given: Mapping[str, Any]) -> dict[str, Any]:
     """Arguments as the fields of a request; what is not given is left to the program."""
     out: dict[str, Any] = {}
-    for name, value in given.items():
-        name = name.rstrip("_")
-        if name in ("model", "models") and value is not None:
+    for name, value in ((name.rstrip("_"), value) for name, value in given.items() if value is not None):
+        if name in ("model", "models"):
             models = [value] if name == "model" or isinstance(value, str) else value
             words = [getattr(model, "name") if isinstance(model, Saved) else plain(name, model) for model in models]
             files = [plain(name, model) for model in models if isinstance(model, Saved) or str(model).strip().lower().endswith(".json")]
-            out |= {name: words[0] if name == "model" else words, **({"formulas": files} if files else {})}
+            out |= {name: words[0] if name == "model" else words, **({"formulas": [*out.get("formulas", []), *files]} if files else {})}
+        elif name == "formulas":
+            out[name] = [*out.get(name, []), *plain(name, value if isinstance(value, (list, tuple)) else [value])]
         elif name in TABLES and not isinstance(value, (bool, int)):
             items = value if isinstance(value, (list, tuple)) else [value]
             # The program takes one for a list of one.
@@ -206,11 +207,9 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
             out[name] = held[0] if len(held) == 1 else held
         elif name in CHOICES and isinstance(value, tuple) and len(value) == 2:
             out[name] = dict(zip(("low", "high"), plain(name, value)))
-        elif name == "formulas" and "formulas" in out:
-            out[name] += plain(name, value)
         else:
             out[name] = plain(name, value)
-    return {name: value for name, value in out.items() if value is not None}
+    return out
 
 
 def known(given: Mapping[str, Any], kind: Any) -> Mapping[str, Any]:

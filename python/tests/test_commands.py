@@ -299,3 +299,13 @@ def test_the_package_lists_its_names() -> None:
     for name in names:
         thing = getattr(mk, name)
         assert pickle.loads(pickle.dumps(thing)) is thing and thing.__doc__ and (f"``{name}``" in (mk.__doc__ or "") or issubclass(thing, Warning))
+
+
+def test_formulas_of_a_model_and_of_an_argument_are_both_asked(root: Path) -> None:
+    """In either order of the arguments, one alone or a list."""
+    from mckibben._request import fields
+
+    one = mk.fit(root / "data/campaign/paper.csv").formula
+    two = mk.Formula(one.to_json(), "two")
+    for given in ({"model": one, "formulas": [two]}, {"formulas": two, "model": one}, {"formulas": None, "model": one}):
+        assert {file["name"] for file in fields(given)["formulas"]} == {one.name} | ({"two"} if given["formulas"] else set())
